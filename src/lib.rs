@@ -32,6 +32,7 @@
 //!   ─────────────────────────────────────────────────────────────
 //!   class/         a round for a class round one screen: teams, two votes, scores, what
 //!                  each question showed
+//!   gradebook/     what a class has handed in: each pupil, each round, each question
 //!   ─────────────────────────────────────────────────────────────
 //!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)
 //!   progress/      what a player has done, and what follows from it: topics, confidence,
@@ -61,6 +62,7 @@ pub mod class;
 pub mod cli;
 pub mod files;
 pub mod game;
+pub mod gradebook;
 pub mod lessons;
 pub mod levels;
 pub mod messages;

@@ -148,6 +148,27 @@ fn trimmed(decimal: &str) -> &str {
     }
 }
 
+/// The mean; `None` of nothing.
+pub(crate) fn mean(x: &[f64]) -> Option<f64> {
+    (!x.is_empty()).then(|| x.iter().sum::<f64>() / x.len() as f64)
+}
+
+/// Pearson's correlation; `None` for fewer than three pairs, or where one side does not
+/// vary by more than a thousandth.
+pub(crate) fn correlation(x: &[f64], y: &[f64]) -> Option<f64> {
+    const VARIES: f64 = 1e-6;
+    if x.len() < 3 {
+        return None;
+    }
+    let (mx, my) = (mean(x)?, mean(y)?);
+    let sum = |f: &dyn Fn(f64, f64) -> f64| -> f64 {
+        x.iter().zip(y).map(|(x, y)| f(x - mx, y - my)).sum()
+    };
+    let (xx, yy) = (sum(&|x, _| x * x), sum(&|_, y| y * y));
+    let xy = sum(&|x, y| x * y);
+    (xx > VARIES && yy > VARIES).then(|| (xy / (xx * yy).sqrt()).clamp(-1.0, 1.0))
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
@@ -279,5 +300,15 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn correlation_by_hand() {
+        // (1,2), (2,4), (3,6) lie on a line; (1,1), (2,3), (3,2): r = 1/2.
+        assert_eq!(correlation(&[1.0, 2.0, 3.0], &[2.0, 4.0, 6.0]), Some(1.0));
+        let r = correlation(&[1.0, 2.0, 3.0], &[1.0, 3.0, 2.0]).unwrap();
+        assert!((r - 0.5).abs() < 1e-12);
+        assert_eq!(correlation(&[1.0, 2.0], &[1.0, 2.0]), None);
+        assert_eq!(correlation(&[1.0, 1.0, 1.0], &[1.0, 2.0, 3.0]), None);
     }
 }

@@ -1,6 +1,7 @@
 //! What each question showed about the class.
 
 use super::{ClassRound, Vote};
+use crate::numbers::{self, correlation};
 use crate::quiz::{Misconception, evidence};
 
 /// What a question showed.
@@ -61,11 +62,11 @@ fn item(round: &ClassRound, question: usize, asked: usize) -> ItemAnalysis {
 }
 
 fn spread(errors: &[f64]) -> Option<Spread> {
-    let mean = mean(errors)?;
+    let mean = numbers::mean(errors)?;
     let squares: Vec<f64> = errors.iter().map(|error| (error - mean).powi(2)).collect();
     Some(Spread {
         mean,
-        deviation: self::mean(&squares)?.sqrt(),
+        deviation: numbers::mean(&squares)?.sqrt(),
     })
 }
 
@@ -84,39 +85,9 @@ fn discrimination(round: &ClassRound, question: usize, asked: usize) -> Option<f
     correlation(&own, &rest)
 }
 
-/// Pearson's correlation; `None` for fewer than three pairs, or where one side does not
-/// vary by more than a thousandth of a point.
-fn correlation(x: &[f64], y: &[f64]) -> Option<f64> {
-    const VARIES: f64 = 1e-6;
-    if x.len() < 3 {
-        return None;
-    }
-    let (mx, my) = (mean(x)?, mean(y)?);
-    let sum = |f: &dyn Fn(f64, f64) -> f64| -> f64 {
-        x.iter().zip(y).map(|(x, y)| f(x - mx, y - my)).sum()
-    };
-    let (xx, yy) = (sum(&|x, _| x * x), sum(&|_, y| y * y));
-    let xy = sum(&|x, y| x * y);
-    (xx > VARIES && yy > VARIES).then(|| (xy / (xx * yy).sqrt()).clamp(-1.0, 1.0))
-}
-
-fn mean(x: &[f64]) -> Option<f64> {
-    (!x.is_empty()).then(|| x.iter().sum::<f64>() / x.len() as f64)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn correlation_by_hand() {
-        // (1,2), (2,4), (3,6) lie on a line; (1,1), (2,3), (3,2): r = 1/2.
-        assert_eq!(correlation(&[1.0, 2.0, 3.0], &[2.0, 4.0, 6.0]), Some(1.0));
-        let r = correlation(&[1.0, 2.0, 3.0], &[1.0, 3.0, 2.0]).unwrap();
-        assert!((r - 0.5).abs() < 1e-12);
-        assert_eq!(correlation(&[1.0, 2.0], &[1.0, 2.0]), None);
-        assert_eq!(correlation(&[1.0, 1.0, 1.0], &[1.0, 2.0, 3.0]), None);
-    }
 
     #[test]
     fn spread_by_hand() {

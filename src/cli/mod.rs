@@ -7,10 +7,12 @@ mod failure;
 mod figure;
 mod given;
 mod guide;
+mod hand_in;
 mod keys;
 mod lesson;
 mod level;
 mod man;
+mod misconceptions;
 mod new;
 mod options;
 mod page;
@@ -74,6 +76,10 @@ Examples:
   carrom progress --csv        every answer you gave, for a spreadsheet
   carrom progress --report me.html
                                a page of it, for a portfolio or a teacher
+  carrom hand-in --class 10b   every answer in one small file, for a teacher
+  carrom gather handed-in --out class.html
+                               the files of a class, put together as a gradebook
+  carrom misconceptions        every misconception that the program knows
   carrom --charset ascii       for terminals and fonts that know nothing else
   carrom solve --alpha-deg 30  a worked solution, step by step
   carrom level check mine.toml see whether a level of your own can be won
@@ -105,7 +111,10 @@ enum Command {
     Lesson(lesson::Command),
     #[command(subcommand)]
     Concept(concept::Command),
+    Misconceptions(misconceptions::Args),
     Figure(figure::Args),
+    HandIn(hand_in::HandInArgs),
+    Gather(hand_in::GatherArgs),
     Page(page::Args),
     Worksheet(worksheet::Args),
     Tape(tape::Args),
@@ -379,6 +388,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Level(command)) => level::run(command, &cli.options),
         Some(Command::Lesson(command)) => lesson::run(command, &cli.options),
         Some(Command::Concept(command)) => concept::run(command, &cli.options),
+        Some(Command::Misconceptions(args)) => misconceptions::run(args, &cli.options),
+        Some(Command::HandIn(args)) => hand_in::hand_in(args, &cli.options),
+        Some(Command::Gather(args)) => hand_in::gather(args, &cli.options),
         Some(Command::Figure(args)) => figure::run(args, &cli.options),
         Some(Command::Page(args)) => page::run(args, &cli.options),
         Some(Command::Worksheet(args)) => worksheet::run(args, &cli.options),

@@ -1,5 +1,6 @@
 //! `carrom progress`: opens the screen, or prints what was done.
 
+use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::path::PathBuf;
 
@@ -7,7 +8,7 @@ use anyhow::anyhow;
 
 use super::{Failure, GlobalOptions, print, written};
 use crate::files::{Document, escape_control_lines};
-use crate::messages::{StoreCall, StoreReply, StoreRequest};
+use crate::messages::{History, StoreCall, StoreReply, StoreRequest};
 use crate::paper::report::{Report, Sources};
 use crate::progress::{csv, json};
 use crate::store::Store;
@@ -28,9 +29,10 @@ pub(super) struct Args {
     /// The answers of everyone who plays on this computer
     #[arg(long)]
     everyone: bool,
-    /// Write a one-page report with pictures, to be printed (.html) or read on (.md)
+    /// Write a one-page report with pictures, to be printed (.html) or read on (.md); with
+    /// --everyone a page for each player
     #[arg(long, value_name = "FILE", value_parser = report_file,
-          conflicts_with_all = ["json", "csv", "everyone"])]
+          conflicts_with_all = ["json", "csv"])]
     report: Option<ReportFile>,
     /// Replace a report that is there already, with its pictures
     #[arg(long, requires = "report")]
@@ -66,29 +68,13 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     let mut store = options.store().only_looking();
     let player = options.player_name();
     let whose = (!args.everyone).then(|| player.clone());
-    let history = match ask(&mut store, StoreRequest::Recall(whose)) {
-        StoreReply::Recalled(recalled) => recalled.map_err(|reason| anyhow!(reason))?,
-        _ => return Err(anyhow!("the answers could not be looked up").into()),
-    };
+    let history = recall(&mut store, whose)?;
     if let Some(file) = &args.report {
-        let stars = match ask(&mut store, StoreRequest::Stars(player.clone())) {
-            StoreReply::Stars(stars) => stars.map_err(|reason| anyhow!(reason))?,
-            _ => return Err(anyhow!("the stars could not be looked up").into()),
+        let players = match args.everyone {
+            true => players(&history),
+            false => vec![player],
         };
-        let marks = match ask(&mut store, StoreRequest::Marks(player.clone())) {
-            StoreReply::Marks(marks) => marks.map_err(|reason| anyhow!(reason))?,
-            _ => return Err(anyhow!("the bookmarks could not be looked up").into()),
-        };
-        let (shelf, book) = (options.shelf(), options.book());
-        let report = Report::new(&Sources {
-            player: &player,
-            history: &history,
-            marks: &marks,
-            stars: &stars,
-            levels: shelf.library(),
-            lessons: book.library(),
-        });
-        let documents = documents(&report, file);
+        let documents = reports(&players, &history, &mut store, file, options)?;
         return Ok(written::write_beside(&file.path, &documents, args.force)?);
     }
     let text = if args.csv {
@@ -97,6 +83,62 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
         json(&history.attempts, &history.calendar).map_err(|reason| anyhow!(reason))? + "\n"
     };
     Ok(print(text.as_bytes())?)
+}
+
+/// The answers of a player, or of everyone.
+pub(super) fn recall(store: &mut Store, whose: Option<String>) -> anyhow::Result<History> {
+    match ask(store, StoreRequest::Recall(whose)) {
+        StoreReply::Recalled(recalled) => {
+            let history = recalled.map_err(|reason| anyhow!(reason))?;
+            Ok(*history)
+        }
+        _ => Err(anyhow!("the answers could not be looked up")),
+    }
+}
+
+/// Everyone who has answered anything, in the order of their names.
+fn players(history: &History) -> Vec<String> {
+    let names = history.attempts.iter().map(|it| it.player.clone());
+    names.collect::<BTreeSet<_>>().into_iter().collect()
+}
+
+/// A report of each of these players, a page each.
+fn reports(
+    players: &[String],
+    history: &History,
+    store: &mut Store,
+    file: &ReportFile,
+    options: &GlobalOptions,
+) -> anyhow::Result<Vec<Document>> {
+    let (shelf, book) = (options.shelf(), options.book());
+    let mut kept = Vec::new();
+    for player in players {
+        let stars = match ask(store, StoreRequest::Stars(player.clone())) {
+            StoreReply::Stars(stars) => stars.map_err(|reason| anyhow!(reason))?,
+            _ => return Err(anyhow!("the stars could not be looked up")),
+        };
+        let marks = match ask(store, StoreRequest::Marks(player.clone())) {
+            StoreReply::Marks(marks) => marks.map_err(|reason| anyhow!(reason))?,
+            _ => return Err(anyhow!("the bookmarks could not be looked up")),
+        };
+        let own = history.attempts.iter().filter(|it| it.player == *player);
+        let history = History {
+            attempts: own.cloned().collect(),
+            ..history.clone()
+        };
+        kept.push((player, history, marks, stars));
+    }
+    let reports = kept.iter().map(|(player, history, marks, stars)| {
+        Report::new(&Sources {
+            player,
+            history,
+            marks,
+            stars,
+            levels: shelf.library(),
+            lessons: book.library(),
+        })
+    });
+    Ok(documents(&reports.collect::<Vec<_>>(), file))
 }
 
 /// What the store has to say, after what the player should know of it.
@@ -108,21 +150,30 @@ fn ask(store: &mut Store, wish: StoreRequest) -> StoreReply {
     answer.done
 }
 
-/// The report in its file; the pictures of one in Markdown go into a folder beside it,
-/// which has its name.
-fn documents(report: &Report, file: &ReportFile) -> Vec<Document> {
+/// The reports in one file; the pictures of those in Markdown go into a folder beside it,
+/// which has its name, and where there are several into one each within it.
+fn documents(reports: &[Report], file: &ReportFile) -> Vec<Document> {
     let path = &file.path;
     if !file.is_markdown {
-        return vec![(path.clone(), report.html())];
+        return vec![(path.clone(), Report::html_of_all(reports))];
     }
     let stem = path.file_stem().and_then(OsStr::to_str);
-    let folder = format!("{}-pictures", stem.unwrap_or("report"));
-    let mut documents = vec![(path.clone(), report.markdown(&folder))];
-    for picture in report.pictures() {
-        let picture_path = path
-            .with_file_name(&folder)
-            .join(format!("{}.svg", picture.name));
-        documents.push((picture_path, picture.svg.file()));
+    let all = format!("{}-pictures", stem.unwrap_or("report"));
+    let mut texts = Vec::new();
+    let mut pictures = Vec::new();
+    for (number, report) in (1..).zip(reports) {
+        let folder = match reports {
+            [_] => all.clone(),
+            _ => format!("{all}/{number}"),
+        };
+        texts.push(report.markdown(&folder));
+        for picture in report.pictures() {
+            let name = format!("{}.svg", picture.name);
+            let picture_path = path.with_file_name(&folder).join(name);
+            pictures.push((picture_path, picture.svg.file()));
+        }
     }
+    let mut documents = vec![(path.clone(), texts.join("\n---\n\n"))];
+    documents.extend(pictures);
     documents
 }

@@ -24,6 +24,7 @@
 //! ```
 
 mod clean;
+pub mod gradebook;
 mod guide;
 mod markdown;
 mod page;

@@ -9,6 +9,7 @@ mod bad_levels;
 mod bookmarks;
 mod child;
 mod cli;
+mod gather;
 #[cfg(unix)]
 mod freeze;
 #[cfg(unix)]

@@ -13,27 +13,34 @@ use crate::quiz::NAMED_ODDS;
 /// Columns of a topic's name.
 const TOPIC: usize = 40;
 
-pub(super) fn document(report: &Report) -> String {
-    let title = format!("{}: glancing collisions", report.name);
-    let body = html! {
-        (head(report))
-        @if report.attempts.is_empty() {
-            p.nothing {
-                "Nothing here yet: every beginning is a clean board. After a round of the quiz "
-                "this page shows how the answers come closer to the truth."
-            }
-        } @else {
-            (figures(report))
-            (columns(report))
-        }
-        (next(report))
-        footer { (report.origin()) }
+pub(super) fn document(reports: &[Report]) -> String {
+    let whose = match reports {
+        [one] => &one.name,
+        _ => "carrom",
     };
-    let body = html! { div.report { (body) } };
-    HtmlPage::new(&title)
-        .style(include_str!("report.css"))
-        .sheet(body)
-        .html()
+    let page = HtmlPage::new(&format!("{whose}: glancing collisions"));
+    let page = page.style(include_str!("report.css"));
+    let pages = reports.iter().map(sheet);
+    pages.fold(page, HtmlPage::sheet).html()
+}
+
+fn sheet(report: &Report) -> Markup {
+    html! {
+        div.report {
+            (head(report))
+            @if report.attempts.is_empty() {
+                p.nothing {
+                    "Nothing here yet: every beginning is a clean board. After a round of the quiz "
+                    "this page shows how the answers come closer to the truth."
+                }
+            } @else {
+                (figures(report))
+                (columns(report))
+            }
+            (next(report))
+            footer { (report.origin()) }
+        }
+    }
 }
 
 fn head(report: &Report) -> Markup {

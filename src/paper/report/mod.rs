@@ -112,7 +112,13 @@ impl<'a> Report<'a> {
     /// The report as an HTML document, with its pictures in it.
     #[must_use]
     pub fn html(&self) -> String {
-        html::document(self)
+        Self::html_of_all(std::slice::from_ref(self))
+    }
+
+    /// Several reports as one HTML document, each on a page of its own.
+    #[must_use]
+    pub fn html_of_all(reports: &[Self]) -> String {
+        html::document(reports)
     }
 
     /// The report as a Markdown document, whose pictures are in `folder`: a path from the

@@ -14,23 +14,43 @@ const LARGER_FROM: u16 = 56;
 const AIRY_FROM: u16 = 30;
 
 /// A heading with the line below it that says what to do.
+#[derive(Debug, Clone)]
 pub(super) struct Heading {
     /// What it may say, the best first; the first that fits is taken.
     texts: Vec<String>,
     /// The line below it.
-    line: &'static str,
+    line: String,
+    /// Whether both are one line of plain type.
+    small: bool,
 }
 
 impl Heading {
     /// A heading.
-    pub(super) fn new(texts: &[&str], line: &'static str) -> Self {
-        let texts = texts.iter().map(ToString::to_string).collect();
-        Self { texts, line }
+    pub(super) fn new(texts: &[&str], line: impl Into<String>) -> Self {
+        Self {
+            texts: texts.iter().map(ToString::to_string).collect(),
+            line: line.into(),
+            small: false,
+        }
+    }
+
+    /// Whether it says nothing to do.
+    pub(super) const fn is_bare(&self) -> bool {
+        self.line.is_empty()
+    }
+
+    /// The same in one line of plain type, where large type would take room from the question.
+    pub(super) fn small(self) -> Self {
+        Self {
+            small: true,
+            ..self
+        }
     }
 
     /// The heading in large type, if there is room for it.
     fn big(&self, area: Rect, look: &Look) -> Option<Big> {
         let most = match area.height {
+            _ if self.small => return None,
             ..LARGE_FROM => return None,
             LARGE_FROM..LARGER_FROM => 4,
             _ => 8,
@@ -42,6 +62,9 @@ impl Heading {
 
     /// What is left of an area below it.
     pub(super) fn rest(&self, area: Rect, look: &Look) -> Rect {
+        if self.small {
+            return below(area, 1);
+        }
         let air = u16::from(area.height >= AIRY_FROM);
         let heading = self.big(area, look).map_or(1, |big| big.rows() + air);
         let line = u16::from(!self.line.is_empty()) + air;
@@ -50,6 +73,17 @@ impl Heading {
 
     /// Draws it in large letters where there is room, with the line below it.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look) {
+        let title = self.texts.first().map_or("", String::as_str);
+        if self.small {
+            let both = match self.line.as_str() {
+                "" => title.to_owned(),
+                line => format!("{title}. {line}"),
+            };
+            // What to do is more than what the step is called.
+            let wide = text::width(&both) <= area.width.into();
+            let words = if wide { &both } else { &self.line };
+            return centred(words, area, buf, look, Role::Key);
+        }
         let air = u16::from(area.height >= AIRY_FROM);
         let rows = match self.big(area, look) {
             Some(big) => {
@@ -57,12 +91,11 @@ impl Heading {
                 big.rows() + air
             }
             None => {
-                let text = self.texts.first().map_or("", String::as_str);
-                centred(text, area, buf, look, Role::Title);
+                centred(title, area, buf, look, Role::Title);
                 1
             }
         };
-        centred(self.line, below(area, rows), buf, look, Role::Key);
+        centred(&self.line, below(area, rows), buf, look, Role::Key);
     }
 }
 

@@ -14,9 +14,11 @@ mod set_up_view;
 mod shown;
 mod shown_view;
 mod spread_view;
+mod step_view;
 mod view;
 mod vote_entry;
 mod vote_view;
+mod words;
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -62,6 +64,8 @@ pub(crate) enum ClassAction {
     Vote(AnswerAction),
     /// leave the vote as it was
     NotYet,
+    /// show what is typed, or hide it
+    ShowTyped,
     /// watch the hit
     Watch(WatchAction),
     /// a blank screen until the same key again
@@ -72,7 +76,7 @@ pub(crate) enum ClassAction {
     WordsAlone,
     /// write two tables for a spreadsheet: answers and questions
     Tables,
-    /// scroll
+    /// turn the page, or scroll
     Scroll(i16),
     /// go back, or leave the round
     Leave,
@@ -172,7 +176,7 @@ impl Screen for Class {
         }
     }
 
-    fn keys(&self, _cx: &Context) -> KeyTable<ClassAction> {
+    fn keys(&self, cx: &Context) -> KeyTable<ClassAction> {
         use ClassAction::{Earlier, Leave, Pause, SetUp};
         let keys = KeyTable::new("class");
         match &self.scene {
@@ -185,7 +189,7 @@ impl Screen for Class {
                 let keys = keys.with(earlier.rounds.keys("take it up"), Earlier);
                 keys.on(Key::Escape, Leave, "back")
             }
-            ClassScene::Play(play) => play.keys(),
+            ClassScene::Play(play) => play.keys(cx),
         }
     }
 

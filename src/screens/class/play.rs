@@ -11,7 +11,7 @@ use crate::quiz::Question;
 use crate::screens::{Context, Next};
 use crate::widgets::hit::HitPace;
 use crate::widgets::input::{KeyTable, ListView};
-use crate::widgets::{Outcome, Scroll};
+use crate::widgets::{AnswerAction, Outcome, Scroll};
 
 /// A round being played.
 #[derive(Debug, Clone)]
@@ -19,6 +19,8 @@ pub(super) struct ClassPlay {
     pub(super) round: ClassRound,
     pub(super) phase: ClassPhase,
     pub(super) scroll: Scroll,
+    /// The page of the words of a step, from 0.
+    pub(super) page: usize,
     /// Whether the words of the question have the screen to themselves.
     pub(super) words_alone: bool,
     /// The step at which each question stands.
@@ -76,6 +78,7 @@ impl ClassPlay {
             round,
             phase: ClassPhase::Look,
             scroll: Scroll::default(),
+            page: 0,
             words_alone: false,
             furthest,
             ticket,
@@ -139,6 +142,7 @@ impl ClassPlay {
             _ => ClassPhase::Look,
         };
         self.scroll = Scroll::default();
+        self.page = 0;
         self.words_alone = false;
     }
 
@@ -235,12 +239,17 @@ impl ClassPlay {
     }
 
     /// The keys of the step at hand.
-    pub(super) fn keys(&self) -> KeyTable<ClassAction> {
+    pub(super) fn keys(&self, cx: &Context) -> KeyTable<ClassAction> {
         use ClassAction::{
-            Backward, Forward, Leap, Leave, Light, NotYet, Pause, Tables, TakeBack, Team, Teams,
-            TurnPage, Vote, Watch, WordsAlone,
+            Backward, Forward, Leap, Leave, Light, NotYet, Pause, ShowTyped, Tables, TakeBack,
+            Team, Teams, TurnPage, Vote, Watch, WordsAlone,
         };
         let keys = KeyTable::new("class");
+        let step = self.step_view(cx.body, &cx.settings.look());
+        let page = match step.is_some_and(|step| step.pages() > 1) {
+            true => "page",
+            false => "",
+        };
         let forward = |name| {
             let keys = KeyTable::new("class").on(Key::Enter, Forward, name);
             keys.or([(' ', Forward)])
@@ -254,11 +263,14 @@ impl ClassPlay {
                         let input = input.keys();
                         let free = input.exact(Key::Escape).is_none();
                         let keys = keys.with(input, Vote);
+                        let show = if entry.is_open { "hide" } else { "show" };
                         return scrolled(
                             keys.on(Key::Escape, NotYet, "not yet")
                                 .when(free)
+                                .on('v', ShowTyped, show)
                                 .on('p', Pause, "pause")
                                 .on('l', Light, "dark or light"),
+                            page,
                         );
                     }
                     None => {
@@ -302,6 +314,7 @@ impl ClassPlay {
                 .by(['[', ']'], Leap, [-1, 1], "questions")
                 .when([-1, 1].iter().any(|by| self.leads_to(*by).is_some()))
                 .on(Key::Escape, Leave, "leave"),
+            page,
         )
     }
 
@@ -334,11 +347,14 @@ impl ClassPlay {
             }
             (ClassAction::Vote(action), ClassPhase::Vote(entry)) => {
                 let outcome = entry.input.as_mut().map(|input| input.act(action));
-                if outcome == Some(Outcome::Done(())) {
+                // A choice is given by one key.
+                let is_chosen = matches!(action, AnswerAction::Choose(_));
+                if is_chosen || outcome == Some(Outcome::Done(())) {
                     entry.give(&mut self.round);
                     self.save(cx);
                 }
             }
+            (ClassAction::ShowTyped, ClassPhase::Vote(entry)) => entry.is_open = !entry.is_open,
             (ClassAction::NotYet, ClassPhase::Vote(entry)) => entry.input = None,
             _ => {}
         }
@@ -347,12 +363,15 @@ impl ClassPlay {
     /// Takes the mouse: it chooses a team or makes its vote; the wheel scrolls what is long.
     pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
         let (cell, look) = (mouse.cell(), cx.settings.look());
-        let place = view::rest(self, cx.body, &look);
+        let Some(step) = self.step_view(cx.body, &look) else {
+            return Next::Ignored;
+        };
+        let (foot, picture, choice) = (step.foot(), step.picture(), step.choice_at(cell));
         let number = self.number();
         let (round, pressed) = (&self.round, mouse.kind == MouseKind::Down);
         match (&mut self.phase, mouse.kind) {
             (ClassPhase::Vote(entry), _) if entry.input.is_none() => {
-                let row = vote_view::row_at(round, place, &look, cell);
+                let row = vote_view::row_at(round, entry, foot, cell);
                 let outcome = entry.teams.mouse(mouse, round.teams().len() + 1, row);
                 self.open(outcome, cx);
             }
@@ -360,8 +379,16 @@ impl ClassPlay {
                 if let (Some(input), Some(question)) =
                     (&mut entry.input, round.questions().get(number))
                 {
-                    let picture = vote_view::entry_layout(question, place).picture;
-                    input.point(question, picture, mouse.place(), pressed);
+                    match choice.filter(|_| pressed).map(AnswerAction::Choose) {
+                        Some(choose) => {
+                            input.act(choose);
+                            entry.give(&mut self.round);
+                            self.save(cx);
+                        }
+                        None => {
+                            input.point(question, picture, mouse.place(), pressed);
+                        }
+                    }
                 }
             }
             (_, MouseKind::ScrollUp) => view::scroll(self, -1, cx.body, &look),
@@ -399,8 +426,13 @@ impl ClassPlay {
     }
 }
 
-/// The keys with those that scroll.
-fn scrolled(keys: KeyTable<ClassAction>) -> KeyTable<ClassAction> {
-    let keys_of_text = [Key::Up, Key::Down, Key::PageUp, Key::PageDown];
-    keys.by(keys_of_text, ClassAction::Scroll, [-1, 1, -8, 8], "")
+/// The keys with those that scroll or turn pages.
+fn scrolled(keys: KeyTable<ClassAction>, name: &'static str) -> KeyTable<ClassAction> {
+    let keys = keys.by(
+        [Key::PageUp, Key::PageDown],
+        ClassAction::Scroll,
+        [-8, 8],
+        name,
+    );
+    keys.by([Key::Up, Key::Down], ClassAction::Scroll, [-1, 1], "")
 }

@@ -1,74 +1,29 @@
-//! How a question looks while it is read out and while everyone thinks.
+//! The words of a question, and where its picture stands.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::{Margin, Rect};
+use super::words::{Beside, Paragraph};
+use crate::quiz::{Form, Illustration, Question, Response, letter};
+use crate::widgets::Role;
 
-use super::heading::below;
-use super::play::ClassPlay;
-use super::view::{Text, column};
-use crate::class::ClassStep;
-use crate::quiz::{Form, Illustration, Question, letter};
-use crate::widgets::big::{Align, Big};
-use crate::widgets::{Lines, Look, Role, SplitLayout, draw_question, rehearsed};
-
-/// Draws the question: its picture, and its words where there is room for large type;
-/// gives the words that are in plain type.
-pub(super) fn draw<'a>(
-    play: &ClassPlay,
-    question: &'a Question,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) -> Option<Text<'a>> {
-    let words = if play.words_alone {
-        area
-    } else if question.picture == Illustration::Nothing {
-        column(area)
-    } else {
-        let beside = SplitLayout::square(area);
-        let aside = match play.step() {
-            ClassStep::Predict => "what will happen?",
-            _ => "the question",
+/// A question with its choices; with `votes`, how many are for each.
+pub(super) fn paragraphs(question: &Question, votes: Option<&[Response]>) -> Vec<Paragraph> {
+    let mut paragraphs = vec![Paragraph::new(question.text.as_str(), Role::Title)];
+    for (i, option) in options(question).iter().enumerate() {
+        let words = format!("{}: {option}", letter(i));
+        let count = votes.map(|votes| {
+            let count = votes.iter().filter(|it| **it == Response::Choice(i));
+            (count.count(), votes.len().max(1))
+        });
+        let words = match count {
+            None => words,
+            Some((count, _)) => format!("{words} ({count})"),
         };
-        beside.draw(buf, look, question.family.name(), aside);
-        draw_question(beside.picture, buf, look, question, None);
-        beside.panel
-    };
-    // A column of margin on both sides.
-    let mut place = words.inner(Margin::new(1, 0));
-    let (blocks, plain) = large(question, place, look);
-    for block in &blocks {
-        block.draw(place, buf, look, Role::Title, Align::Left);
-        place = below(place, block.rows() + GAP);
+        paragraphs.push(Paragraph {
+            whole: true,
+            share: count.map(|(count, all)| count as f64 / all as f64),
+            ..Paragraph::new(words, Role::Text)
+        });
     }
-    let plain = plain?;
-    let place = if blocks.is_empty() { words } else { place };
-    Some((place, Box::new(move |lines| plain(question, lines))))
-}
-
-/// Empty rows between the question and its choices in large type.
-const GAP: u16 = 1;
-
-/// What writes those words of a question that are in plain type.
-type Plain = fn(&Question, &mut Lines);
-
-/// What of the words fits in large type, and what writes the rest, if there is any: the
-/// choices, below the question; or all.
-fn large(question: &Question, place: Rect, look: &Look) -> (Vec<Big>, Option<Plain>) {
-    let fit = |texts: &[&str], rows| Big::fit_all(texts, GAP, place.width, rows, look.charset);
-    let mut texts = vec![question.text.clone()];
-    let options = options(question);
-    let lettered = options.iter().enumerate();
-    texts.extend(lettered.map(|(i, option)| format!("{}: {option}", letter(i))));
-    let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
-    if let Some(all) = fit(&texts, place.height) {
-        return (all, None);
-    }
-    let below = rows_of_choices(question, place, look) + GAP;
-    match fit(&texts[..1], place.height.saturating_sub(below)) {
-        Some(text) if !options.is_empty() => (text, Some(write_choices)),
-        _ => (Vec::new(), Some(write)),
-    }
+    paragraphs
 }
 
 /// The choices of a question that has any.
@@ -79,23 +34,13 @@ fn options(question: &Question) -> &[String] {
     }
 }
 
-/// Rows that the choices take in plain type.
-fn rows_of_choices(question: &Question, place: Rect, look: &Look) -> u16 {
-    rehearsed(place, *look, |lines| {
-        write_choices(question, lines);
-        lines.written()
-    })
-}
-
-/// Writes a question with its choices.
-fn write(question: &Question, lines: &mut Lines) {
-    lines.paragraph(&question.text, Role::Title);
-    write_choices(question, lines);
-}
-
-fn write_choices(question: &Question, lines: &mut Lines) {
-    for (i, option) in options(question).iter().enumerate() {
-        lines.gap();
-        lines.hanging(&format!("{}  ", letter(i)), option, Role::Text);
+/// Whether the picture of a question says what its words do not.
+pub(super) fn beside(question: &Question) -> Beside {
+    match (&question.picture, &question.form) {
+        (Illustration::Nothing, _) => Beside::Nothing,
+        (Illustration::Before { shown, .. }, Form::Rays { .. }) if !shown.figures => Beside::Needed,
+        (Illustration::Before { .. }, Form::Shot(_)) => Beside::Needed,
+        (Illustration::Before { .. }, _) => Beside::Helps,
+        (Illustration::After { .. } | Illustration::Tracks { .. }, _) => Beside::Needed,
     }
 }

@@ -105,3 +105,34 @@ fn commonest_reply(round: &ClassRound, question: usize, vote: Vote) -> Option<Sh
         said: Response::Choice(choice),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quiz::Code;
+
+    /// A wrong choice that fits no known misconception is told what the question has to say to it.
+    #[test]
+    fn a_choice_without_a_misconception_is_answered_too() {
+        let teams = || ["Ants", "Bees", "Cats"].map(Into::into).to_vec();
+        let mut rounds = (0..200).filter_map(|seed| {
+            let code = Code::parse(&format!("concept1-{seed}"))?;
+            Some(ClassRound::new(code, teams()))
+        });
+        let found = rounds.find(|round| !round.questions()[0].replies.is_empty());
+        let mut round = found.unwrap();
+        let question = round.questions()[0].clone();
+        let (choice, reply) = question.replies.iter().next().unwrap();
+        let votes = [
+            Response::Choice(*choice),
+            Response::Choice(*choice),
+            question.form.truth(),
+        ];
+        for (team, vote) in votes.into_iter().enumerate() {
+            round.vote(0, team, Vote::First, Some(vote));
+        }
+        let shown = ClassReveal::new(&round, 0, HitPace::default()).unwrap();
+        assert_eq!(shown.held, Some((format!("answer {}", letter(*choice)), 2)));
+        assert!(shown.why.contains(reply), "{}", shown.why);
+    }
+}

@@ -1,74 +1,64 @@
 //! How the truth is told.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-
-use super::play::ClassPlay;
 use super::shown::ClassReveal;
-use super::view::{Text, teams};
-use crate::class::Vote;
-use crate::quiz::{Illustration, Question, Response, letter};
-use crate::widgets::hit::Watch;
-use crate::widgets::{Lines, Look, Role, SplitLayout, draw_question};
+use super::view::teams;
+use super::words::Paragraph;
+use crate::quiz::{Question, Response, letter};
+use crate::widgets::Role;
 
-/// Draws the hit; gives the truth and why it is true.
-pub(super) fn draw<'a>(
-    play: &'a ClassPlay,
-    question: &'a Question,
-    shown: &'a ClassReveal,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) -> Text<'a> {
-    let watch = shown.reveal.watch();
-    let layout = match question.picture {
-        Illustration::Nothing if watch.is_none() => SplitLayout::text_alone(area),
-        _ => SplitLayout::square(area),
-    };
-    let title = watch.map_or_else(|| question.family.name().into(), Watch::slowed_title);
-    let aside = match shown.reveal.is_telling() {
-        true => "watch",
-        false => "and why",
-    };
-    layout.draw(buf, look, &title, aside);
-    match watch {
-        Some(watch) => watch.picture(layout.picture).draw(buf, look),
-        None => draw_question(layout.picture, buf, look, question, None),
-    }
-    let write = move |lines: &mut Lines| write(play, question, shown, lines);
-    (layout.panel, Box::new(write))
-}
-
-fn write(play: &ClassPlay, question: &Question, shown: &ClassReveal, lines: &mut Lines) {
-    if shown.reveal.is_telling() {
-        lines.paragraph(&question.text, Role::Dim);
-        if let Some(watch) = shown.reveal.watch() {
-            lines.gap();
-            watch.write_telling(lines);
-        }
-        return;
+/// What is told of the shot: while it explains itself its words; then the truth with the one
+/// sentence that matters, and on further pages all of why.
+pub(super) fn said(question: &Question, shown: &ClassReveal) -> Vec<Vec<Paragraph>> {
+    if let Some(watch) = shown.reveal.watch()
+        && shown.reveal.is_telling()
+    {
+        let (heading, words) = watch.telling();
+        let heading = heading.map(|it| Paragraph::new(it, Role::Title));
+        let words = Paragraph::new(words, Role::Text);
+        return vec![heading.into_iter().chain([words]).collect()];
     }
     let truth = question.form.truth();
     let mut words = question.form.words(&truth);
     if let Response::Choice(i) = truth {
         words = format!("{}: {words}", letter(i));
     }
-    lines.paragraph(&words, Role::Title);
-    lines.gap();
-    for (name, vote) in [
-        ("right at first", Vote::First),
-        ("after talking", Vote::Second),
-    ] {
-        let grades = play.round.grades(play.number(), vote);
-        let right = grades.iter().filter(|grade| grade.right).count();
-        let right = format!("{right} of {}", grades.len());
-        lines.pair(name, &right, Role::Text, Role::Title);
-    }
+    let mut first = vec![Paragraph::new(words, Role::Title)];
     if let Some((name, count)) = &shown.held {
-        lines.gap();
         let words = format!("{}: {name}.", teams(*count));
-        lines.paragraph(&words, Role::Title);
+        first.push(Paragraph::new(words, Role::Title));
     }
-    lines.gap();
-    lines.paragraph(&shown.why, Role::Text);
+    let (sentence, rest) = first_sentence(&shown.why);
+    first.push(Paragraph::new(sentence, Role::Text));
+    let mut said = vec![first];
+    if !rest.is_empty() {
+        said.push(vec![Paragraph::new(rest, Role::Text)]);
+    }
+    said
+}
+
+/// The first sentence of a text, and what comes after it.
+fn first_sentence(text: &str) -> (&str, &str) {
+    let ends = text
+        .char_indices()
+        .filter(|(_, c)| ['.', '!', '?'].contains(c));
+    let mut ends = ends.map(|(at, _)| at + 1);
+    let end = ends.find(|at| {
+        let mut next = text[*at..].chars();
+        next.next().is_some_and(char::is_whitespace) && next.next().is_some_and(char::is_uppercase)
+    });
+    let (first, rest) = text.split_at(end.unwrap_or(text.len()));
+    (first, rest.trim_start())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::first_sentence;
+
+    #[test]
+    fn the_first_sentence_ends_where_another_begins() {
+        let parts = |text| first_sentence(text);
+        assert_eq!(parts("At 4.00 m/s. Then?"), ("At 4.00 m/s.", "Then?"));
+        assert_eq!(parts("One, e. g. this one"), ("One, e. g. this one", ""));
+        assert_eq!(parts(""), ("", ""));
+    }
 }

@@ -3,74 +3,83 @@
 
 use glam::dvec2;
 use ratatui::buffer::Buffer;
-use ratatui::layout::{Margin, Rect};
+use ratatui::layout::Rect;
 
 use super::play::ClassPlay;
-use super::view::{Text, column, slot, teams};
+use super::question_view;
+use super::view::teams;
+use super::words::{Beside, Paragraph};
 use crate::class::Vote;
 use crate::physics::Collision;
 use crate::physics::units::mm_from_m;
-use crate::quiz::{Form, Question, Ray, Response, letter};
-use crate::widgets::bar::bar;
-use crate::widgets::big::{Align, Big};
+use crate::quiz::{Form, Question, Ray, Response};
 use crate::widgets::hit::{HitLayout, degrees};
-use crate::widgets::panels::draw_panel;
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
-use crate::widgets::{Lines, Look, Role, SplitLayout, brief, draw_question};
+use crate::widgets::{Lines, Look, Role, areas, brief, draw_question};
 
-/// Draws the spread; gives the list of rays beside their picture.
-pub(super) fn draw<'a>(
-    play: &'a ClassPlay,
-    question: &'a Question,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) -> Option<Text<'a>> {
+/// Most different angles of a ray that are told in words.
+const MOST_ANGLES: usize = 5;
+
+/// The question with how many are for each choice.
+pub(super) fn said(play: &ClassPlay, question: &Question) -> Vec<Paragraph> {
     let votes: Vec<_> = play.round.said(play.number(), Vote::First).collect();
-    match &question.form {
-        Form::Choice { options, .. } => draw_bars(options, &votes, column(area), buf, look),
-        Form::Rays { target, .. } => {
-            let beside = SplitLayout::square(area);
-            beside.draw(buf, look, "all who voted", "the votes");
-            // The question's own labels stay whole.
-            if let Some(collision) = question.picture.collision() {
-                draw_fan(collision, &votes, beside.picture, buf, look);
-            }
-            draw_question(beside.picture, buf, look, question, None);
-            let write = move |lines: &mut Lines| write_rays(play, question, target, &votes, lines);
-            return Some((beside.panel, Box::new(write)));
-        }
-        Form::Number { quantity, .. } => draw_line(quantity.unit(), &votes, area, buf, look),
-        Form::Shot(_) => {
-            let unit = "mm offset, a minus for the left";
-            draw_line(unit, &votes, area, buf, look);
-        }
-    }
-    None
+    question_view::paragraphs(question, Some(&votes))
 }
 
-fn write_rays(
-    play: &ClassPlay,
-    question: &Question,
-    target: &str,
-    votes: &[Response],
-    lines: &mut Lines,
-) {
-    lines.paragraph(&question.text, Role::Text);
-    for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, target)] {
-        lines.gap();
-        lines.line(&format!("{name}, degrees"), Role::Dim);
-        lines.paragraph(&listed(question, votes, ray), Role::Title);
+/// Writes the commonest of what was said of each ray, and how many have said nothing.
+pub(super) fn write_more(play: &ClassPlay, question: &Question, lines: &mut Lines) {
+    let votes: Vec<_> = play.round.said(play.number(), Vote::First).collect();
+    if let Form::Rays { target, .. } = &question.form {
+        for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, target)] {
+            let words = format!("{name}, degrees: {}", listed(question, &votes, ray));
+            lines.line(&words, Role::Text);
+        }
     }
     let missing = play.round.teams().len() - votes.len();
     if missing > 0 {
-        lines.gap();
-        lines.paragraph(&format!("{} without a vote", teams(missing)), Role::Dim);
+        lines.line(&format!("{} without a vote", teams(missing)), Role::Dim);
     }
 }
 
-/// The angles said of a ray, in order, with how many said the same: "30.0, 45.0 (2)".
+/// The picture that shows the spread: that of the question with all rays, or numbers on a line.
+pub(super) fn beside(question: &Question) -> Beside {
+    match question.form {
+        Form::Choice { .. } => question_view::beside(question),
+        Form::Rays { .. } | Form::Number { .. } | Form::Shot(_) => Beside::Needed,
+    }
+}
+
+/// Draws the picture of a question with the votes in it, or above them.
+pub(super) fn draw(
+    question: &Question,
+    votes: &[Response],
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) {
+    let unit = match &question.form {
+        Form::Choice { .. } => return draw_question(area, buf, look, question, None),
+        Form::Rays { .. } => {
+            // The question's own labels stay whole.
+            if let Some(collision) = question.picture.collision() {
+                draw_fan(collision, votes, area, buf, look);
+            }
+            return draw_question(area, buf, look, question, None);
+        }
+        Form::Number { quantity, .. } => quantity.unit(),
+        Form::Shot(_) => "mm, a minus for the left",
+    };
+    let rows = match question_view::beside(question) {
+        Beside::Nothing => 0,
+        _ => area.height / 2,
+    };
+    let [picture, line] = areas::upper(area, rows);
+    draw_question(picture, buf, look, question, None);
+    draw_line(unit, votes, line, buf, look);
+}
+
+/// The commonest angles said of a ray, in order, with how many said the same: "30.0, 45.0 (2)".
 fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
     let index = usize::from(ray == Ray::Target);
     let mut angles: Vec<Option<f64>> = votes
@@ -85,11 +94,21 @@ fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
         value(a).total_cmp(&value(b))
     });
     let shown: Vec<String> = angles.into_iter().map(brief).collect();
-    let words = shown.chunk_by(|a, b| a == b).map(|same| match same {
+    let mut same: Vec<&[String]> = shown.chunk_by(|a, b| a == b).collect();
+    let mut counts: Vec<usize> = same.iter().map(|same| same.len()).collect();
+    counts.sort_unstable_by(|a, b| b.cmp(a));
+    let all = counts.len();
+    let least = counts.get(MOST_ANGLES - 1).copied().unwrap_or(0);
+    if all > MOST_ANGLES {
+        same.retain(|same| same.len() >= least);
+        same.truncate(MOST_ANGLES);
+    }
+    let more = if all > MOST_ANGLES { " …" } else { "" };
+    let words = same.into_iter().map(|same| match same {
         [one] => one.clone(),
         _ => format!("{} ({})", same[0], same.len()),
     });
-    words.collect::<Vec<_>>().join(", ")
+    words.collect::<Vec<_>>().join(", ") + more
 }
 
 /// All rays, from where the two will meet.
@@ -118,44 +137,6 @@ fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buf
     picture.draw(buf, look);
 }
 
-/// Columns of a letter or a number in large type beside a bar, with air.
-const SIDE: u16 = 10;
-/// Rows of it.
-const LARGE: u16 = 4;
-
-/// Bars for choices: how many teams are for each.
-fn draw_bars(options: &[String], votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
-    let rows = area.height / (options.len() as u16).max(1);
-    let most = votes.len().max(1);
-    for (i, option) in options.iter().enumerate() {
-        let place = slot(area, i, rows);
-        let count = votes.iter().filter(|said| **said == Response::Choice(i));
-        let count = count.count();
-        let sides = [letter(i).to_string(), count.to_string()];
-        let large = sides.each_ref().map(|side| {
-            let side = Big::fit(side, SIDE, LARGE, look.charset);
-            side.filter(|_| rows > LARGE)
-        });
-        let [Some(name), Some(number)] = large else {
-            let mut lines = Lines::new(place, buf, *look);
-            lines.hanging(&format!("{}: ", letter(i)), option, Role::Text);
-            let width = lines.width().saturating_sub(4);
-            let bar = bar(count as f64 / most as f64, width, look.charset);
-            lines.pair(&bar, &count.to_string(), Role::Predicted, Role::Title);
-            continue;
-        };
-        name.draw(place, buf, look, Role::Title, Align::Left);
-        number.draw(place, buf, look, Role::Title, Align::Right);
-        let between = place.inner(Margin::new(SIDE, 0));
-        let mut lines = Lines::new(between, buf, *look);
-        lines.paragraph(option, Role::Text);
-        let bar = bar(count as f64 / most as f64, between.width, look.charset);
-        for _ in lines.written()..LARGE {
-            lines.line(&bar, Role::Predicted);
-        }
-    }
-}
-
 /// Bars on a number line, the higher the more said the same.
 fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
     let numbers = votes.iter().filter_map(|said| match said {
@@ -164,12 +145,10 @@ fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look:
         _ => None,
     });
     let numbers: Vec<_> = numbers.collect();
-    let area = column(area);
-    let inside = draw_panel(buf, area, "the votes", look.charset, &look.theme);
     let least = numbers.iter().copied().fold(f64::INFINITY, f64::min);
     let largest = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     if numbers.is_empty() {
-        Lines::new(inside, buf, *look).paragraph("Nobody has voted.", Role::Text);
+        Lines::new(area, buf, *look).paragraph("Nobody has voted.", Role::Text);
         return;
     }
     // Some room on both sides, even where all said the same.
@@ -185,7 +164,7 @@ fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look:
     }
     let highest = heaps.iter().map(|(_, count)| *count).max().unwrap_or(1);
     let y = Axis::linear("teams", 0.0, (highest + 1) as f64).every(1.0);
-    let mut plot = Plot::new(inside, *look, x, y);
+    let mut plot = Plot::new(area, *look, x, y);
     // Wide enough to be seen from the back row.
     let half = 0.012 * (largest - least + 2.0 * margin);
     for (number, count) in &heaps {

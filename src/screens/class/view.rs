@@ -5,8 +5,9 @@ use ratatui::layout::Rect;
 
 use super::heading::{Heading, below, centred};
 use super::play::{ClassPhase, ClassPlay, EndPage};
-use super::{ending_view, question_view, scores_view, shown_view, spread_view, vote_view};
-use crate::class::ClassStep;
+use super::step_view::StepView;
+use super::{ending_view, scores_view};
+use crate::class::{ClassStep, Vote};
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Lines, Look, Role, areas};
 
@@ -15,88 +16,100 @@ pub(super) type Text<'a> = (Rect, Box<dyn Fn(&mut Lines) + 'a>);
 
 /// Columns of what is read line by line.
 const WIDEST: u16 = 100;
-/// Rows of a body from which on there is a heading above the picture of a shot, too.
-const HEADED_FROM: u16 = 34;
-
-/// The heading of what is on the screen, if it has one.
-fn heading(play: &ClassPlay, area: Rect) -> Option<Heading> {
-    let number = format!("Question {}", play.number() + 1);
-    let (texts, line): (&[&str], _) = match (&play.phase, play.step()) {
-        (ClassPhase::End(EndPage::Board), _) => (
-            &["The end"],
-            "e: write the answers as tables for a spreadsheet",
-        ),
-        (ClassPhase::End(EndPage::Held), _) => (&["What you held", "You held"], ""),
-        (ClassPhase::End(EndPage::Items), _) => (&["Questions"], ""),
-        (ClassPhase::Vote(entry), _) if entry.input.is_some() => return None,
-        (ClassPhase::Vote(_), ClassStep::SecondVote) => (
-            &["Second vote", "Vote 2"],
-            "Who wants to change? All others keep their vote.",
-        ),
-        (ClassPhase::Vote(_), _) => (
-            &["First vote", "Vote 1"],
-            "Each team in turn. What was said before is hidden.",
-        ),
-        (ClassPhase::Shot(_), _) if area.height < HEADED_FROM => return None,
-        (ClassPhase::Shot(_), _) => (&["The shot"], ""),
-        (ClassPhase::Look, ClassStep::Talk) => (
-            &["Talk"],
-            "These are the votes. Find someone who thinks otherwise, and say why.",
-        ),
-        (ClassPhase::Look, ClassStep::Scores) => (&["Scores"], ""),
-        (ClassPhase::Look, _) if play.words_alone => return None,
-        (ClassPhase::Look, ClassStep::Predict) => (
-            &["Predict in silence", "In silence"],
-            "Everyone writes down an answer. Nobody speaks.",
-        ),
-        (ClassPhase::Look, _) => (&[&number], ""),
-    };
-    Some(Heading::new(texts, line))
-}
-
-/// What is left of an area below the heading.
-pub(super) fn rest(play: &ClassPlay, area: Rect, look: &Look) -> Rect {
-    heading(play, area).map_or(area, |heading| heading.rest(area, look))
-}
-
-/// Draws a round but for the text of its step, which can be scrolled and is given.
-fn draw_around<'a>(
-    play: &'a ClassPlay,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) -> Option<Text<'a>> {
-    if let Some(heading) = heading(play, area) {
-        heading.draw(area, buf, look);
+impl ClassPlay {
+    /// What the step at hand is called, and what to do.
+    pub(super) fn heading(&self) -> Option<Heading> {
+        let number = format!("Question {}", self.number() + 1);
+        let (texts, line): (&[&str], String) = match (&self.phase, self.step()) {
+            (ClassPhase::End(EndPage::Board), _) => (
+                &["The end"],
+                "e: write the answers as tables for a spreadsheet".into(),
+            ),
+            (ClassPhase::End(EndPage::Held), _) => (&["What you held", "You held"], String::new()),
+            (ClassPhase::End(EndPage::Items), _) => (&["Questions"], String::new()),
+            (ClassPhase::Vote(_), step) => match step {
+                ClassStep::SecondVote => (
+                    &["Second vote", "Vote 2"],
+                    "Who wants to change? All others keep their vote.".into(),
+                ),
+                _ => (
+                    &["First vote", "Vote 1"],
+                    "Each team in turn. What is said is hidden.".into(),
+                ),
+            },
+            (ClassPhase::Shot(shown), _) if shown.reveal.is_telling() => {
+                (&["The shot"], String::new())
+            }
+            (ClassPhase::Shot(_), _) => (&["And why"], self.right_in_words()),
+            (ClassPhase::Look, ClassStep::Talk) => (
+                &["Talk"],
+                "These are the votes. Find someone who thinks otherwise, and say why.".into(),
+            ),
+            (ClassPhase::Look, ClassStep::Scores) => (&["Scores"], String::new()),
+            (ClassPhase::Look, _) if self.words_alone => return None,
+            (ClassPhase::Look, ClassStep::Predict) => (
+                &["Predict in silence", "In silence"],
+                "Everyone writes down an answer. Nobody speaks.".into(),
+            ),
+            (ClassPhase::Look, _) => (&[&number], String::new()),
+        };
+        Some(Heading::new(texts, line))
     }
-    let question = play.question()?;
-    let rest = rest(play, area, look);
-    match (&play.phase, play.step()) {
-        (ClassPhase::End(EndPage::Board), _) | (ClassPhase::Look, ClassStep::Scores) => {
-            scores_view::draw(&play.round, play.asked(), rest, buf, look);
-            None
+
+    /// "right at first: 1 of 3, after talking: 2 of 3"
+    fn right_in_words(&self) -> String {
+        let [first, second] = Vote::BOTH.map(|vote| {
+            let grades = self.round.grades(self.number(), vote);
+            let right = grades.iter().filter(|grade| grade.right).count();
+            format!("{right} of {}", grades.len())
+        });
+        format!("right at first: {first}, after talking: {second}")
+    }
+
+    /// The step at hand laid out, where it is one of a question.
+    pub(super) fn step_view(&self, area: Rect, look: &Look) -> Option<StepView<'_>> {
+        match (&self.phase, self.step()) {
+            (ClassPhase::End(_), _) | (ClassPhase::Look, ClassStep::Scores) => None,
+            _ => StepView::new(self, area, look),
         }
-        (ClassPhase::End(page), _) => Some(ending_view::text(play, *page, rest)),
-        (ClassPhase::Vote(entry), _) => vote_view::draw(play, question, entry, rest, buf, look),
-        (ClassPhase::Shot(shown), _) => {
-            Some(shown_view::draw(play, question, shown, rest, buf, look))
-        }
-        (ClassPhase::Look, ClassStep::Talk) => spread_view::draw(play, question, rest, buf, look),
-        (ClassPhase::Look, _) => question_view::draw(play, question, rest, buf, look),
+    }
+
+    /// What is below the heading where that has all the room it wants.
+    fn below_heading(&self, area: Rect, look: &Look) -> Rect {
+        self.heading().map_or(area, |it| it.rest(area, look))
     }
 }
 
 /// Draws a round.
 pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) {
-    if let Some((place, write)) = draw_around(play, area, buf, look) {
-        play.scroll.draw(place, buf, *look, write);
+    if let Some(step) = play.step_view(area, look) {
+        return step.draw(buf, look);
+    }
+    if let Some(heading) = play.heading() {
+        heading.draw(area, buf, look);
+    }
+    let rest = play.below_heading(area, look);
+    match &play.phase {
+        ClassPhase::End(page @ (EndPage::Held | EndPage::Items)) => {
+            let (place, write) = ending_view::text(play, *page, rest);
+            play.scroll.draw(place, buf, *look, write);
+        }
+        _ => scores_view::draw(&play.round, play.asked(), rest, buf, look),
     }
 }
 
-/// Scrolls what can be scrolled.
+/// Turns the page of a step, or scrolls a text.
 pub(super) fn scroll(play: &mut ClassPlay, rows: i16, area: Rect, look: &Look) {
-    let text = draw_around(play, area, &mut Buffer::empty(area), look);
-    if let Some(scroll) = text.map(|(place, write)| play.scroll.by(rows, place, *look, write)) {
+    if let Some(step) = play.step_view(area, look) {
+        let last = step.pages().saturating_sub(1);
+        let by = isize::from(rows.signum());
+        play.page = play.page.min(last).saturating_add_signed(by).min(last);
+        return;
+    }
+    let rest = play.below_heading(area, look);
+    if let ClassPhase::End(page @ (EndPage::Held | EndPage::Items)) = &play.phase {
+        let (place, write) = ending_view::text(play, *page, rest);
+        let scroll = play.scroll.by(rows, place, *look, write);
         play.scroll = scroll;
     }
 }

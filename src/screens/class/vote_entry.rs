@@ -18,6 +18,8 @@ pub(super) struct VoteEntry {
     pub(super) teams: ListView,
     /// What the team at the mark is about to say.
     pub(super) input: Option<AnswerInput>,
+    /// Whether the class may see it meanwhile.
+    pub(super) is_open: bool,
 }
 
 impl VoteEntry {
@@ -29,6 +31,7 @@ impl VoteEntry {
             question,
             teams: ListView::default(),
             input: None,
+            is_open: false,
         };
         entry.choose_next(round);
         entry
@@ -59,6 +62,7 @@ impl VoteEntry {
             return;
         };
         self.teams.choose(team);
+        self.is_open = false;
         let ballot = round.ballot(self.question, team);
         self.input = Some(match ballot.said(self.vote) {
             Some(said) => AnswerInput::saying(&question.form, &said),

@@ -1,165 +1,210 @@
-//! How the teams' voting looks: who has voted, and the team that is just doing so.
+//! What stands below the question while the teams vote: who has, or the team that just does.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::play::ClassPlay;
-use super::view::{Text, column, slot, teams};
+use super::view::teams;
 use super::vote_entry::VoteEntry;
 use crate::class::{ClassRound, Vote};
-use crate::quiz::{Form, Illustration, Question};
-use crate::widgets::big::{Align, Big};
-use crate::widgets::input::ListView;
-use crate::widgets::{AnswerInput, Lines, Look, Role, SplitLayout, areas, draw_question, text};
+use crate::quiz::{Form, Question, letter};
+use crate::widgets::{AnswerInput, Lines, Look, Role, rehearsed, text};
 
-/// Columns before a name: a mark and a number.
-const MARK: u16 = 5;
-/// Columns of a list in plain type at most.
-const NARROW: u16 = 64;
-/// Columns behind a name: what the team has done.
-const STATE: u16 = 18;
+/// Columns beside a team's name: a mark, its number, and what it has done.
+const BESIDE: u16 = 10;
+/// Rows of teams at most, of ten rows of the screen.
+const MOST_ROWS: u16 = 3;
 
-/// The rows of the teams, and of going on at the end: their place, how high each is,
-/// and the names if they are in large type.
-struct TeamRows {
+/// Where each team stands: so many in a row of so many columns, the first rows left out where
+/// there are too many.
+struct TeamGrid {
     place: Rect,
-    height: u16,
-    names: Option<Vec<Big>>,
+    per_row: u16,
+    first_row: u16,
 }
 
-fn rows(round: &ClassRound, area: Rect, look: &Look) -> TeamRows {
-    let place = column(area);
-    let count = round.teams().len() as u16 + 1;
-    let height = place.height / count;
-    let width = place.width.saturating_sub(MARK + STATE);
-    let names: Vec<&str> = round.teams().iter().map(String::as_str).collect();
-    let names = Big::fit_lines(&names, width, look.charset).filter(|_| height >= 5);
-    let (place, height) = match names {
-        Some(_) => (place, height.min(6)),
-        None => (areas::middle(area, NARROW), height.clamp(1, 2)),
-    };
-    TeamRows {
-        place,
-        height,
-        names,
+impl TeamGrid {
+    /// The teams as close together as their names go.
+    fn new(round: &ClassRound, at: usize, place: Rect) -> Self {
+        let per_row = per_row(round, place.width);
+        let at = at.min(round.teams().len().saturating_sub(1)) as u16 / per_row;
+        Self {
+            place,
+            per_row,
+            first_row: (at + 1).saturating_sub(place.height),
+        }
+    }
+
+    /// The cell of a team; of no rows where it is left out.
+    fn cell(&self, team: usize) -> Rect {
+        let (row, column) = (team as u16 / self.per_row, team as u16 % self.per_row);
+        let width = self.place.width / self.per_row;
+        let seen = row.checked_sub(self.first_row);
+        let seen = seen.filter(|row| *row < self.place.height);
+        Rect {
+            x: self.place.x + column * width,
+            y: self.place.y + seen.unwrap_or(0),
+            width,
+            height: u16::from(seen.is_some()),
+        }
     }
 }
 
-/// The row at a cell: a team, or after the last team going on.
-pub(super) fn row_at(
-    round: &ClassRound,
-    area: Rect,
-    look: &Look,
-    cell: (u16, u16),
-) -> Option<usize> {
-    let rows = rows(round, area, look);
-    let row = ListView::row_at(rows.place, cell)? / usize::from(rows.height);
-    (row <= round.teams().len()).then_some(row)
+/// How many teams stand beside each other.
+fn per_row(round: &ClassRound, columns: u16) -> u16 {
+    let widest = round.teams().iter().map(|name| text::width(name)).max();
+    let widest = widest.unwrap_or(0) as u16 + BESIDE;
+    (columns / widest).max(1)
 }
 
-/// Draws who has voted, and not what.
-fn draw_teams(play: &ClassPlay, entry: &VoteEntry, area: Rect, buf: &mut Buffer, look: &Look) {
+/// Rows of the teams, and of going on below them.
+fn team_rows(round: &ClassRound, area: Rect) -> u16 {
+    let needed = (round.teams().len() as u16).div_ceil(per_row(round, area.width));
+    needed.min((area.height * MOST_ROWS / 10).max(1))
+}
+
+/// Rows of what stands below a question that is voted on.
+pub(super) fn foot_rows(
+    play: &ClassPlay,
+    question: &Question,
+    entry: &VoteEntry,
+    area: Rect,
+    look: &Look,
+) -> u16 {
+    match &entry.input {
+        None => team_rows(&play.round, area) + 1,
+        Some(input) => rehearsed(area, *look, |lines| {
+            write_booth(play, question, entry, input, lines);
+            lines.written()
+        }),
+    }
+}
+
+/// The row at a cell of the foot: a team, or after the last team going on.
+pub(super) fn row_at(
+    round: &ClassRound,
+    entry: &VoteEntry,
+    foot: Rect,
+    cell: (u16, u16),
+) -> Option<usize> {
+    if !foot.contains(cell.into()) {
+        return None;
+    }
+    if cell.1 + 1 == foot.bottom() {
+        return Some(round.teams().len());
+    }
+    let grid = TeamGrid::new(round, entry.at(round), above_last(foot));
+    (0..round.teams().len()).find(|team| grid.cell(*team).contains(cell.into()))
+}
+
+/// An area but for its last row.
+fn above_last(foot: Rect) -> Rect {
+    Rect {
+        height: foot.height.saturating_sub(1),
+        ..foot
+    }
+}
+
+/// Draws who has voted, and not what; or the team that is just doing so.
+pub(super) fn draw(
+    play: &ClassPlay,
+    question: &Question,
+    entry: &VoteEntry,
+    foot: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) {
+    if let Some(input) = &entry.input {
+        let mut lines = Lines::new(foot, buf, *look);
+        return write_booth(play, question, entry, input, &mut lines);
+    }
     let round = &play.round;
-    let rows = rows(round, area, look);
-    let place = |row: usize| slot(rows.place, row, rows.height);
     let at = entry.at(round);
+    let grid = TeamGrid::new(round, at, above_last(foot));
     for (team, name) in round.teams().iter().enumerate() {
-        let place = place(team);
+        let cell = grid.cell(team);
         let (mark, role) = Role::Title.of_choice(team == at);
-        let number = format!("{mark} {}", team + 1);
-        let (state, state_role) = match state(round, play.number(), team, entry.vote) {
-            Some(done) => (format!("[x] {done}"), Role::Title),
-            None => ("[ ] not yet".into(), Role::Text),
-        };
-        let mut lines = Lines::new(place, buf, *look);
-        match &rows.names {
-            Some(names) => {
-                lines.pair(&number, &state, role, state_role);
-                let of_name = Rect {
-                    x: place.x + MARK,
-                    width: place.width.saturating_sub(MARK),
-                    ..place
-                };
-                names[team].draw(of_name, buf, look, Role::Title, Align::Left);
-            }
-            None => {
-                let room = usize::from(place.width.saturating_sub(MARK + STATE + 2));
-                let name = format!("{number} {} ", text::clipped(name, room));
-                lines.pair(&name, &state, role, state_role);
-            }
-        }
+        let sign = sign(round, play.number(), team, entry.vote);
+        let room = usize::from(cell.width.saturating_sub(BESIDE));
+        let words = format!("{mark} {} {} {sign}", team + 1, text::clipped(name, room));
+        Lines::new(cell, buf, *look).line(&words, role);
     }
     let last = round.teams().len();
     let (mark, role) = Role::Text.of_choice(at == last);
-    let missing = last - round.said(play.number(), Vote::Second).count();
-    let note = match missing {
-        0 => String::new(),
-        count => format!("{} without a vote", teams(count)),
-    };
     let next = match entry.vote {
         Vote::First => "Go on: talk",
         Vote::Second => "Go on: the shot",
     };
-    Lines::new(place(last), buf, *look).pair(&format!("{mark} {next} "), &note, role, Role::Text);
+    let row = Rect {
+        y: foot.y + grid.place.height,
+        height: foot.height.min(1),
+        ..foot
+    };
+    let note = note(round, play.number(), entry.vote);
+    Lines::new(row, buf, *look).pair(&format!("{mark} {next} "), &note, role, Role::Text);
 }
 
-/// What a team has done of what it was to do.
-fn state(round: &ClassRound, question: usize, team: usize, vote: Vote) -> Option<&'static str> {
+/// A sign of what a team has done: it has voted or changed its vote; it keeps it; nothing.
+fn sign(round: &ClassRound, question: usize, team: usize, vote: Vote) -> &'static str {
     let ballot = round.ballot(question, team);
     match (vote, ballot.first, ballot.second) {
-        (Vote::First, Some(_), _) | (Vote::Second, None, Some(_)) => Some("has voted"),
-        (Vote::Second, Some(_), Some(_)) => Some("has changed"),
-        (Vote::Second, Some(_), None) => Some("keeps its vote"),
-        (_, None, _) => None,
+        (Vote::First, Some(_), _) | (Vote::Second, _, Some(_)) => "[x]",
+        (Vote::Second, Some(_), None) => "[=]",
+        (_, None, _) => "[ ]",
     }
 }
 
-/// Where a team votes: picture and panel.
-pub(super) fn entry_layout(question: &Question, area: Rect) -> SplitLayout {
-    match question.picture {
-        Illustration::Nothing => SplitLayout::text_alone(area),
-        _ => SplitLayout::new(area),
+/// How many have voted, changed their vote, keep it.
+fn note(round: &ClassRound, question: usize, vote: Vote) -> String {
+    let all = round.teams().len();
+    let missing = all - round.said(question, Vote::Second).count();
+    let missing = match missing {
+        0 => String::new(),
+        count => format!("{} without a vote", teams(count)),
+    };
+    let voted = round.voted(question, vote);
+    match vote {
+        Vote::First if missing.is_empty() => "all have voted".into(),
+        Vote::First => missing,
+        Vote::Second if missing.is_empty() => format!("changed: {voted}"),
+        Vote::Second => format!("changed: {voted}, {missing}"),
     }
 }
 
-/// Draws who has voted, or the team that is just doing so, and gives the words beside it.
-pub(super) fn draw<'a>(
-    play: &'a ClassPlay,
-    question: &'a Question,
-    entry: &'a VoteEntry,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) -> Option<Text<'a>> {
-    let Some(input) = &entry.input else {
-        draw_teams(play, entry, area, buf, look);
-        return None;
+/// Writes who is to say what. What is typed is seen only where they ask for it.
+fn write_booth(
+    play: &ClassPlay,
+    question: &Question,
+    entry: &VoteEntry,
+    input: &AnswerInput,
+    lines: &mut Lines,
+) {
+    let name = play.round.teams().get(entry.at(&play.round));
+    let hidden = match entry.is_open {
+        true => "v: hide what is typed",
+        false => "what is typed is hidden; v shows it",
     };
-    let layout = entry_layout(question, area);
-    let title = match entry.vote {
-        Vote::First => "First vote",
-        Vote::Second => "Second vote",
-    };
-    layout.draw(buf, look, title, "what they say");
-    draw_question(layout.picture, buf, look, question, Some(input));
-    let write = move |lines: &mut Lines| {
-        if let Some(name) = play.round.teams().get(entry.at(&play.round)) {
-            lines.paragraph(name, Role::Title);
-            lines.gap();
-        }
-        lines.paragraph(&question.text, Role::Text);
-        lines.gap();
+    lines.pair(
+        name.map_or("", String::as_str),
+        hidden,
+        Role::Title,
+        Role::Key,
+    );
+    if let Form::Choice { options, .. } = &question.form {
+        let letters: Vec<String> = (0..options.len()).map(|i| letter(i).to_string()).collect();
+        let words = format!("One key is the vote: {}.", letters.join(", "));
+        lines.line(&words, Role::Key);
+        return;
+    }
+    if entry.is_open {
         input.write(&question.form, lines);
-        lines.gap();
-        lines.paragraph(&input.about(&question.form), Role::Dim);
-        let next = match (input, &question.form) {
-            (AnswerInput::Rays(rays), Form::Rays { target, .. }) if !rays.is_last() => {
-                format!("Enter: then the {target}.")
-            }
-            _ => "Enter: that is our vote.".into(),
-        };
-        lines.gap();
-        lines.paragraph(&next, Role::Key);
+    }
+    let next = match (input, &question.form) {
+        (AnswerInput::Rays(rays), Form::Rays { target, .. }) if !rays.is_last() => {
+            format!("Enter: then the {target}.")
+        }
+        _ => "Enter: that is our vote.".into(),
     };
-    Some((layout.panel, Box::new(write)))
+    let about = input.about(&question.form);
+    lines.paragraph(&format!("{about} {next}"), Role::Text);
 }

@@ -228,14 +228,20 @@ impl Watch {
 
     /// Writes which step of the explanation it is, and what is said at it, until all is told.
     pub(crate) fn write_telling(&self, lines: &mut Lines) {
+        let (heading, words) = self.telling();
+        if let Some(heading) = heading {
+            lines.paragraph(&heading, Role::Title);
+            lines.gap();
+        }
+        lines.paragraph(&words, Role::Text);
+    }
+
+    /// What it explains just now, with its heading once the two have met.
+    pub(crate) fn telling(&self) -> (Option<String>, String) {
         let words = BeatWords::new(&self.collision, &self.outcome, self.frame, self.faces);
         match self.beat() {
-            Some(beat) => {
-                lines.paragraph(&words.heading(beat), Role::Title);
-                lines.gap();
-                lines.paragraph(&words.of(beat), Role::Text);
-            }
-            None => lines.paragraph("Watch the contact …", Role::Text),
+            Some(beat) => (Some(words.heading(beat)), words.of(beat)),
+            None => (None, "Watch the contact …".into()),
         }
     }
 

@@ -3,74 +3,38 @@
 //! The letters are those of the public-domain font "8x8" (crate `font8x8`), set close
 //! together, each pixel a quarter, a half or the whole of two cells. In ASCII half a
 //! cell is a quotation mark or a full stop; there the smallest letters are those of
-//! `strokes`, for no part of a cell is small enough for a pixel.
+//! `strokes`, for no part of a cell is small enough for a pixel. Else the smallest have a dot
+//! of braille for a pixel.
 
+mod pages;
+mod size;
 mod strokes;
+
+use std::ops::Range;
 
 use font8x8::{BASIC_FONTS, GREEK_FONTS, LATIN_FONTS, UnicodeFonts};
 use ratatui::{buffer::Buffer, layout::Rect};
 
-use crate::widgets::{Charset, Look, Role, text::blocks::QUARTERS};
+use crate::widgets::text::blocks::{BRAILLE, QUARTERS};
+use crate::widgets::text::terms;
+use crate::widgets::{Charset, Look, Role};
+pub(crate) use pages::BigPages;
+pub(crate) use size::LetterSize;
+use strokes::LetterRows;
 
 /// Pixels between two letters.
 const GAP: usize = 1;
 /// Pixels of a blank.
 const BLANK: usize = 4;
+/// Most letters that are held together on a line.
+const HELD: usize = 14;
 /// Pixels from the top of a letter to its foot.
 const HEIGHT: usize = 8;
+/// Pixels from the foot of a small letter, such as an x, to its top.
+const SMALL_LETTER: usize = 5;
 
 /// Rows of a line of letters of the usual sizes.
 const LINE: u16 = 4;
-
-/// How large the letters are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Size {
-    /// Letters of strokes, in ASCII: for a long text, where names and headings are better
-    /// short or plain.
-    Strokes,
-    /// A cell for a square of four pixels; only where there are quarters of cells.
-    Small,
-    /// A cell for two pixels, one above the other.
-    Middle,
-    /// Two cells beside each other for each pixel.
-    Large,
-}
-
-impl Size {
-    /// The sizes of a charset for a long text, the largest first.
-    const fn of_text(charset: Charset) -> &'static [Self] {
-        match charset {
-            Charset::Ascii => &[Self::Large, Self::Middle, Self::Strokes],
-            Charset::Unicode => Self::of_name(charset),
-        }
-    }
-
-    /// The sizes for a name or a heading.
-    const fn of_name(charset: Charset) -> &'static [Self] {
-        match charset {
-            Charset::Ascii => &[Self::Large, Self::Middle],
-            Charset::Unicode => &[Self::Large, Self::Middle, Self::Small],
-        }
-    }
-
-    /// Rows of a line of letters.
-    const fn rows(self) -> usize {
-        match self {
-            Self::Strokes => strokes::ROWS,
-            Self::Small | Self::Middle => HEIGHT / 2,
-            Self::Large => HEIGHT,
-        }
-    }
-
-    /// Columns of so many pixels.
-    const fn columns(self, pixels: usize) -> usize {
-        match self {
-            Self::Small => pixels.div_ceil(2),
-            Self::Middle | Self::Strokes => pixels,
-            Self::Large => 2 * pixels,
-        }
-    }
-}
 
 /// Where a text stands in its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -86,9 +50,25 @@ pub(crate) enum Align {
 /// A text in large type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Big {
-    size: Size,
-    /// The rows of cells of each line.
-    lines: Vec<Vec<Vec<char>>>,
+    size: LetterSize,
+    lines: Vec<BigLine>,
+}
+
+/// A line of letters.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct BigLine {
+    ink: Ink,
+    /// How many words it has.
+    words: usize,
+}
+
+/// What letters are made of.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Ink {
+    /// Columns of pixels.
+    Pixels(Vec<u8>),
+    /// Rows of strokes.
+    Strokes(LetterRows),
 }
 
 impl Big {
@@ -98,28 +78,8 @@ impl Big {
     #[must_use]
     pub(crate) fn fit(text: &str, columns: u16, rows: u16, charset: Charset) -> Option<Self> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= rows);
-        let sizes = Size::of_name(charset);
+        let sizes = LetterSize::of_name(charset);
         Self::of_one_size(&[text], sizes, columns, charset, fits)?.pop()
-    }
-
-    /// Long texts in letters of one size, as large as they fit below each other with
-    /// `gap` rows between any two; `None` as for one.
-    #[must_use]
-    pub(crate) fn fit_all(
-        texts: &[&str],
-        gap: u16,
-        columns: u16,
-        rows: u16,
-        charset: Charset,
-    ) -> Option<Vec<Self>> {
-        let fits = |all: &[Self]| {
-            let gaps = gap.saturating_mul(all.len().saturating_sub(1) as u16);
-            let high = all
-                .iter()
-                .fold(gaps, |sum, it| sum.saturating_add(it.rows()));
-            high <= rows
-        };
-        Self::of_one_size(texts, Size::of_text(charset), columns, charset, fits)
     }
 
     /// Several names in letters of one size, each in one line of at most four rows;
@@ -127,65 +87,110 @@ impl Big {
     #[must_use]
     pub(crate) fn fit_lines(texts: &[&str], columns: u16, charset: Charset) -> Option<Vec<Self>> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= LINE);
-        Self::of_one_size(texts, Size::of_name(charset), columns, charset, fits)
+        Self::of_one_size(texts, LetterSize::of_name(charset), columns, charset, fits)
     }
 
     /// The texts in the largest letters with which they are narrow enough and `fit`.
     fn of_one_size(
         texts: &[&str],
-        sizes: &[Size],
+        sizes: &[LetterSize],
         columns: u16,
         charset: Charset,
         fit: impl Fn(&[Self]) -> bool,
     ) -> Option<Vec<Self>> {
         let texts: Vec<_> = texts.iter().map(|text| charset.text(text)).collect();
-        let set = |size: &Size| -> Option<Vec<Self>> {
-            let each = texts.iter().map(|text| {
-                Some(Self {
-                    size: *size,
-                    lines: set(text, *size, columns.into(), charset)?,
-                })
-            });
-            each.collect()
+        let set = |size: &LetterSize| -> Option<Vec<Self>> {
+            let each = texts.iter();
+            let set = |text: &str| {
+                let words: Vec<&str> = text.split_whitespace().collect();
+                Self::set(&words, *size, columns)
+            };
+            each.map(|text| set(text)).collect()
         };
         sizes.iter().filter_map(set).find(|all| fit(all))
+    }
+
+    /// Words in lines of so many columns, broken between them but not between a number and its
+    /// unit; `None` if a word is too long for any line, or a letter is not to be had.
+    fn set(words: &[&str], size: LetterSize, columns: u16) -> Option<Self> {
+        let columns = usize::from(columns);
+        let lines = match size {
+            LetterSize::Strokes => {
+                let set = |words: &[&str]| strokes::set(words);
+                let wide = |rows: &LetterRows| rows[0].len();
+                let lines = broken(words, columns, strokes::BLANK, set, wide)?;
+                lines
+                    .into_iter()
+                    .map(|(rows, words)| (Ink::Strokes(rows), words))
+                    .collect()
+            }
+            _ => {
+                let wide = |pixels: &Vec<u8>| size.columns(pixels.len());
+                let lines = broken(words, columns, size.columns(BLANK), pixels, wide)?;
+                let lines = lines.into_iter();
+                lines
+                    .map(|(pixels, words)| (Ink::Pixels(pixels), words))
+                    .collect::<Vec<_>>()
+            }
+        };
+        let lines = lines.into_iter().map(|(ink, words)| BigLine { ink, words });
+        Some(Self {
+            size,
+            lines: lines.collect(),
+        })
     }
 
     /// The columns it takes.
     #[must_use]
     pub(crate) fn columns(&self) -> u16 {
-        let widest = self.lines.iter().map(|line| width(line)).max().unwrap_or(0);
-        u16::try_from(widest).unwrap_or(u16::MAX)
+        let widest = self.lines.iter().map(|line| self.width(line)).max();
+        u16::try_from(widest.unwrap_or(0)).unwrap_or(u16::MAX)
+    }
+
+    /// Columns of one of its lines.
+    fn width(&self, line: &BigLine) -> usize {
+        match &line.ink {
+            Ink::Pixels(pixels) => self.size.columns(pixels.len()),
+            Ink::Strokes(rows) => rows[0].len(),
+        }
     }
 
     /// The rows it takes.
     #[must_use]
     pub(crate) fn rows(&self) -> u16 {
-        u16::try_from(self.size.rows() * self.lines.len()).unwrap_or(u16::MAX)
+        u16::try_from(self.size.rows(self.lines.len())).unwrap_or(u16::MAX)
     }
 
     /// Draws it at the top of an area.
     pub(crate) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, role: Role, align: Align) {
         let style = look.theme.style(role);
         for (i, line) in self.lines.iter().enumerate() {
-            let free = usize::from(area.width).saturating_sub(width(line));
+            let width = self.width(line);
+            let free = usize::from(area.width).saturating_sub(width);
             let start = match align {
                 Align::Left => 0,
                 Align::Centre => free / 2,
                 Align::Right => free,
             };
-            for (row, cells) in line.iter().enumerate() {
-                let y = i * self.size.rows() + row;
-                for (column, symbol) in cells.iter().enumerate() {
+            for row in 0..self.size.cells_high(i) {
+                let y = self.size.rows(i) + row;
+                for column in 0..width {
+                    let symbol = match &line.ink {
+                        Ink::Pixels(pixels) => {
+                            let above = self.size.pixels_above(i);
+                            symbol(pixels, column, row, above, self.size, look.charset)
+                        }
+                        Ink::Strokes(rows) => rows[row][column],
+                    };
                     let x = start + column;
                     if x >= area.width.into() || y >= area.height.into() {
                         continue;
                     }
                     let at = (area.x + x as u16, area.y + y as u16);
-                    if *symbol != ' '
+                    if symbol != ' '
                         && let Some(cell) = buf.cell_mut(at)
                     {
-                        cell.set_char(*symbol).set_style(style);
+                        cell.set_char(symbol).set_style(style);
                     }
                 }
             }
@@ -193,42 +198,34 @@ impl Big {
     }
 }
 
-/// Columns of a line.
-fn width(line: &[Vec<char>]) -> usize {
-    line.first().map_or(0, Vec::len)
-}
-
-/// The cells of the lines of a text; `None` if a word is too long for any line, or a
-/// letter is not to be had.
-fn set(text: &str, size: Size, columns: usize, charset: Charset) -> Option<Vec<Vec<Vec<char>>>> {
-    if size == Size::Strokes {
-        let lines = strokes::set(text, columns)?;
-        return Some(lines.into_iter().map(Vec::from).collect());
-    }
-    let lines = broken(&words(text)?, size, columns)?;
-    let cells = |line: &Vec<u8>| {
-        let row = |row| {
-            let columns = 0..size.columns(line.len());
-            columns
-                .map(|column| symbol(line, column, row, size, charset))
-                .collect()
-        };
-        (0..size.rows()).map(row).collect()
-    };
-    Some(lines.iter().map(cells).collect())
-}
-
-/// What stands in a cell of a line of pixels.
-fn symbol(line: &[u8], column: usize, row: usize, size: Size, charset: Charset) -> char {
-    let pixel = |x: usize, y: usize| line.get(x).is_some_and(|it| it >> y & 1 == 1);
+/// What stands in a cell of a line of pixels that has so many empty ones `above` it.
+fn symbol(
+    line: &[u8],
+    column: usize,
+    row: usize,
+    above: usize,
+    size: LetterSize,
+    charset: Charset,
+) -> char {
+    let pixel = |x: usize, y: usize| line.get(x).is_some_and(|it| y < HEIGHT && it >> y & 1 == 1);
     let halves = |x, y| usize::from(pixel(x, y)) | usize::from(pixel(x, y + 1)) << 1;
     match (size, charset) {
-        (Size::Large, _) if !pixel(column / 2, row) => ' ',
-        (Size::Large, Charset::Ascii) => '#',
-        (Size::Large, Charset::Unicode) => '█',
-        (Size::Middle, Charset::Ascii) => [' ', '"', '.', '#'][halves(column, 2 * row)],
-        (Size::Middle, Charset::Unicode) => [' ', '▀', '▄', '█'][halves(column, 2 * row)],
-        (Size::Small | Size::Strokes, _) => {
+        (LetterSize::Large, _) if !pixel(column / 2, row) => ' ',
+        (LetterSize::Large, Charset::Ascii) => '#',
+        (LetterSize::Large, Charset::Unicode) => '█',
+        (LetterSize::Middle, Charset::Ascii) => [' ', '"', '.', '#'][halves(column, 2 * row)],
+        (LetterSize::Middle, Charset::Unicode) => [' ', '▀', '▄', '█'][halves(column, 2 * row)],
+        (LetterSize::Dots, _) => {
+            let dots = BRAILLE.iter().enumerate().filter(|(dot, _)| {
+                let y = (4 * row + dot / 2).checked_sub(above);
+                y.is_some_and(|y| pixel(2 * column + dot % 2, y))
+            });
+            let bits = dots.fold(0, |bits, (_, bit)| bits | bit);
+            char::from_u32(0x2800 | bits)
+                .filter(|_| bits > 0)
+                .unwrap_or(' ')
+        }
+        (LetterSize::Small | LetterSize::Strokes, _) => {
             let (x, y) = (2 * column, 2 * row);
             let quarters = [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)];
             let bits = quarters.into_iter().enumerate();
@@ -240,38 +237,61 @@ fn symbol(line: &[u8], column: usize, row: usize, size: Size, charset: Charset) 
     }
 }
 
-/// The columns of pixels of each word; `None` where a letter has none.
-fn words(text: &str) -> Option<Vec<Vec<u8>>> {
-    let words = text.split_whitespace().map(|word| {
-        let mut columns = Vec::new();
-        for letter in word.chars() {
-            let pixels = letter_columns(letter)?;
-            if !columns.is_empty() {
+/// The columns of pixels of words with blanks between them; `None` where a letter has none.
+fn pixels(words: &[&str]) -> Option<Vec<u8>> {
+    let mut columns: Vec<u8> = Vec::new();
+    for word in words {
+        if !columns.is_empty() {
+            columns.extend([0; BLANK]);
+        }
+        for (i, letter) in word.chars().enumerate() {
+            if i > 0 {
                 columns.extend([0; GAP]);
             }
-            columns.extend(pixels);
-        }
-        Some(columns)
-    });
-    words.collect()
-}
-
-/// The words in lines; `None` if one is too long for any line.
-fn broken(words: &[Vec<u8>], size: Size, columns: usize) -> Option<Vec<Vec<u8>>> {
-    let mut lines: Vec<Vec<u8>> = Vec::new();
-    for word in words {
-        if size.columns(word.len()) > columns {
-            return None;
-        }
-        match lines.last_mut() {
-            Some(line) if size.columns(line.len() + BLANK + word.len()) <= columns => {
-                line.extend([0; BLANK]);
-                line.extend(word);
-            }
-            _ => lines.push(word.clone()),
+            columns.extend(letter_columns(letter)?);
         }
     }
-    Some(lines)
+    Some(columns)
+}
+
+/// Words in lines of so many columns, each line `set` and with the number of its words; `None` if
+/// a word is too long for any line, or a letter is not to be had. What `terms` hold together
+/// stays together where it fits.
+fn broken<T>(
+    words: &[&str],
+    columns: usize,
+    blank: usize,
+    set: impl Fn(&[&str]) -> Option<T>,
+    wide: impl Fn(&T) -> usize,
+) -> Option<Vec<(T, usize)>> {
+    let mut parts: Vec<(Range<usize>, usize)> = Vec::new();
+    for range in terms::held(words, HELD) {
+        let width = wide(&set(&words[range.clone()])?);
+        if width <= columns {
+            parts.push((range, width));
+            continue;
+        }
+        for word in range {
+            let width = wide(&set(&words[word..=word])?);
+            if width > columns {
+                return None;
+            }
+            parts.push((word..word + 1, width));
+        }
+    }
+    let mut lines: Vec<(Range<usize>, usize)> = Vec::new();
+    for (part, width) in parts {
+        match lines.last_mut() {
+            Some((line, taken)) if *taken + blank + width <= columns => {
+                line.end = part.end;
+                *taken += blank + width;
+            }
+            _ => lines.push((part, width)),
+        }
+    }
+    let each = lines.into_iter();
+    each.map(|(line, _)| Some((set(&words[line.clone()])?, line.len())))
+        .collect()
 }
 
 /// The columns of pixels of a letter, without the empty ones beside it; `None` if the
@@ -346,19 +366,60 @@ mod tests {
     #[test]
     fn as_large_as_it_fits_and_not_at_all_where_it_does_not() {
         let size = |columns, rows, charset| Some(Big::fit("Scores", columns, rows, charset)?.size);
-        assert_eq!(size(300, 8, Charset::Ascii), Some(Size::Large));
-        assert_eq!(size(60, 8, Charset::Ascii), Some(Size::Middle));
+        assert_eq!(size(300, 8, Charset::Ascii), Some(LetterSize::Large));
+        assert_eq!(size(60, 8, Charset::Ascii), Some(LetterSize::Middle));
         assert_eq!(size(30, 8, Charset::Ascii), None);
-        let text = |columns| {
-            let all = Big::fit_all(&["Scores"], 0, columns, 8, Charset::Ascii)?;
-            Some(all[0].size)
-        };
-        assert_eq!(text(30), Some(Size::Strokes));
-        assert_eq!(text(15), None);
-        assert_eq!(size(30, 8, Charset::Unicode), Some(Size::Small));
+        assert_eq!(size(30, 8, Charset::Unicode), Some(LetterSize::Small));
         assert_eq!(size(300, 3, Charset::Unicode), None);
         assert_eq!(Big::fit("蟻 ants", 300, 100, Charset::Unicode), None);
         assert!(Big::fit("40° at α, 2 − 1", 300, 100, Charset::Unicode).is_some());
+    }
+
+    #[test]
+    fn lines_of_dots_have_air_between_them() {
+        let pages = |rows| {
+            let room = [(30, rows), (30, rows)];
+            BigPages::set(
+                &[("One coin and two", true)],
+                0,
+                LetterSize::Dots,
+                room,
+                Charset::Unicode,
+            )
+        };
+        let look = Look {
+            charset: Charset::Unicode,
+            theme: Theme::new(Palette::Dark, Depth::None),
+        };
+        let shown = |rows: u16, page| {
+            let mut buf = Buffer::empty(Rect::new(0, 0, 30, rows));
+            let pages = pages(rows).unwrap();
+            pages
+                .page(page)
+                .unwrap()
+                .draw(buf.area, &mut buf, &look, |_| Role::Title);
+            (pages.count(), text(&buf))
+        };
+        // The second line begins in the middle of a row.
+        let (count, both) = shown(5, 0);
+        assert_eq!((count, both.lines().count()), (1, 5));
+        let (count, first) = shown(4, 0);
+        assert_eq!(count, 2);
+        assert_eq!(
+            both.lines().take(2).collect::<Vec<_>>(),
+            first.lines().take(2).collect::<Vec<_>>()
+        );
+        assert!(pages(1).is_none());
+    }
+
+    #[test]
+    fn the_back_row_reads_what_is_large_enough() {
+        let smallest = |charset, rows| LetterSize::legible(charset, rows).last();
+        assert_eq!(smallest(Charset::Unicode, 24), Some(LetterSize::Dots));
+        assert_eq!(smallest(Charset::Unicode, 40), Some(LetterSize::Small));
+        assert_eq!(smallest(Charset::Ascii, 24), Some(LetterSize::Strokes));
+        assert_eq!(smallest(Charset::Ascii, 40), Some(LetterSize::Middle));
+        assert_eq!(smallest(Charset::Ascii, 300), Some(LetterSize::Large));
     }
 
     #[test]

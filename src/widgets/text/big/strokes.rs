@@ -12,7 +12,7 @@ static FONT: &str = include_str!("../../../../assets/fonts/mini.flf");
 /// Rows of a line of letters.
 pub(super) const ROWS: usize = 4;
 /// Columns of a blank.
-const BLANK: usize = 3;
+pub(super) const BLANK: usize = 3;
 /// A blank that nothing else may come into.
 const HARD: char = '$';
 
@@ -35,27 +35,18 @@ static LETTERS: LazyLock<Vec<LetterRows>> = LazyLock::new(|| {
     lines.chunks_exact(ROWS).map(letter).take(95).collect()
 });
 
-/// The letters of a text of ASCII in lines no longer than `columns`, broken at blanks;
-/// `None` if a word is longer, or a letter has no strokes.
-pub(super) fn set(text: &str, columns: usize) -> Option<Vec<LetterRows>> {
-    let mut lines: Vec<LetterRows> = Vec::new();
-    for word in text.split_whitespace() {
-        let word = joined(word)?;
-        let width = word[0].len();
-        if width > columns {
-            return None;
-        }
-        match lines.last_mut() {
-            Some(line) if line[0].len() + BLANK + width <= columns => {
-                for (line, word) in line.iter_mut().zip(word) {
-                    line.extend([' '; BLANK]);
-                    line.extend(word);
-                }
+/// The letters of words of ASCII in a line; `None` if a letter has no strokes.
+pub(super) fn set(words: &[&str]) -> Option<LetterRows> {
+    let mut line = LetterRows::default();
+    for (i, word) in words.iter().enumerate() {
+        for (line, word) in line.iter_mut().zip(joined(word)?) {
+            if i > 0 {
+                line.extend([' '; BLANK]);
             }
-            _ => lines.push(word),
+            line.extend(word);
         }
     }
-    Some(lines)
+    Some(line)
 }
 
 /// The letters of a word, as close together as they go without touching.
@@ -119,9 +110,9 @@ mod tests {
     }
 
     #[test]
-    fn words_are_set_in_lines() {
-        let lines = set("a coin of 15 g", 30).unwrap();
-        let text: Vec<String> = lines[0].iter().map(|row| row.iter().collect()).collect();
+    fn words_are_set_in_a_line() {
+        let line = set(&["a", "coin", "of"]).unwrap();
+        let text: Vec<String> = line.iter().map(|row| row.iter().collect()).collect();
         assert_eq!(
             text,
             [
@@ -131,8 +122,6 @@ mod tests {
                 "                           ",
             ]
         );
-        assert_eq!(lines.len(), 2);
-        assert!(set("unbreakable", 20).is_none());
-        assert!(set("α", 20).is_none());
+        assert!(set(&["α"]).is_none());
     }
 }

@@ -1,0 +1,181 @@
+//! `carrom hand-in` and `carrom gather`: the answers of a class.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, anyhow};
+
+use super::{Failure, GlobalOptions, print_names, progress, written};
+use crate::files::{Document, escape_control_lines};
+use crate::gradebook::{Gradebook, HandIn, beliefs_csv, items_csv, pupils_csv, round_of};
+use crate::paper;
+use crate::quiz::Code;
+
+/// How the names of files that are handed in end.
+const ENDING: &str = "json";
+
+/// Write your answers into one small file for your teacher
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  carrom hand-in --player Ada --class 10b
+                                writes hand-in-ada.json, with every answer of Ada
+  carrom hand-in --code mixed-7 --out ada.json
+                                the answers of one round
+
+The file holds the name, the class, and each answer with what was asked, what is true and the
+points. The teacher puts all files into one folder: carrom gather FOLDER --out class.html")]
+pub(super) struct HandInArgs {
+    /// The class, as your teacher calls it
+    #[arg(
+        long,
+        value_name = "NAME",
+        default_value = "",
+        hide_default_value = true
+    )]
+    class: String,
+    /// Only the answers of this round; may be given several times
+    #[arg(long, value_name = "CODE", value_parser = Code::read)]
+    code: Vec<Code>,
+    /// The file [default: hand-in-NAME.json]
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Replace a file that is there already
+    #[arg(long)]
+    force: bool,
+}
+
+/// Put the files of a class together: a gradebook
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  carrom gather handed-in --out class.html
+                                tables to print, and a page for each pupil
+  carrom gather handed-in --out class.csv
+                                class.csv, class-items.csv and class-beliefs.csv
+
+Every .json file of the folder is read. Who hands in twice, or the same answer twice, is counted
+once; two pupils of one name are told apart by their answers. What cannot be read is named, and
+the rest goes on. Exit status: 0 done, 2 if there is nothing that can be read.")]
+pub(super) struct GatherArgs {
+    /// The folder with the files
+    #[arg(value_name = "DIR")]
+    folder: PathBuf,
+    /// A name that ends in .html or .csv
+    #[arg(long, value_name = "FILE", value_parser = gathered)]
+    out: Gathered,
+    /// Replace files that are there already
+    #[arg(long)]
+    force: bool,
+}
+
+/// Where a gradebook is written; its ending says what it is written as.
+#[derive(Debug, Clone)]
+struct Gathered {
+    path: PathBuf,
+    is_table: bool,
+}
+
+fn gathered(path: &str) -> Result<Gathered, String> {
+    let path = PathBuf::from(path);
+    let is_table = match lower_ending(&path).as_deref() {
+        Some("csv") => true,
+        Some("html") => false,
+        _ => return Err("expected a name that ends in .html or .csv".into()),
+    };
+    Ok(Gathered { path, is_table })
+}
+
+fn lower_ending(path: &Path) -> Option<String> {
+    path.extension()
+        .and_then(OsStr::to_str)
+        .map(str::to_lowercase)
+}
+
+pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), Failure> {
+    let player = options.player_name();
+    let mut attempts = progress::recall(&mut options.store(), Some(player.clone()))?.attempts;
+    if !args.code.is_empty() {
+        let codes: Vec<String> = args.code.iter().map(ToString::to_string).collect();
+        attempts.retain(|it| codes.contains(&round_of(it)));
+    }
+    if attempts.is_empty() {
+        let of = if args.code.is_empty() {
+            ""
+        } else {
+            " in this round"
+        };
+        let message = format!("{player} has no answer{of} to hand in; --player gives another name");
+        return Err(Failure::input(message));
+    }
+    let hand_in = HandIn::new(&player, &args.class, attempts);
+    let path = args
+        .out
+        .clone()
+        .unwrap_or_else(|| file_name(&hand_in.name).into());
+    let text = hand_in.text().map_err(|reason| anyhow!(reason))?;
+    written::write_beside(&path, &[(path.clone(), text)], args.force)?;
+    Ok(print_names([path.as_path()].into_iter())?)
+}
+
+/// What a pupil's file is called: letters and digits that any system takes.
+fn file_name(name: &str) -> String {
+    let plain = |c: char| {
+        if c.is_alphanumeric() {
+            c.to_lowercase().to_string()
+        } else {
+            "-".into()
+        }
+    };
+    let name: String = name.chars().map(plain).collect();
+    format!("hand-in-{}.{ENDING}", name.trim_matches('-'))
+}
+
+pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), Failure> {
+    let shown = args.folder.display();
+    let entries = fs::read_dir(&args.folder).with_context(|| format!("cannot read {shown}"));
+    let entries = entries.map_err(Failure::Input)?;
+    let paths = entries.flatten().map(|entry| entry.path());
+    let mut paths: Vec<PathBuf> = paths
+        .filter(|path| lower_ending(path).as_deref() == Some(ENDING))
+        .collect();
+    paths.sort();
+    let mut book = Gradebook::default();
+    for path in &paths {
+        let bytes = crate::files::read(path, HandIn::LARGEST_FILE);
+        let read = bytes
+            .map_err(|error| error.message)
+            .and_then(|bytes| HandIn::read(&bytes));
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        book.add(&name, read);
+    }
+    for note in &book.notes {
+        let note = options.printed().text(note);
+        eprintln!("carrom: {}", escape_control_lines(&note));
+    }
+    if book.pupils.is_empty() {
+        let message = format!("{shown} has no file in it that carrom hand-in has written");
+        return Err(Failure::input(message));
+    }
+    let documents = documents(&book, &args.out).map_err(|reason| anyhow!(reason))?;
+    written::write_beside(&args.out.path, &documents, args.force)?;
+    Ok(print_names(
+        documents.iter().map(|(path, _)| path.as_path()),
+    )?)
+}
+
+/// The gradebook in its file; as tables in three.
+fn documents(book: &Gradebook, out: &Gathered) -> Result<Vec<Document>, String> {
+    let path = &out.path;
+    if !out.is_table {
+        return Ok(vec![(path.clone(), paper::gradebook::html(book))]);
+    }
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let beside = |what: &str| path.with_file_name(format!("{stem}-{what}.csv"));
+    Ok(vec![
+        (path.clone(), pupils_csv(book)?),
+        (beside("items"), items_csv(book)?),
+        (beside("beliefs"), beliefs_csv(book)?),
+    ])
+}

@@ -1,0 +1,41 @@
+//! What the class believes.
+
+use super::Gradebook;
+use crate::progress;
+use crate::quiz::Misconception;
+
+/// A misconception that a class has shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ClassBelief {
+    /// Which.
+    pub misconception: Misconception,
+    /// How many pupils hold it, by the evidence of all their answers.
+    pub pupils: usize,
+    /// How many answers fitted it.
+    pub answers: usize,
+}
+
+/// The misconceptions that any answer fitted, those that most pupils hold first.
+pub fn beliefs(book: &Gradebook) -> Vec<ClassBelief> {
+    let held: Vec<_> = { book.pupils.iter() }
+        .map(|it| progress::beliefs(&it.attempts))
+        .collect();
+    let of = |misconception: Misconception| {
+        let holds = |it: &&Vec<progress::HeldBelief>| {
+            it.iter().any(|held| held.misconception == misconception)
+        };
+        let fits =
+            |it: &&progress::Attempt| it.misconception.as_deref() == Some(misconception.id());
+        ClassBelief {
+            misconception,
+            pupils: held.iter().filter(holds).count(),
+            answers: { book.pupils.iter() }
+                .map(|it| it.attempts.iter().filter(fits).count())
+                .sum(),
+        }
+    };
+    let mut all: Vec<_> = Misconception::ALL.iter().map(|it| of(*it)).collect();
+    all.retain(|it| it.answers > 0);
+    all.sort_by_key(|it| std::cmp::Reverse((it.pupils, it.answers)));
+    all
+}

@@ -1,0 +1,19 @@
+//! What a class has handed in: files of single pupils, put together.
+//!
+//! A pupil's [`HandIn`] holds every answer that was given, so that a second one holds the first.
+//! A [`Gradebook`] counts each pupil and each answer once. For a question of a round the first
+//! answer counts: who plays a round again has seen what is true.
+
+mod beliefs;
+mod hand_in;
+mod items;
+mod pupils;
+mod rounds;
+mod tables;
+
+pub use beliefs::{ClassBelief, beliefs};
+pub use hand_in::HandIn;
+pub use items::{ItemStatistics, items};
+pub use pupils::{Gradebook, Pupil};
+pub use rounds::{RoundTally, round_of};
+pub use tables::{beliefs_csv, items_csv, pupils_csv};

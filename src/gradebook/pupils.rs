@@ -1,0 +1,141 @@
+//! Who has handed in, each pupil and each answer once.
+
+use std::collections::HashSet;
+
+use super::{HandIn, RoundTally, rounds};
+use crate::numbers::counted;
+use crate::progress::{Attempt, Tally, TopicStanding, topics};
+
+/// A pupil with all that was handed in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pupil {
+    /// The name; a second pupil of the same name is "Ada (2)".
+    pub name: String,
+    /// The class, as the pupil calls it.
+    pub class: String,
+    /// Every answer, in the order of their times.
+    pub attempts: Vec<Attempt>,
+    /// The name without what tells two apart.
+    own_name: String,
+}
+
+impl Pupil {
+    /// The answers that count: to each question of a round the first.
+    pub fn counted(&self) -> Vec<&Attempt> {
+        let mut asked = HashSet::new();
+        let all = self.attempts.iter();
+        all.filter(|it| asked.insert((rounds::round_of(it), it.number, it.question.as_str())))
+            .collect()
+    }
+
+    /// These answers counted.
+    pub fn tally(&self) -> Tally {
+        Tally::of(self.counted())
+    }
+
+    /// The rounds that were begun, in their order.
+    pub fn rounds(&self) -> Vec<RoundTally> {
+        rounds::tallies(&self.counted())
+    }
+
+    /// How each topic went.
+    pub fn topics(&self) -> Vec<TopicStanding> {
+        topics(self.counted())
+    }
+
+    fn has(&self, answer: &Attempt) -> bool {
+        self.attempts.iter().any(|it| same(it, answer))
+    }
+
+    /// Whether this is who handed that in: the same name and class, and an answer in common, or
+    /// none on one side.
+    fn is(&self, other: &HandIn) -> bool {
+        let alike = |a: &str, b: &str| a.to_lowercase() == b.to_lowercase();
+        let shares = || other.attempts.iter().any(|it| self.has(it));
+        let empty = self.attempts.is_empty() || other.attempts.is_empty();
+        alike(&self.own_name, &other.name)
+            && alike(&self.class, &other.class)
+            && (empty || shares())
+    }
+}
+
+/// Whether two are the same answer in two files.
+fn same(a: &Attempt, b: &Attempt) -> bool {
+    (a.time_s, a.seed, a.number) == (b.time_s, b.seed, b.number)
+        && (&a.family, &a.question, &a.answer) == (&b.family, &b.question, &b.answer)
+}
+
+/// All pupils, in the order of their names.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Gradebook {
+    /// The pupils.
+    pub pupils: Vec<Pupil>,
+    /// What a teacher should know of the files, a sentence each.
+    pub notes: Vec<String>,
+}
+
+impl Gradebook {
+    /// Adds what a file held, or why it could not be read. The same pupil, or the same answer,
+    /// a second time is counted once.
+    pub fn add(&mut self, file: &str, read: Result<HandIn, String>) {
+        let hand_in = match read {
+            Ok(hand_in) => hand_in,
+            Err(reason) => return self.notes.push(format!("{file}: left out; {reason}")),
+        };
+        let name = hand_in.name.clone();
+        if let Some(pupil) = self.pupils.iter_mut().find(|it| it.is(&hand_in)) {
+            let all = hand_in.attempts.len();
+            let mut fresh = hand_in.attempts;
+            fresh.retain(|it| !pupil.has(it));
+            let words = match fresh.len() {
+                0 => "nothing in it is new".to_owned(),
+                new => format!("{} of {all} new", counted(new, "answer")),
+            };
+            self.notes.push(format!("{file}: {name} again; {words}"));
+            pupil.attempts.extend(fresh);
+            pupil.attempts.sort_by_key(|it| it.time_s);
+            return;
+        }
+        let lower = name.to_lowercase();
+        let alike = { self.pupils.iter() }
+            .filter(|it| it.own_name.to_lowercase() == lower && it.class == hand_in.class);
+        let shown = match alike.count() {
+            0 => name.clone(),
+            others => {
+                let shown = format!("{name} ({})", others + 1);
+                self.notes.push(format!(
+                    "{file}: another {name}, with no answer in common; shown as {shown}"
+                ));
+                shown
+            }
+        };
+        let mut attempts = hand_in.attempts;
+        attempts.sort_by_key(|it| it.time_s);
+        self.pupils.push(Pupil {
+            name: shown,
+            class: hand_in.class,
+            attempts,
+            own_name: name,
+        });
+        self.pupils
+            .sort_by_key(|it| (it.name.to_lowercase(), it.class.to_lowercase()));
+    }
+
+    /// The rounds that anybody has begun, in the order of their codes.
+    pub fn rounds(&self) -> Vec<String> {
+        let rounds = self.pupils.iter().flat_map(Pupil::rounds);
+        let mut rounds: Vec<String> = rounds.map(|it| it.round).collect();
+        rounds.sort();
+        rounds.dedup();
+        rounds
+    }
+
+    /// The topics that anybody was asked about, in the order of their names.
+    pub fn topics(&self) -> Vec<String> {
+        let topics = self.pupils.iter().flat_map(Pupil::topics);
+        let mut topics: Vec<String> = topics.map(|it| it.name).collect();
+        topics.sort();
+        topics.dedup();
+        topics
+    }
+}

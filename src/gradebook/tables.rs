@@ -1,0 +1,119 @@
+//! The gradebook as comma-separated values.
+
+use super::{Gradebook, beliefs, items};
+use crate::numbers::fixed;
+use crate::progress::table;
+
+/// A row a pupil: what was answered in all, in each round and on each topic.
+///
+/// # Errors
+/// None that can be met in practice; the reason, should a row not be writable.
+pub fn pupils_csv(book: &Gradebook) -> Result<String, String> {
+    let (rounds, topics) = (book.rounds(), book.topics());
+    let mut heads: Vec<String> = [
+        "name",
+        "class",
+        "answered",
+        "right",
+        "share_right",
+        "points",
+    ]
+    .map(Into::into)
+    .to_vec();
+    for round in &rounds {
+        heads.extend(["answered", "right", "points"].map(|what| format!("{round} {what}")));
+    }
+    for topic in &topics {
+        heads.extend(["answered", "right"].map(|what| format!("{topic}: {what}")));
+    }
+    let rows: Vec<Vec<String>> = { book.pupils.iter() }
+        .map(|pupil| {
+            let tally = pupil.tally();
+            let done = pupil.rounds();
+            let points: f64 = done.iter().map(|it| it.points).sum();
+            let mut row = vec![
+                pupil.name.clone(),
+                pupil.class.clone(),
+                tally.attempts.to_string(),
+                tally.right.to_string(),
+                tally.share_right().map_or(String::new(), |it| fixed(it, 3)),
+                fixed(points, 1),
+            ];
+            for round in &rounds {
+                let it = done.iter().find(|it| it.round == *round);
+                row.extend(it.map_or_else(Default::default, |it| {
+                    [
+                        it.answered.to_string(),
+                        it.right.to_string(),
+                        fixed(it.points, 1),
+                    ]
+                }));
+            }
+            let known = pupil.topics();
+            for topic in &topics {
+                let it = known.iter().find(|it| it.name == *topic);
+                row.extend(it.map_or_else(Default::default, |it| {
+                    [it.all.attempts.to_string(), it.all.right.to_string()]
+                }));
+            }
+            row
+        })
+        .collect();
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    table(&heads, &rows)
+}
+
+/// A row a question: how all who answered it did.
+///
+/// # Errors
+/// None that can be met in practice; the reason, should a row not be writable.
+pub fn items_csv(book: &Gradebook) -> Result<String, String> {
+    let rows: Vec<Vec<String>> = { items(book).into_iter() }
+        .map(|it| {
+            let (belief, count) = it.commonest.map_or_else(Default::default, |(held, count)| {
+                (held.id().to_owned(), count.to_string())
+            });
+            vec![
+                it.round,
+                it.number.to_string(),
+                it.question.unwrap_or_default(),
+                it.answered.to_string(),
+                fixed(it.right, 3),
+                fixed(it.points, 1),
+                it.discrimination.map_or(String::new(), |it| fixed(it, 3)),
+                belief,
+                count,
+            ]
+        })
+        .collect();
+    let heads = [
+        "round",
+        "number",
+        "question",
+        "answered",
+        "share_right",
+        "mean_points",
+        "discrimination",
+        "commonest_misconception",
+        "commonest_answers",
+    ];
+    table(&heads, &rows)
+}
+
+/// A row a misconception: how many hold it.
+///
+/// # Errors
+/// None that can be met in practice; the reason, should a row not be writable.
+pub fn beliefs_csv(book: &Gradebook) -> Result<String, String> {
+    let rows: Vec<Vec<String>> = { beliefs(book).into_iter() }
+        .map(|it| {
+            vec![
+                it.misconception.id().into(),
+                it.misconception.name().into(),
+                it.pupils.to_string(),
+                it.answers.to_string(),
+            ]
+        })
+        .collect();
+    table(&["misconception", "in_words", "pupils", "answers"], &rows)
+}

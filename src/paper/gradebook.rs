@@ -1,0 +1,206 @@
+//! The gradebook of a class, with a page for each pupil.
+
+use maud::{Markup, html};
+
+use super::{HtmlPage, clean};
+use crate::gradebook::{Gradebook, Pupil, beliefs, items};
+use crate::numbers::{counted, fixed};
+use crate::progress::words::percent;
+use crate::progress::{Mastery, beliefs as beliefs_of};
+
+/// Most letters of a name, and of a round or a topic at the head of a column.
+const NAME: usize = 44;
+const HEAD: usize = 40;
+/// Most letters of a question in a table.
+const QUESTION: usize = 110;
+/// Columns of rounds or topics beside each other; more go into a table of their own.
+const COLUMNS: usize = 6;
+
+/// The gradebook as an HTML document: what the class did, what the questions showed, what the
+/// class believes, then a page a pupil.
+#[must_use]
+pub fn html(book: &Gradebook) -> String {
+    let page = HtmlPage::new("carrom: gradebook")
+        .style(include_str!("gradebook.css"))
+        .sheet(sheet("Gradebook", &overview(book)))
+        .sheet(sheet("The questions", &questions(book)))
+        .sheet(sheet("What the class believes", &believed(book)));
+    let pupils = { book.pupils.iter() }.map(|it| sheet(&clean(&it.name, NAME), &report(it)));
+    pupils.fold(page, HtmlPage::sheet).html()
+}
+
+fn sheet(title: &str, body: &Markup) -> Markup {
+    html! {
+        div.gradebook {
+            header { p.dim { "carrom · glancing collisions" } h1 { bdi { (title) } } }
+            (body)
+        }
+    }
+}
+
+/// A table of heads and rows, whose first columns are texts and the others figures.
+fn table(texts: usize, heads: &[String], rows: &[Vec<String>]) -> Markup {
+    html! {
+        table {
+            thead { tr { @for (i, head) in heads.iter().enumerate() { th.n[i >= texts] { bdi { (head) } } } } }
+            tbody {
+                @for row in rows {
+                    tr { @for (i, cell) in row.iter().enumerate() { td.n[i >= texts] { bdi { (cell) } } } }
+                }
+            }
+        }
+    }
+}
+
+fn overview(book: &Gradebook) -> Markup {
+    let answers: usize = book.pupils.iter().map(|it| it.tally().attempts).sum();
+    let all = html! {
+        p {
+            (counted(book.pupils.len(), "pupil")) ", " (counted(answers, "answer")) ". "
+            "To each question of a round the first answer counts. Points: 0 to 10 for each, by how "
+            "near it was."
+        }
+        @if !book.notes.is_empty() {
+            h2 { "About the files" }
+            ul.notes { @for note in &book.notes { li { bdi { (clean(note, 240)) } } } }
+        }
+    };
+    let (rounds, topics) = (book.rounds(), book.topics());
+    let rounds = by_columns(
+        book,
+        "Rounds: points (right of answered)",
+        &rounds,
+        |pupil, round| {
+            let done = pupil.rounds();
+            let it = done.iter().find(|it| it.round == round)?;
+            Some(format!(
+                "{} ({} of {})",
+                fixed(it.points, 1),
+                it.right,
+                it.answered
+            ))
+        },
+    );
+    let topics = by_columns(
+        book,
+        "Topics: right of answered",
+        &topics,
+        |pupil, topic| {
+            let known = pupil.topics();
+            let it = known.iter().find(|it| it.name == topic)?;
+            Some(format!("{} of {}", it.all.right, it.all.attempts))
+        },
+    );
+    html! { (all) (rounds) (topics) }
+}
+
+/// Tables of a row a pupil and a column for each of these.
+fn by_columns(
+    book: &Gradebook,
+    title: &str,
+    columns: &[String],
+    cell: impl Fn(&Pupil, &str) -> Option<String>,
+) -> Markup {
+    let tables = columns.chunks(COLUMNS).map(|columns| {
+        let mut heads = vec!["pupil".to_owned(), "class".to_owned()];
+        heads.extend(columns.iter().map(|it| clean(it, HEAD)));
+        let rows = book.pupils.iter().map(|pupil| {
+            let mut row = vec![clean(&pupil.name, NAME), clean(&pupil.class, 16)];
+            row.extend(columns.iter().map(|it| cell(pupil, it).unwrap_or_default()));
+            row
+        });
+        table(2, &heads, &rows.collect::<Vec<_>>())
+    });
+    html! { h2 { (title) } @for table in tables { (table) } }
+}
+
+fn questions(book: &Gradebook) -> Markup {
+    let heads = [
+        "round",
+        "",
+        "question",
+        "commonest mistake",
+        "answered",
+        "right",
+        "points",
+        "tells apart",
+    ];
+    let rows = items(book).into_iter().map(|it| {
+        let commonest = it.commonest.map_or(String::new(), |(held, count)| {
+            format!("{}: {count}", held.name())
+        });
+        vec![
+            clean(&it.round, HEAD),
+            it.number.to_string(),
+            clean(&it.question.unwrap_or_default(), QUESTION),
+            commonest,
+            it.answered.to_string(),
+            percent(Some(it.right)),
+            fixed(it.points, 1),
+            it.discrimination.map_or("–".into(), |it| fixed(it, 2)),
+        ]
+    });
+    let rows: Vec<Vec<String>> = rows.collect();
+    html! {
+        (table(4, &heads.map(Into::into), &rows))
+        p.dim {
+            "Tells apart: the correlation of a question's points with those of the other questions "
+            "of its round, −1 to 1, from ten answers up."
+        }
+    }
+}
+
+fn believed(book: &Gradebook) -> Markup {
+    let held = beliefs(book);
+    html! {
+        @if held.is_empty() { p { "No answer fitted a misconception that is known." } }
+        @for it in &held {
+            h2 { (it.misconception.name()) }
+            p {
+                "held by " (counted(it.pupils, "pupil")) ", fits " (counted(it.answers, "answer"))
+                ". " (it.misconception.advice())
+            }
+        }
+    }
+}
+
+/// What one pupil did.
+fn report(pupil: &Pupil) -> Markup {
+    let tally = pupil.tally();
+    let rounds: Vec<Vec<String>> = { pupil.rounds().into_iter() }
+        .map(|it| {
+            let answered = it.answered.to_string();
+            vec![
+                clean(&it.round, NAME),
+                answered,
+                it.right.to_string(),
+                fixed(it.points, 1),
+            ]
+        })
+        .collect();
+    let topics: Vec<Vec<String>> = { pupil.topics().into_iter() }
+        .map(|it| {
+            let [answered, right] = [it.all.attempts, it.all.right].map(|it| it.to_string());
+            let mastery = it.mastery().name().to_owned();
+            vec![clean(&it.name, NAME), mastery, answered, right]
+        })
+        .collect();
+    let held = beliefs_of(&pupil.attempts);
+    html! {
+        p {
+            @if !pupil.class.is_empty() { bdi { (clean(&pupil.class, NAME)) } ". " }
+            (counted(tally.attempts, "answer")) ", " (percent(tally.share_right())) " right."
+        }
+        h2 { "Rounds" }
+        (table(1, &["round", "answered", "right", "points"].map(Into::into), &rounds))
+        h2 { "Topics" }
+        (table(2, &["topic", "", "answered", "right"].map(Into::into), &topics))
+        p.dim { (Mastery::MEANING) }
+        @if !held.is_empty() {
+            h2 { "What the answers show" }
+            @for it in &held {
+                p { strong { (it.misconception.name()) } " (" (it.trend().name()) "). " (it.misconception.advice()) }
+            }
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! The words of a step in the largest letters that fit beside its picture.
+//!
+//! The back row has to read them, so words come first: a picture shrinks before letters do, and
+//! letters no smaller than can be read go on over several pages.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::widgets::bar::bar;
+use crate::widgets::big::{BigPages, LetterSize};
+use crate::widgets::{Look, Role, areas};
+
+/// Rows between two paragraphs.
+const GAP: u16 = 1;
+/// Columns between a picture and the words beside it, and on their right.
+const APART: u16 = 1;
+/// Fewest columns of words beside a picture.
+const LEAST: u16 = 24;
+/// Rows of the screen that are no part of its body.
+const CHROME: u16 = 2;
+
+/// Something said, in large letters.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Paragraph {
+    pub(super) text: String,
+    pub(super) role: Role,
+    /// Whether it is to stand whole on a page.
+    pub(super) whole: bool,
+    /// A bar below it, for such a share of all.
+    pub(super) share: Option<f64>,
+}
+
+impl Paragraph {
+    /// Words alone.
+    pub(super) fn new(text: impl Into<String>, role: Role) -> Self {
+        Self {
+            text: text.into(),
+            role,
+            whole: false,
+            share: None,
+        }
+    }
+}
+
+/// The picture beside the words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Beside {
+    /// None.
+    Nothing,
+    /// One without which the words can be understood.
+    Helps,
+    /// One that says what the words do not.
+    Needed,
+}
+
+impl Beside {
+    /// The tenths of its full size that it may have, the largest first.
+    fn tenths(self) -> std::ops::RangeInclusive<u16> {
+        match self {
+            Self::Nothing => 0..=0,
+            Self::Helps => 5..=10,
+            Self::Needed => 7..=10,
+        }
+    }
+}
+
+/// Words and a picture in their places.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct PlacedWords {
+    pages: BigPages,
+    /// How large the letters are.
+    pub(super) size: LetterSize,
+    /// The picture and the words on the first page and on all others.
+    layouts: [Layout; 2],
+}
+
+/// A picture, perhaps of no cell, and the words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Layout {
+    picture: Rect,
+    words: Rect,
+}
+
+impl PlacedWords {
+    /// Words on as few pages as can be, then in the largest letters, then with the largest
+    /// picture; `more` says that there are other pages too. `None` if a letter is not to be had in
+    /// large type.
+    pub(super) fn new(
+        paragraphs: &[Paragraph],
+        beside: Beside,
+        more: bool,
+        area: Rect,
+        screen_rows: u16,
+        look: &Look,
+    ) -> Option<Self> {
+        let texts = paragraphs.iter().map(|it| (it.text.as_str(), it.whole));
+        let texts: Vec<_> = texts.collect();
+        // A bar below the last paragraph has its row too.
+        let last = u16::from(paragraphs.last().is_some_and(|it| it.share.is_some()));
+        let alone = Layout::new(area, Beside::Nothing, 0);
+        let mut best: Option<Self> = None;
+        for size in LetterSize::legible(look.charset, screen_rows) {
+            for tenths in beside.tenths().rev() {
+                let with = Layout::new(area, beside, tenths);
+                for layouts in [[with, with], [with, alone]] {
+                    let set = |foot: u16| {
+                        let rows = |it: Layout| it.words.height.saturating_sub(last + foot);
+                        let rooms = layouts.map(|it| (it.words.width, rows(it)));
+                        BigPages::set(&texts, GAP, size, rooms, look.charset)
+                    };
+                    // The last row of several pages says which one it is.
+                    let one = set(u16::from(more)).filter(|pages| pages.count() == 1);
+                    let Some(pages) = one.or_else(|| set(1)) else {
+                        continue;
+                    };
+                    if best.as_ref().is_none_or(|it| pages.count() < it.pages()) {
+                        best = Some(Self {
+                            pages,
+                            size,
+                            layouts,
+                        });
+                    }
+                }
+            }
+        }
+        best
+    }
+
+    /// How many pages there are.
+    pub(super) fn pages(&self) -> usize {
+        self.pages.count()
+    }
+
+    fn layout(&self, page: usize) -> Layout {
+        self.layouts[page.min(1)]
+    }
+
+    /// The place of the picture on a page; of no cell where there is none.
+    pub(super) fn picture(&self, page: usize) -> Rect {
+        self.layout(page).picture
+    }
+
+    /// The paragraph at a cell of a page.
+    pub(super) fn at(&self, page: usize, (column, row): (u16, u16)) -> Option<usize> {
+        let words = self.layout(page).words;
+        let inside = words.contains((column, row).into());
+        self.pages.page(page).filter(|_| inside)?.at(row - words.y)
+    }
+
+    /// The place of the words on a page.
+    pub(super) fn words(&self, page: usize) -> Rect {
+        self.layout(page).words
+    }
+
+    /// Draws the words of a page, with the bars of its paragraphs.
+    pub(super) fn draw(
+        &self,
+        page: usize,
+        paragraphs: &[Paragraph],
+        buf: &mut Buffer,
+        look: &Look,
+    ) {
+        let page = page.min(self.pages().saturating_sub(1));
+        let place = self.layout(page).words;
+        let Some(shown) = self.pages.page(page) else {
+            return;
+        };
+        let role = |paragraph: usize| paragraphs.get(paragraph).map_or(Role::Text, |it| it.role);
+        for (paragraph, row) in shown.draw(place, buf, look, role) {
+            let share = paragraphs.get(paragraph).and_then(|it| it.share);
+            if let Some(share) = share.filter(|_| row < place.height) {
+                let bar = bar(share, place.width, look.charset);
+                let style = look.theme.style(Role::Predicted);
+                buf.set_stringn(place.x, place.y + row, bar, place.width.into(), style);
+            }
+        }
+    }
+}
+
+impl Layout {
+    /// A picture of so many tenths of the largest square one, and the words beside it, or
+    /// below it where the area is upright.
+    fn new(area: Rect, beside: Beside, tenths: u16) -> Self {
+        let [_, words] = areas::left(area, APART);
+        if beside == Beside::Nothing {
+            let picture = Rect { width: 0, ..area };
+            return Self { picture, words };
+        }
+        let is_upright = 4 * u32::from(area.height) >= 3 * u32::from(area.width);
+        if is_upright {
+            let rows = (area.width / 2).min(area.height / 5 * 3) * tenths / 10;
+            let [picture, words] = areas::upper(area, rows);
+            let [_, words] = areas::left(words, APART);
+            return Self { picture, words };
+        }
+        let rows = area.height * tenths / 10;
+        let columns = (2 * rows).saturating_sub(1);
+        let columns = columns.min(area.width.saturating_sub(LEAST + APART));
+        let [picture, words] = areas::left(area, columns);
+        let [_, words] = areas::left(words, APART);
+        let [picture, _] = areas::upper(picture, rows);
+        Self { picture, words }
+    }
+}
+
+/// The rows of the whole screen that has such a body.
+pub(super) const fn screen_rows(body: Rect) -> u16 {
+    body.height + CHROME
+}

@@ -1,0 +1,134 @@
+//! Long texts in large type, on as many pages as they need.
+
+use ratatui::{buffer::Buffer, layout::Rect};
+
+use super::{Align, Big, LetterSize};
+use crate::widgets::{Charset, Look, Role};
+
+/// Paragraphs in letters of one size, on pages.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct BigPages {
+    pages: Vec<BigPage>,
+}
+
+/// What stands on a page.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct BigPage {
+    parts: Vec<BigPart>,
+    /// Rows that are taken, with the gap below the last part.
+    taken: u16,
+}
+
+/// A paragraph on a page, or as much of it as goes there.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct BigPart {
+    row: u16,
+    paragraph: usize,
+    big: Big,
+    /// Whether nothing of the paragraph is left for the next page.
+    ends: bool,
+}
+
+impl BigPages {
+    /// Sets paragraphs with `gap` rows below each, the first page in so many columns and rows,
+    /// all others in those of `rest`. One that is marked so stands whole on a page, if it fits on
+    /// one; the others go on over the edge. `None` if a word is too long for any line, or a letter is not to be had.
+    pub(crate) fn set(
+        texts: &[(&str, bool)],
+        gap: u16,
+        size: LetterSize,
+        [first, rest]: [(u16, u16); 2],
+        charset: Charset,
+    ) -> Option<Self> {
+        let mut pages = vec![BigPage::default()];
+        for (paragraph, (text, whole)) in texts.iter().enumerate() {
+            let text = charset.text(text);
+            let mut words: Vec<&str> = text.split_whitespace().collect();
+            while !words.is_empty() {
+                let (columns, rows) = if pages.len() == 1 { first } else { rest };
+                let mut big = Big::set(&words, size, columns)?;
+                let page = pages.last_mut()?;
+                let room = rows.saturating_sub(page.taken);
+                let is_fresh = page.parts.is_empty();
+                let lines = big.lines.len();
+                let breaks = is_fresh || !whole;
+                let most = match big.rows() <= room {
+                    true => lines,
+                    false if breaks => lines_in(size, room).min(lines),
+                    false => 0,
+                };
+                if most == 0 {
+                    // Not a line fits: on an empty page that is as good as it gets.
+                    if is_fresh && pages.len() > 1 {
+                        return None;
+                    }
+                    pages.push(BigPage::default());
+                    continue;
+                }
+                let rest_of_words: usize = big.lines.drain(most..).map(|line| line.words).sum();
+                let part = BigPart {
+                    row: page.taken,
+                    paragraph,
+                    ends: rest_of_words == 0,
+                    big,
+                };
+                page.taken += part.big.rows() + gap;
+                page.parts.push(part);
+                words.drain(..words.len() - rest_of_words);
+                if !words.is_empty() {
+                    pages.push(BigPage::default());
+                }
+            }
+        }
+        Some(Self { pages })
+    }
+
+    /// How many pages there are.
+    pub(crate) fn count(&self) -> usize {
+        self.pages.len()
+    }
+
+    /// A page, from 0; the last one where there are not so many.
+    pub(crate) fn page(&self, number: usize) -> Option<&BigPage> {
+        self.pages.get(number.min(self.count().saturating_sub(1)))
+    }
+}
+
+impl BigPage {
+    /// Draws it, a paragraph in its role; gives the row below each paragraph that ends here.
+    pub(crate) fn draw(
+        &self,
+        area: Rect,
+        buf: &mut Buffer,
+        look: &Look,
+        role: impl Fn(usize) -> Role,
+    ) -> Vec<(usize, u16)> {
+        let mut ends = Vec::new();
+        for part in &self.parts {
+            let place = Rect {
+                y: area.y + part.row.min(area.height),
+                height: area.height.saturating_sub(part.row),
+                ..area
+            };
+            part.big
+                .draw(place, buf, look, role(part.paragraph), Align::Left);
+            if part.ends {
+                ends.push((part.paragraph, part.row + part.big.rows()));
+            }
+        }
+        ends
+    }
+
+    /// The paragraph at a row.
+    pub(crate) fn at(&self, row: u16) -> Option<usize> {
+        let here = |part: &&BigPart| (part.row..part.row + part.big.rows()).contains(&row);
+        self.parts.iter().find(here).map(|part| part.paragraph)
+    }
+}
+
+/// Lines that fit into so many rows.
+fn lines_in(size: LetterSize, rows: u16) -> usize {
+    (0..)
+        .take_while(|lines| size.rows(lines + 1) <= rows.into())
+        .count()
+}
