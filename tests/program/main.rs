@@ -9,9 +9,9 @@ mod bad_levels;
 mod bookmarks;
 mod child;
 mod cli;
-mod gather;
 #[cfg(unix)]
 mod freeze;
+mod gather;
 #[cfg(unix)]
 mod kill;
 mod memory;

@@ -176,7 +176,7 @@ impl Screen for Class {
         }
     }
 
-    fn keys(&self, cx: &Context) -> KeyTable<ClassAction> {
+    fn keys(&self, _cx: &Context) -> KeyTable<ClassAction> {
         use ClassAction::{Earlier, Leave, Pause, SetUp};
         let keys = KeyTable::new("class");
         match &self.scene {
@@ -189,7 +189,7 @@ impl Screen for Class {
                 let keys = keys.with(earlier.rounds.keys("take it up"), Earlier);
                 keys.on(Key::Escape, Leave, "back")
             }
-            ClassScene::Play(play) => play.keys(cx),
+            ClassScene::Play(play) => play.keys(),
         }
     }
 

@@ -239,17 +239,12 @@ impl ClassPlay {
     }
 
     /// The keys of the step at hand.
-    pub(super) fn keys(&self, cx: &Context) -> KeyTable<ClassAction> {
+    pub(super) fn keys(&self) -> KeyTable<ClassAction> {
         use ClassAction::{
             Backward, Forward, Leap, Leave, Light, NotYet, Pause, ShowTyped, Tables, TakeBack,
             Team, Teams, TurnPage, Vote, Watch, WordsAlone,
         };
         let keys = KeyTable::new("class");
-        let step = self.step_view(cx.body, &cx.settings.look());
-        let page = match step.is_some_and(|step| step.pages() > 1) {
-            true => "page",
-            false => "",
-        };
         let forward = |name| {
             let keys = KeyTable::new("class").on(Key::Enter, Forward, name);
             keys.or([(' ', Forward)])
@@ -270,7 +265,6 @@ impl ClassPlay {
                                 .on('v', ShowTyped, show)
                                 .on('p', Pause, "pause")
                                 .on('l', Light, "dark or light"),
-                            page,
                         );
                     }
                     None => {
@@ -314,7 +308,6 @@ impl ClassPlay {
                 .by(['[', ']'], Leap, [-1, 1], "questions")
                 .when([-1, 1].iter().any(|by| self.leads_to(*by).is_some()))
                 .on(Key::Escape, Leave, "leave"),
-            page,
         )
     }
 
@@ -427,12 +420,7 @@ impl ClassPlay {
 }
 
 /// The keys with those that scroll or turn pages.
-fn scrolled(keys: KeyTable<ClassAction>, name: &'static str) -> KeyTable<ClassAction> {
-    let keys = keys.by(
-        [Key::PageUp, Key::PageDown],
-        ClassAction::Scroll,
-        [-8, 8],
-        name,
-    );
-    keys.by([Key::Up, Key::Down], ClassAction::Scroll, [-1, 1], "")
+fn scrolled(keys: KeyTable<ClassAction>) -> KeyTable<ClassAction> {
+    let keys_of_text = [Key::Up, Key::Down, Key::PageUp, Key::PageDown];
+    keys.by(keys_of_text, ClassAction::Scroll, [-1, 1, -8, 8], "")
 }

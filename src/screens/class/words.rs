@@ -113,12 +113,17 @@ impl PlacedWords {
                     let Some(pages) = one.or_else(|| set(1)) else {
                         continue;
                     };
-                    if best.as_ref().is_none_or(|it| pages.count() < it.pages()) {
-                        best = Some(Self {
-                            pages,
-                            size,
-                            layouts,
-                        });
+                    let placed = Self {
+                        pages,
+                        size,
+                        layouts,
+                    };
+                    // The largest letters and pictures come first.
+                    if placed.pages() == 1 {
+                        return Some(placed);
+                    }
+                    if best.as_ref().is_none_or(|it| placed.pages() < it.pages()) {
+                        best = Some(placed);
                     }
                 }
             }
