@@ -80,12 +80,14 @@ const keeper = (() => {
       busy = false;
       done(failed);
     };
-    if (!base) return end("this browser keeps nothing for this page");
+    // Never before this is left: who is told at once would ask for the same again.
+    const refuse = (failed) => void setTimeout(end, 0, failed);
+    if (!base) return refuse("this browser keeps nothing for this page");
     let transaction;
     try {
       transaction = base.transaction("files", "readwrite", { durability: "strict" });
     } catch (error) {
-      return end(reason(error));
+      return refuse(reason(error));
     }
     let ended = false;
     const once = (failed) => ended || ((ended = true), end(failed));
