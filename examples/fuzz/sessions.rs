@@ -74,20 +74,23 @@ fn watched_steps(number: u64, told: bool, inputs: &mut u64) -> Result<(), Fault>
                 return Ok(false);
             }
             let before = std::mem::replace(&mut moment, Moment::of(&game));
-            Ok(moment.name != before.name)
+            Ok(moment.screen != before.screen)
         });
         let at = |fault| format!("{fault} at input {step}, {act:?}");
-        if has_changed.map_err(at)? || step % DRAWN == 0 {
+        if has_changed.map_err(at)? || step % DRAWN == DRAWN - 1 {
             watched(|| look(&mut game)).map_err(at)?;
         }
     }
-    watched(|| look(&mut game))
+    match game.has_quit() {
+        true => Ok(()),
+        false => watched(|| look(&mut game)),
+    }
 }
 
 /// What the game is at.
 struct Moment {
-    /// The name of what its first key does: another screen or phase has another.
-    name: String,
+    /// What the names of its keys begin with.
+    screen: String,
     /// The keys that mean something.
     keys: Vec<Key>,
 }
@@ -95,9 +98,12 @@ struct Moment {
 impl Moment {
     fn of(game: &Headless) -> Self {
         let table = game.app().keys();
-        let first = table.rows().first();
+        let first = table
+            .rows()
+            .first()
+            .and_then(|row| row.id.split('.').next());
         Self {
-            name: first.map(|row| row.id.clone()).unwrap_or_default(),
+            screen: first.unwrap_or_default().into(),
             keys: table.rows().iter().flat_map(|row| row.all_keys()).collect(),
         }
     }
