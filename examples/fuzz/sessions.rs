@@ -21,7 +21,7 @@ const DRAWN: u64 = 100;
 const CAUGHT_UP: u64 = 10;
 
 /// Plays the session of this number; says how many inputs it had, and what went wrong. Told,
-/// each is printed.
+/// each is printed, and the screen that shows what it must not.
 pub(crate) fn play(number: u64, told: bool) -> (u64, Option<Fault>) {
     let mut inputs = 0;
     let played = watched_steps(number, told, &mut inputs);
@@ -78,12 +78,12 @@ fn watched_steps(number: u64, told: bool, inputs: &mut u64) -> Result<(), Fault>
         });
         let at = |fault| format!("{fault} at input {step}, {act:?}");
         if has_changed.map_err(at)? || step % DRAWN == DRAWN - 1 {
-            watched(|| look(&mut game)).map_err(at)?;
+            watched(|| look(&mut game, told)).map_err(at)?;
         }
     }
     match game.has_quit() {
         true => Ok(()),
-        false => watched(|| look(&mut game)),
+        false => watched(|| look(&mut game, told)),
     }
 }
 
@@ -110,15 +110,19 @@ impl Moment {
 }
 
 /// Looks at the screen, and whether it shows what it must not.
-fn look(game: &mut Headless) -> Result<(), Fault> {
+fn look(game: &mut Headless, told: bool) -> Result<(), Fault> {
     let is_ascii = game.app().settings().charset == Charset::Ascii;
     let screen = game.screen();
     let is_strange = |c: char| c != '\n' && (c.is_control() || (is_ascii && !c.is_ascii()));
-    match screen.chars().find(|c| is_strange(*c)) {
-        Some(c) => Err(format!("the screen shows {c:?}")),
-        None if screen.contains("NaN") => Err("the screen shows NaN".into()),
-        None => Ok(()),
+    let shown = match screen.chars().find(|c| is_strange(*c)) {
+        Some(c) => format!("{c:?}"),
+        None if screen.contains("NaN") => "NaN".into(),
+        None => return Ok(()),
+    };
+    if told {
+        println!("{screen}");
     }
+    Err(format!("the screen shows {shown}"))
 }
 
 /// One thing that may happen.

@@ -1,0 +1,165 @@
+//! Says to carrom what a page may say, at random, and looks whether anything gives way:
+//! `cargo run --release -p carrom-web --example fuzz -- SECONDS [FIRST]`, where FIRST is the
+//! session to begin with. A panic names its session.
+
+use std::error::Error;
+use std::time::{Duration, Instant};
+use std::{env, panic, process};
+
+use carrom_web::{Command, Shell};
+use rand::seq::IndexedRandom;
+use rand::{Rng, RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use serde_json::{Value, json};
+
+/// The most that is said in a session.
+const LONGEST: u64 = 1000;
+/// What is said from one picture to the next.
+const PAINTED: u64 = 100;
+
+const FRAGMENTS: [&str; 10] = [
+    "",
+    "lab",
+    "foil",
+    "table",
+    "levels",
+    "chapter=2",
+    "quiz=mixed-7&player=Ana",
+    "class=quick-7&teams=Ants,Bees",
+    "quiz=%ff%00&player=%",
+    "nowhere=at-all&&==",
+];
+const KEYS: [&str; 24] = [
+    "Enter",
+    "Enter",
+    "Escape",
+    "Space",
+    "Tab",
+    "Shift+Tab",
+    "Up",
+    "Down",
+    "Left",
+    "Right",
+    "Home",
+    "End",
+    "PageUp",
+    "PageDown",
+    "Backspace",
+    "F1",
+    "F2",
+    "3",
+    "6",
+    "0",
+    ".",
+    "-",
+    "?",
+    "n",
+];
+const KINDS: [&str; 6] = ["down", "drag", "up", "scroll-up", "scroll-down", "wink"];
+
+/// Any text of up to so many letters.
+fn text(chance: &mut impl Rng, most: usize) -> String {
+    let length = chance.random_range(0..=most);
+    (0..length).map(|_| chance.random::<char>()).collect()
+}
+
+fn opening(chance: &mut impl Rng) -> Value {
+    let fragment = match chance.random_range(0..10) {
+        0 => text(chance, 30),
+        _ => FRAGMENTS.choose(chance).copied().unwrap_or_default().into(),
+    };
+    json!({
+        "do": "open",
+        "fragment": fragment,
+        "seed": chance.random::<u32>(),
+        "columns": chance.random_range(1..200),
+        "rows": chance.random_range(1..70),
+        "light": chance.random::<bool>(),
+        "still": chance.random::<bool>(),
+        "simulated": chance.random_bool(0.8),
+    })
+}
+
+/// Something that a page may say, and the bytes behind it.
+fn said(chance: &mut impl Rng) -> (Value, Vec<u8>) {
+    let bytes: Vec<u8> = (0..chance.random_range(0..40))
+        .map(|_| chance.random())
+        .collect();
+    let said = match chance.random_range(0..100) {
+        0..40 => json!({ "do": "key", "key": KEYS.choose(chance) }),
+        40..62 => json!({ "do": "key", "key": chance.random_range(' '..='~').to_string() }),
+        62 => json!({ "do": "key", "key": text(chance, 3) }),
+        63..80 => json!({
+            "do": "mouse",
+            "kind": KINDS.choose(chance),
+            "x": chance.random_range(-10.0..250.0),
+            "y": chance.random_range(-10.0..90.0),
+        }),
+        80 => json!({ "do": "paste", "text": text(chance, 200) }),
+        81 => json!({ "do": "paste", "text": "1e300" }),
+        82 => json!({
+            "do": "resize",
+            "columns": chance.random_range(0..250),
+            "rows": chance.random_range(0..90),
+        }),
+        83..90 => json!({ "do": "pass", "ms": chance.random_range(-10.0..2000.0) }),
+        90 => json!({
+            "do": "now",
+            "time_s": chance.random::<i64>(),
+            "offset_s": chance.random::<i32>(),
+        }),
+        91 => json!({ "do": "set", "charset": "ascii", "color": "none" }),
+        92 => json!({ "do": "set", "charset": "unicode", "color": "truecolor" }),
+        93 => json!({ "do": "changed" }),
+        94 => json!({ "do": "kept", "failed": [Value::Null, "full".into()].choose(chance) }),
+        95 => json!({ "do": "slow" }),
+        96 => json!({ "do": "file", "name": text(chance, 12) }),
+        97 => json!({ "do": "progress" }),
+        98 => json!({ "do": "glyph", "letter": text(chance, 2) }),
+        _ => json!({ "do": "talk", "lines": [text(chance, 8), "quiz", "60", "yes"] }),
+    };
+    (said, bytes)
+}
+
+/// Plays the session of this number; gives how much was said.
+fn play(number: u64) -> Result<u64, serde_json::Error> {
+    let mut chance = Pcg64Mcg::seed_from_u64(number);
+    let Command::Open(opening) = serde_json::from_value(opening(&mut chance))? else {
+        return Ok(0);
+    };
+    let (mut shell, mut reply) = Shell::open(&opening, &[]);
+    let most = chance.random_range(10..=LONGEST);
+    for step in 0..most {
+        if reply.quit {
+            return Ok(step);
+        }
+        let (said, bytes) = said(&mut chance);
+        reply = shell.call(serde_json::from_value(said)?, &bytes);
+        if step % PAINTED == 0 {
+            shell.call(Command::Paint, &[]);
+        }
+    }
+    Ok(most)
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = env::args().skip(1).map(|word| word.parse::<u64>());
+    let seconds = arguments.next().ok_or("expected SECONDS [FIRST]")??;
+    let first = arguments.next().transpose()?.unwrap_or(0);
+    let (start, mut inputs, mut next) = (Instant::now(), 0, first);
+    while start.elapsed() < Duration::from_secs(seconds) {
+        match panic::catch_unwind(|| play(next)) {
+            Ok(said) => inputs += said?,
+            Err(_) => {
+                eprintln!("that was session {next}");
+                process::exit(1);
+            }
+        }
+        next += 1;
+    }
+    println!(
+        "{inputs} inputs in {} sessions, from {first} on; none gave way",
+        next - first
+    );
+    Ok(())
+}
