@@ -194,8 +194,9 @@ impl Headless {
     pub fn buffer(&mut self) -> &Buffer {
         let app = &self.app;
         let drawn: Result<_, Infallible> = self.terminal.draw(|frame| app.draw(frame));
-        let Ok(_) = drawn;
-        self.terminal.backend().buffer()
+        let Ok(drawn) = drawn;
+        // Not what the backend has: it keeps what once stood where a wide letter goes on.
+        drawn.buffer
     }
 
     /// Draws the screen and gives its text.
@@ -237,6 +238,7 @@ mod tests {
     use super::*;
     use crate::screens::{Context, Hosted, Next, Place, Screen, Settings};
     use crate::widgets::input::KeyTable;
+    use crate::widgets::{Charset, Depth};
     use ratatui::layout::Rect;
 
     /// Counts what it is told, and moves for a second after a space.
@@ -316,6 +318,26 @@ mod tests {
         let before = game.screen();
         game.press("q<Down>");
         assert!(game.has_quit());
+        assert_eq!(game.screen(), before);
+    }
+
+    #[test]
+    fn nothing_is_left_where_a_wide_letter_stood() {
+        let (code, teams) = (None, vec![]);
+        let settings = Settings {
+            charset: Charset::Unicode,
+            depth: Depth::None,
+            ..Settings::default()
+        };
+        let app = App::new(Place::Class { code, teams }, settings, 1);
+        let mut game = Headless::new(app, 80, 24);
+        game.press("a<Backspace>");
+        let before = game.screen();
+        game.press("abcd");
+        assert!(game.screen().contains("abcd"));
+        game.press("<Backspace><Backspace><Backspace><Backspace>球球");
+        assert!(game.screen().contains("球球"));
+        game.press("<Backspace><Backspace>");
         assert_eq!(game.screen(), before);
     }
 

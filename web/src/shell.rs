@@ -28,6 +28,8 @@ const VECTOR: u32 = 1 << 16;
 pub struct Shell {
     app: App,
     screen: Terminal<TestBackend>,
+    /// What was drawn last, and how it is painted.
+    drawn: Buffer,
     painted: Vec<PaintedCell>,
     keeping: Keeping,
     searches: VecDeque<SearchTask>,
@@ -52,6 +54,7 @@ impl Shell {
         let mut shell = Self {
             app,
             screen,
+            drawn: Buffer::default(),
             painted: Vec::new(),
             keeping,
             searches: VecDeque::new(),
@@ -179,7 +182,7 @@ impl Shell {
     /// The cells that were painted last, four numbers each.
     #[must_use]
     pub fn cells(&self) -> Vec<u32> {
-        let cells = self.screen.backend().buffer().content().iter();
+        let cells = self.drawn.content().iter();
         let each = cells.zip(&self.painted);
         each.flat_map(|(cell, painted)| {
             let letter = cell.symbol().chars().next().unwrap_or(' ');
@@ -261,14 +264,18 @@ impl Shell {
 
     fn paint(&mut self) -> Painted {
         let app = &self.app;
-        let (drawn, pictures): (Result<_, Infallible>, _) =
-            gather(|| self.screen.draw(|frame| app.draw(frame)).map(drop));
-        let Ok(()) = drawn;
-        let buffer = self.screen.backend().buffer();
-        let (cells, pictures) = painted(buffer, &pictures);
+        let screen = &mut self.screen;
+        let (drawn, pictures): (Result<_, Infallible>, _) = gather(|| {
+            let drawn = screen.draw(|frame| app.draw(frame));
+            // Not what the backend has: it keeps what once stood where a wide letter goes on.
+            drawn.map(|drawn| drawn.buffer.clone())
+        });
+        let Ok(drawn) = drawn;
+        let (cells, pictures) = painted(&drawn, &pictures);
         self.painted = cells;
+        self.drawn = drawn;
         Painted {
-            size: [buffer.area.width, buffer.area.height],
+            size: [self.drawn.area.width, self.drawn.area.height],
             pictures: pictures
                 .into_iter()
                 .map(|picture| Picture {
