@@ -1,5 +1,5 @@
 //! Says to carrom what a page may say, at random, and looks whether anything gives way:
-//! `cargo run --release -p carrom-web --example fuzz -- SECONDS [FIRST]`, where FIRST is the
+//! `cargo run --release -p carrom-web --example fuzz_page -- SECONDS [FIRST]`, where FIRST is the
 //! session to begin with. A panic names its session.
 
 use std::error::Error;
