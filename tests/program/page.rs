@@ -1,38 +1,15 @@
 //! `carrom page`: a copy of the page with a teacher's own files in it.
 
 use std::fs;
-use std::process::{Command, Output, Stdio};
 
 use scraper::{Html, Selector};
 
 use crate::folder::Folder;
+use crate::start::{done, refused};
 
 /// What a page is for the program: the place where a teacher's files go, and all around it.
 const PAGE: &str = "<!doctype html><title>carrom</title><p>before</p>\
     <script type=\"application/json\" id=\"own\">[]</script><p>after</p>";
-
-/// Runs carrom in a folder; a page that a build has put into it is not asked for.
-fn carrom(folder: &Folder, arguments: &str) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_carrom"))
-        .args(arguments.split(' '))
-        .current_dir(folder.path())
-        .stdin(Stdio::null())
-        .output()
-        .unwrap()
-}
-
-fn done(folder: &Folder, arguments: &str) -> String {
-    let output = carrom(folder, arguments);
-    let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(0), "{arguments}: {message}");
-    String::from_utf8(output.stdout).unwrap()
-}
-
-fn refused(folder: &Folder, arguments: &str) -> String {
-    let output = carrom(folder, arguments);
-    assert!(!output.status.success(), "{arguments}");
-    String::from_utf8(output.stderr).unwrap()
-}
 
 /// The paths and texts in a page, as a browser reads them.
 fn own(folder: &Folder, name: &str) -> Vec<(String, String)> {
@@ -95,12 +72,12 @@ fn a_page_is_not_made_of_what_is_none_nor_over_what_is_there() {
     let folder = Folder::new("no-page");
     folder.file("carrom.html", PAGE);
     folder.file("other.html", "<!doctype html><title>other</title>");
-    let message = refused(&folder, "page --page other.html --out our.html");
+    let message = refused(&folder, "page --page other.html --out our.html", 2);
     assert!(message.contains("this page is not carrom's"), "{message}");
-    let message = refused(&folder, "page --page none.html --out our.html");
+    let message = refused(&folder, "page --page none.html --out our.html", 2);
     assert!(message.contains("cannot read none.html"), "{message}");
     done(&folder, "page --page carrom.html --out our.html");
-    let message = refused(&folder, "page --page carrom.html --out our.html");
+    let message = refused(&folder, "page --page carrom.html --out our.html", 1);
     assert!(message.contains("--force replaces it"), "{message}");
     done(&folder, "page --page carrom.html --out our.html --force");
     // A file that the program would refuse is refused here too, by its line.
@@ -109,6 +86,7 @@ fn a_page_is_not_made_of_what_is_none_nor_over_what_is_there() {
     let message = refused(
         &folder,
         "page --page carrom.html --levels levels --out bad.html",
+        2,
     );
     assert!(message.contains("bad.toml"), "{message}");
     assert!(!folder.path().join("bad.html").exists());

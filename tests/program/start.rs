@@ -19,7 +19,7 @@ fn carrom(folder: &Folder, arguments: &str) -> Output {
 }
 
 /// What it prints when it has done what it was asked for.
-fn done(folder: &Folder, arguments: &str) -> String {
+pub(crate) fn done(folder: &Folder, arguments: &str) -> String {
     let output = carrom(folder, arguments);
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(0), "{arguments}: {message}");
@@ -27,7 +27,7 @@ fn done(folder: &Folder, arguments: &str) -> String {
 }
 
 /// What it says when it refuses.
-fn refused(folder: &Folder, arguments: &str, status: i32) -> String {
+pub(crate) fn refused(folder: &Folder, arguments: &str, status: i32) -> String {
     let output = carrom(folder, arguments);
     assert_eq!(output.status.code(), Some(status), "{arguments}");
     String::from_utf8(output.stderr).unwrap()
