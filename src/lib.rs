@@ -12,9 +12,10 @@
 //!   main.rs        parse the command line, run, print the error
 //!   cli/           one file a subcommand
 //!   ─────────────────────────────────────────────────────────────
-//!   shells/        what drives the app: terminal (crossterm), tape (headless script); and
-//!                  plain lines in place of it, for screen readers. (The browser's shell
-//!                  is web/ beside src, a package of its own.)
+//!   shells/        what drives the app: terminal (crossterm), tape (headless script); plain
+//!                  lines in place of it, for screen readers; a class on its own devices: the
+//!                  server (host), the way to it (client), and all in one process (classroom).
+//!                  (The browser's shell is web/ beside src, a package of its own.)
 //!   ─────────────────────────────────────────────────────────────
 //!   store/         what is kept on disk: saved games, every answer (SQLite); the only
 //!                  room that writes there
@@ -22,7 +23,8 @@
 //!   app/           App: the stack of screens, what every screen shares
 //!   ─────────────────────────────────────────────────────────────
 //!   screens/       one folder a screen: its state and update, its view beside it
-//!                  home · learn · lab · foil · quiz · class · table · levels · progress · settings
+//!                  home · learn · lab · foil · quiz · class · join · table · levels ·
+//!                  progress · settings
 //!   paper/         documents for paper: HTML that prints well, Markdown, vector pictures
 //!   ─────────────────────────────────────────────────────────────
 //!   widgets/       the drawn things: pictures as lists of marks (picture) with two
@@ -30,8 +32,8 @@
 //!   ─────────────────────────────────────────────────────────────
 //!   messages/      what goes into the app and what comes out: keys, searches, effects
 //!   ─────────────────────────────────────────────────────────────
-//!   class/         a round for a class round one screen: teams, two votes, scores, what
-//!                  each question showed
+//!   class/         a round for a class: who votes and how, two votes, scores, what each
+//!                  question showed; what devices and the host say to each other
 //!   gradebook/     what a class has handed in: each pupil, each round, each question
 //!   ─────────────────────────────────────────────────────────────
 //!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)

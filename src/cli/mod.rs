@@ -30,7 +30,7 @@ mod written;
 use std::env;
 use std::ffi::OsString;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -41,11 +41,12 @@ pub use failure::Failure;
 pub use options::GlobalOptions;
 
 use crate::app::{App, Data};
-use crate::class::team_names;
+use crate::class::{DoorCode, team_names};
 use crate::files::{escape_control, escape_control_lines};
 use crate::lessons::ChapterLibrary;
 use crate::quiz::{Code, concepts};
-use crate::screens::{KeptSettings, Place};
+use crate::screens::{KeptSettings, Place, code_of, host_of};
+use crate::shells::host::HostOptions;
 use options::Auto;
 
 /// A terminal game that teaches glancing collisions.
@@ -70,6 +71,8 @@ Examples:
   carrom quiz --code mixed-7   a round of the quiz that everyone with this code gets
   carrom class --teams Ants,Bees --palette light
                                a round for a class, on a projector
+  carrom class --host          the same, with everyone on a phone or a laptop of their own
+  carrom join 192.168.43.117   join such a class
   carrom levels --levels mine  levels of your own, in the folder mine, with the others
   carrom worksheet --seed 7 --count 12 --out sheets
                                a round on paper, with a key for the teacher
@@ -154,15 +157,34 @@ enum OpenCommand {
         #[arg(long)]
         plain: bool,
     },
-    /// Open a round for a class: teams, one keyboard, a projector
+    /// Open a round for a class: teams at one keyboard, or everyone on a device of their own
     Class {
+        /// Let everyone vote on a phone or a laptop of their own, in the local network
+        #[arg(long)]
+        host: bool,
+        /// The port at which they come in (default: the first free one from 8090 on)
+        #[arg(long, value_name = "PORT", requires = "host")]
+        port: Option<u16>,
+        /// The page for their browsers (default: the one in this program, or carrom.html
+        /// beside it)
+        #[arg(long, value_name = "FILE", requires = "host")]
+        page: Option<PathBuf>,
         /// The round to play: its code, such as mixed-7
         #[arg(long, value_name = "CODE", value_parser = Code::read)]
         code: Option<Code>,
         /// The names of 1 to 8 teams, with commas between them
-        #[arg(long, value_name = "A,B,C")]
+        #[arg(long, value_name = "A,B,C", conflicts_with = "host")]
         #[arg(value_parser = |names: &str| team_names(names.split(',')))]
         teams: Option<Teams>,
+    },
+    /// Join a class that plays on devices of its own
+    Join {
+        /// Where it is, as it stands on the board: 192.168.43.117:8090
+        #[arg(value_parser = |address: &str| read_host(address))]
+        address: Option<String>,
+        /// The code of the class, as it stands on the board: BCDFGH
+        #[arg(long, value_name = "CODE")]
+        code: Option<DoorCode>,
     },
     /// Open the table: carrom itself, the whole board
     Table,
@@ -174,7 +196,23 @@ enum OpenCommand {
     },
 }
 
+/// An address of a class, as it was typed.
+fn read_host(address: &str) -> Result<String, String> {
+    match host_of(address) {
+        Some(_) => Ok(address.to_owned()),
+        None => Err("expected an address, such as 192.168.43.117:8090".into()),
+    }
+}
+
 impl OpenCommand {
+    /// How a class is served, should one be.
+    fn host_options(&self) -> anyhow::Result<HostOptions> {
+        match self {
+            Self::Class { port, page, .. } => play::host_options(*port, page.as_deref()),
+            _ => play::host_options(None, None),
+        }
+    }
+
     /// Whether it really opens a screen, rather than talking in lines or printing.
     fn opens(&self) -> bool {
         match self {
@@ -196,6 +234,7 @@ impl OpenCommand {
                 "carrom quiz --plain asks in plain lines, carrom worksheet puts a round on paper"
             }
             Self::Class { .. } => "carrom worksheet puts a round on paper",
+            Self::Join { .. } => "the page at the same address, in a browser, joins the class",
             Self::Lab => {
                 "carrom solve works a hit out (with --plain in plain lines), carrom figure lab \
                  --svg FILE draws it"
@@ -234,7 +273,19 @@ impl OpenCommand {
             Self::Quiz { code, .. } => Place::Quiz {
                 code: round(code.as_ref(), options, &data.own)?,
             },
-            Self::Class { code, teams } => Place::Class {
+            Self::Class {
+                code, host: true, ..
+            } => Place::Host {
+                code: filled(code.as_ref(), &data.own)?
+                    .map(Code::same_for_all)
+                    .transpose()?,
+            },
+            Self::Join { address, code } => Place::Join {
+                code: code.or_else(|| code_of(address.as_deref()?)),
+                address: Some(address.as_deref().and_then(host_of).unwrap_or_default()),
+                again: false,
+            },
+            Self::Class { code, teams, .. } => Place::Class {
                 code: filled(code.as_ref(), &data.own)?
                     .map(Code::same_for_all)
                     .transpose()?,

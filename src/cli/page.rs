@@ -49,7 +49,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
 }
 
 /// The page to begin with.
-fn page(given: Option<&Path>) -> anyhow::Result<String> {
+pub(super) fn page(given: Option<&Path>) -> anyhow::Result<String> {
     let beside = || Some(env::current_exe().ok()?.parent()?.join(NAME)).filter(|it| it.is_file());
     let path = match (given, EMBEDDED) {
         (Some(path), _) => path.to_owned(),

@@ -2,10 +2,13 @@
 
 use std::env;
 use std::hash::{BuildHasher, RandomState};
+use std::path::Path;
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use super::options::Auto;
-use super::{Failure, GlobalOptions, OpenCommand, app};
+use super::{Failure, GlobalOptions, OpenCommand, app, page};
+use crate::shells::host::{HostOptions, ServedPage};
 use crate::shells::terminal::{self, Ending};
 
 /// Opens the game at a screen and plays it until it is left.
@@ -27,11 +30,27 @@ pub(super) fn run(
     let app =
         app(screen, options, options.data_dir().as_deref(), auto, seed).map_err(Failure::input)?;
     let store = options.store().with_own(app.own());
-    Ok(match terminal::run(app, store)? {
+    let host = screen.map_or_else(|| host_options(None, None), OpenCommand::host_options);
+    let host = host.map_err(Failure::Input)?;
+    Ok(match terminal::run(app, store, host)? {
         Ending::Quit => ExitCode::SUCCESS,
         // As a shell reports a process that a signal ended.
         Ending::Signal(signal) => ExitCode::from(128 + signal as u8),
     })
+}
+
+/// How a class is served: at this port, with this page or the one that is there.
+///
+/// # Errors
+/// If a page that was named cannot be read.
+pub(super) fn host_options(port: Option<u16>, page: Option<&Path>) -> anyhow::Result<HostOptions> {
+    let made = page::page(page).and_then(|page| Ok(Arc::new(ServedPage::new(&page)?)));
+    let page = match (made, page) {
+        (Err(error), Some(_)) => return Err(error),
+        (made, _) => made.map_err(|error| error.to_string()),
+    };
+    let page = Some(page);
+    Ok(HostOptions { port, page })
 }
 
 /// A seed to play with when none is given, short enough to be told to a friend.

@@ -44,6 +44,8 @@ const INSTRUCTIONS: &str = r#"Instructions:
   Release 44,12            and where that is done
   Scroll down 3            or up; perhaps over a cell: Scroll up 1 40,12
   Sleep 1.5s               or 200ms; simulated, so it takes no time
+  At "Ada"                 on the device of a pupil of a class; At "teacher" goes back
+  Lose "Ada"               her device loses the class; Reach "Ada" finds it again
   Screenshot impact        writes impact.txt
   Expect "90.0"            fails unless the screen shows this
   Refuse "NaN"             fails if the screen shows this"#;

@@ -34,6 +34,16 @@ impl UnplacedFile {
         Ok(Self(file.into_temp_path()))
     }
 
+    /// Lets nobody else on this computer read it, where files have such permissions.
+    ///
+    /// # Errors
+    /// If that cannot be done.
+    pub fn make_private(&self) -> io::Result<()> {
+        #[cfg(unix)]
+        fs::set_permissions(&self.0, fs::Permissions::from_mode(0o600))?;
+        Ok(())
+    }
+
     /// Puts it in the place of what is there, if anything is, with the permissions that
     /// had.
     ///

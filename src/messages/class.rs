@@ -77,6 +77,8 @@ pub enum JoinCall {
         seat: String,
         /// Their name.
         name: String,
+        /// The code of the class.
+        code: String,
     },
     /// Hang up.
     HangUp,

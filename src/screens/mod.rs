@@ -10,6 +10,7 @@ mod recall;
 pub(crate) mod class;
 pub(crate) mod foil;
 pub(crate) mod home;
+pub(crate) mod join;
 pub(crate) mod lab;
 pub mod learn;
 pub(crate) mod levels;
@@ -25,6 +26,8 @@ use ratatui::layout::Rect;
 
 pub use context::{Context, Settings};
 pub use hosted::{AnyScreen, Hosted, SharedAction};
+#[cfg(not(target_family = "wasm"))]
+pub(crate) use join::{code_of, host_of};
 pub use place::Place;
 pub use settings::KeptSettings;
 

@@ -1,6 +1,7 @@
 //! Where one can go.
 
 use super::foil;
+use crate::class::DoorCode;
 use crate::physics::CollisionSpec;
 use crate::quiz::Code;
 
@@ -41,6 +42,20 @@ pub enum Place {
         code: Option<Code>,
         /// The names of the teams, as far as they are known.
         teams: Vec<String>,
+    },
+    /// A round for a class on devices of their own.
+    Host {
+        /// The code of the round; `None` leaves it to be chosen.
+        code: Option<Code>,
+    },
+    /// A pupil's device in a class.
+    Join {
+        /// Where the class is, as far as it is known; `None` where a page came from there.
+        address: Option<String>,
+        /// Its code, if that is known.
+        code: Option<DoorCode>,
+        /// Whether the pupil was in already, and comes back without being asked.
+        again: bool,
     },
     /// The foil: beams of many particles.
     Foil,

@@ -8,7 +8,12 @@
 
 use std::time::Duration;
 
+pub mod classroom;
+#[cfg(not(target_family = "wasm"))]
+pub mod client;
 pub mod headless;
+#[cfg(not(target_family = "wasm"))]
+pub mod host;
 pub mod plain;
 pub mod search;
 pub mod tape;
@@ -16,6 +21,7 @@ pub mod tape;
 pub mod terminal;
 pub mod tour;
 
+pub use classroom::Classroom;
 pub use headless::Headless;
 
 /// The shortest time between two pictures: a sixtieth of a second.

@@ -3,7 +3,8 @@
 
 use std::collections::BTreeMap;
 
-use super::Headless;
+use super::classroom::Who;
+use super::{Classroom, Headless};
 use crate::app::App;
 use crate::messages::Key;
 use crate::quiz::Code;
@@ -44,6 +45,8 @@ impl TourStop {
 
 /// A class round of two questions and as many teams as there may be, each with its key.
 const CLASS: &str = "class from-angle2-7 Ants Bees Cats Dogs Elks Fish Gnus Hens";
+/// The same on devices of their own.
+const DEVICES: &str = "host";
 /// Two strokes of practice.
 const TWO_STROKES: &str = "<Right><Right><Enter><Space><End><Space><Space><End>";
 const STROKE_BEFORE: &str = "<Right><Right><Enter><Space><End><Space><Space><End>p";
@@ -146,6 +149,38 @@ pub const TOUR: &[TourStop] = &[
     moment("class, the scores", CLASS, TO_THE_SCORES),
     moment("class, the second question", CLASS, TO_THE_SECOND),
     moment("class, the end", CLASS, TO_THE_END),
+    moment("class, the door", DEVICES, ""),
+    moment("class, who is in", DEVICES, "w"),
+    moment("class, described on devices", DEVICES, "<Enter>"),
+    moment("class, voting on devices", DEVICES, "<Enter><Enter>"),
+    moment(
+        "class, talking on devices",
+        DEVICES,
+        "<Enter><Enter><Enter>",
+    ),
+    moment(
+        "class, the shot on devices",
+        DEVICES,
+        "<Enter><Enter><Enter><Enter><Enter>",
+    ),
+    moment("joining", "join", "").taking_any(),
+    moment("joining, in", "pupil", ""),
+    moment("joining, the vote", "pupil <Enter><Enter>", ""),
+    moment(
+        "joining, how sure",
+        "pupil <Enter><Enter>",
+        "60<Enter>30<Enter>",
+    ),
+    moment(
+        "joining, a vote given",
+        "pupil <Enter><Enter>",
+        "60<Enter>30<Enter>2",
+    ),
+    moment(
+        "joining, the shot",
+        "pupil <Enter><Enter><Enter><Enter><Enter>",
+        "",
+    ),
     moment("levels", "levels", ""),
     moment("a level, aiming", "level 4", ""),
     moment("a level, saying where", "level 4", "<Enter>"),
@@ -189,6 +224,15 @@ impl TourStop {
     pub fn game(&self, settings: Settings) -> Headless {
         let (place, rest) = self.place.split_once(' ').unwrap_or((self.place, ""));
         let number = || rest.parse::<usize>().unwrap_or(1).saturating_sub(1);
+        match place {
+            "host" => return self.devices(self.keys, &settings, |_| Who::Host),
+            "pupil" => {
+                let mut pupil = self.devices(rest, &settings, |ada| ada);
+                pupil.press(self.keys);
+                return pupil;
+            }
+            _ => {}
+        }
         let place = match place {
             "learn" => Place::Learn,
             "chapter" => Place::Chapter { number: number() },
@@ -204,6 +248,11 @@ impl TourStop {
                     teams: words.map(str::to_owned).collect(),
                 }
             }
+            "join" => Place::Join {
+                address: Some(String::new()),
+                code: None,
+                again: false,
+            },
             "levels" => Place::Levels,
             "level" => Place::Level { number: number() },
             "table" => Place::Table,
@@ -214,6 +263,39 @@ impl TourStop {
         let mut game = Headless::new(App::new(place, settings, 7), 80, 24);
         game.press(self.keys);
         game
+    }
+
+    /// A class of two on devices of their own, after the teacher has pressed these keys; the
+    /// device of whoever is chosen, the first pupil being given.
+    fn devices(
+        &self,
+        teachers: &str,
+        settings: &Settings,
+        choose: impl FnOnce(Who) -> Who,
+    ) -> Headless {
+        let opened = |place, player: &str| {
+            let settings = Settings {
+                player: player.to_owned(),
+                ..settings.clone()
+            };
+            App::new(place, settings, 7)
+        };
+        let code = Code::parse("from-angle2-7");
+        let mut class = Classroom::new(opened(Place::Host { code }, "teacher").into());
+        let [ada, _] = ["Ada", "Bo"].map(|name| {
+            let place = Place::Join {
+                address: None,
+                code: class.code(),
+                again: false,
+            };
+            let pupil = class.add(name, opened(place, name), 80, 24);
+            class.game(pupil).press("<Enter>");
+            class.settle();
+            pupil
+        });
+        class.game(Who::Host).press(teachers);
+        class.settle();
+        class.into_game(choose(ada))
     }
 
     /// The keys that mean something at this moment, as the player has them.

@@ -19,6 +19,8 @@ pub(super) struct Disk {
     ending: &'static str,
     /// Most bytes of a file that are read.
     largest: usize,
+    /// Whether the files are for nobody else on this computer.
+    private: bool,
 }
 
 impl Disk {
@@ -29,7 +31,25 @@ impl Disk {
             folder,
             ending,
             largest,
+            private: false,
         }
+    }
+
+    /// The same files, which nobody else on this computer can read.
+    pub(super) fn private(self) -> Self {
+        Self {
+            private: true,
+            ..self
+        }
+    }
+
+    /// A text beside the place of a file, as whole as that will be.
+    fn draft(&self, text: &str) -> io::Result<UnplacedFile> {
+        let draft = UnplacedFile::write(&self.folder, text)?;
+        if self.private {
+            draft.make_private()?;
+        }
+        Ok(draft)
     }
 
     fn path(&self, name: &str) -> PathBuf {
@@ -113,7 +133,7 @@ impl TextStore for Disk {
             if turn.is_certain() {
                 self.clear_up();
             }
-            let draft = UnplacedFile::write(&self.folder, text)?;
+            let draft = self.draft(text)?;
             let mut names = self.names()?;
             loop {
                 let free = free_number(names.iter().map(String::as_str), kind);
@@ -134,7 +154,7 @@ impl TextStore for Disk {
             if !holds(&path, old)? {
                 return Ok(false);
             }
-            UnplacedFile::write(&self.folder, text)?.replace(&path)?;
+            self.draft(text)?.replace(&path)?;
             fsync_dir(&self.folder)?;
             Ok(true)
         })

@@ -43,6 +43,8 @@ use text_store::TextStore;
 const TEXT: &str = ".toml";
 /// Why nothing is kept where no folder for it is known.
 const NOWHERE: &str = "no folder for data is known; --data-dir gives one";
+/// The folder of rounds of classes.
+const CLASSES: &str = "classes";
 /// How the names of tables for other programs end.
 const TABLE: &str = ".csv";
 
@@ -103,7 +105,13 @@ impl Store {
     pub fn in_folder(folder: &Path) -> Self {
         let progress = Database::in_folder(folder.to_owned());
         let texts = Self::of(progress, |name, ending, largest| {
-            Box::new(Disk::new(folder.join(name), ending, largest))
+            let disk = Disk::new(folder.join(name), ending, largest);
+            // What brings pupils back to their places is for the host alone.
+            Box::new(if name == CLASSES {
+                disk.private()
+            } else {
+                disk
+            })
         });
         Self {
             settings: Some(folder.join(KeptSettings::FILE)),
@@ -169,7 +177,7 @@ impl Store {
         texts: impl Fn(&'static str, &'static str, usize) -> Box<dyn TextStore>,
     ) -> Self {
         let games = texts("games", TEXT, SavedGame::LARGEST_FILE);
-        let classes = texts("classes", TEXT, ClassRound::LARGEST_FILE);
+        let classes = texts(CLASSES, TEXT, ClassRound::LARGEST_FILE);
         Self {
             games: OpenFiles::new(games, "game", SavedGame::read),
             classes: OpenFiles::new(classes, "class", |name, bytes| {

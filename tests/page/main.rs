@@ -5,9 +5,17 @@
 
 mod browser;
 mod chromium;
+mod class;
 mod figures;
 mod firefox;
 mod kept;
 mod safe;
 mod tapes;
 mod touch;
+
+#[allow(dead_code, reason = "other programs use the rest")]
+#[path = "../common/folder.rs"]
+mod folder;
+#[allow(dead_code, reason = "other programs use the rest")]
+#[path = "../common/teacher.rs"]
+mod teacher;

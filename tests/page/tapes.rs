@@ -42,6 +42,8 @@ fn tapes() -> Vec<PathBuf> {
         .map(|file| file.unwrap().path());
     let mut tapes: Vec<_> = files
         .filter(|path| path.extension().is_some_and(|it| it == "tape"))
+        // A page is one device.
+        .filter(|path| !fs::read_to_string(path).unwrap().contains("\nAt \""))
         .collect();
     tapes.sort();
     tapes
@@ -147,6 +149,9 @@ fn commands(tape: &Tape) -> Vec<Value> {
             Instruction::Screenshot(_) => commands.push(json!({ "do": "paint" })),
             // A picture was taken just before.
             Instruction::Expect(_) | Instruction::Refuse(_) => {}
+            Instruction::At(_) | Instruction::Reach(..) => {
+                unreachable!("a tape of several devices is not played in a page")
+            }
         }
     }
     commands

@@ -6,10 +6,10 @@ use crate::browser::{Browser, SCREEN, page, wait_until_ready};
 use crate::chromium::Chromium;
 
 /// A phone with the page open, and a finger.
-struct Phone(Chromium);
+pub(crate) struct Phone(pub(crate) Chromium);
 
 impl Phone {
-    fn open(page: &str, fragment: &str) -> Option<Self> {
+    pub(crate) fn open(page: &str, fragment: &str) -> Option<Self> {
         let mut chromium = Chromium::start((390, 844), true)?;
         chromium.open(&format!("{page}#{fragment}"));
         wait_until_ready(&mut chromium);
@@ -19,7 +19,7 @@ impl Phone {
     }
 
     /// Waits for a few frames.
-    fn wait(&mut self) {
+    pub(crate) fn wait(&mut self) {
         std::thread::sleep(std::time::Duration::from_millis(120));
     }
 
@@ -34,11 +34,11 @@ impl Phone {
             .collect()
     }
 
-    fn shows(&mut self, words: &str) -> bool {
+    pub(crate) fn shows(&mut self, words: &str) -> bool {
         self.screen().iter().any(|row| row.contains(words))
     }
 
-    fn expect(&mut self, words: &str) {
+    pub(crate) fn expect(&mut self, words: &str) {
         for _ in 0..50 {
             if self.shows(words) {
                 return;
@@ -57,7 +57,7 @@ impl Phone {
         self.0.debug("Input.dispatchTouchEvent", &event);
     }
 
-    fn tap(&mut self, at: [f64; 2]) {
+    pub(crate) fn tap(&mut self, at: [f64; 2]) {
         self.touch("touchStart", &[at]);
         self.touch("touchEnd", &[]);
         self.wait();
@@ -82,7 +82,7 @@ impl Phone {
         true
     }
 
-    fn press(&mut self, label: &str) -> bool {
+    pub(crate) fn press(&mut self, label: &str) -> bool {
         assert!(self.button(label), "no {label}: {}", self.buttons());
         true
     }
@@ -94,7 +94,7 @@ impl Phone {
     }
 
     /// Does something until these words are there.
-    fn until(&mut self, words: &str, mut act: impl FnMut(&mut Self) -> bool) {
+    pub(crate) fn until(&mut self, words: &str, mut act: impl FnMut(&mut Self) -> bool) {
         for _ in 0..1000 {
             if self.shows(words) {
                 return;
@@ -107,7 +107,7 @@ impl Phone {
     }
 
     /// The place of the window at a place in cells.
-    fn place(&mut self, [column, row]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn place(&mut self, [column, row]: [f64; 2]) -> [f64; 2] {
         let script = "
             const box = document.getElementById('screen').getBoundingClientRect();
             const { painted } = window.carrom.call({ do: 'paint' });

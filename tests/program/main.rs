@@ -9,9 +9,12 @@ mod bad_levels;
 mod bookmarks;
 mod child;
 mod cli;
+#[cfg(target_os = "linux")]
+mod crowd;
 #[cfg(unix)]
 mod freeze;
 mod gather;
+mod hosted;
 #[cfg(unix)]
 mod kill;
 mod memory;
@@ -41,3 +44,7 @@ mod keys;
 #[cfg(unix)]
 #[path = "../common/pty.rs"]
 mod pty;
+#[path = "../common/pupil.rs"]
+mod pupil;
+#[path = "../common/teacher.rs"]
+mod teacher;

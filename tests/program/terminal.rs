@@ -10,6 +10,7 @@ use carrom::app::App;
 use carrom::messages::Key;
 use carrom::screens::{Context, Hosted, Next, Screen, Settings};
 use carrom::shells::FRAME;
+use carrom::shells::host::HostOptions;
 use carrom::shells::terminal::{self, Ending};
 use carrom::store::Store;
 use carrom::widgets::input::KeyTable;
@@ -288,7 +289,7 @@ fn child_plays() {
         ..Restless::default()
     };
     let app = App::on(Box::new(Hosted::new(screen)), Settings::default(), 1);
-    match terminal::run(app, Store::in_memory()) {
+    match terminal::run(app, Store::in_memory(), HostOptions::default()) {
         Ok(Ending::Quit) => process::exit(0),
         Ok(Ending::Signal(signal)) => process::exit(128 + signal),
         Err(_) => process::exit(1),

@@ -4,6 +4,7 @@
 
 mod article;
 mod class;
+mod class_devices;
 mod colours;
 mod every_screen;
 mod figures_in_chapters;

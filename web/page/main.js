@@ -26,6 +26,7 @@ const page = (() => {
     }
     ready = true;
     input.start(speak);
+    classroom.start(speak);
     addEventListener("resize", fit);
     (self.visualViewport || self).addEventListener("resize", fit);
     addEventListener("hashchange", open);
@@ -77,7 +78,7 @@ const page = (() => {
     const [columns, rows] = room();
     const wants = (what) => matchMedia(`(prefers-${what})`).matches;
     const reply = program.call({
-      do: "open", fragment: location.hash.slice(1), columns, rows, own: packed.files,
+      do: "open", fragment: classroom.fragment(), columns, rows, own: packed.files,
       seed: crypto.getRandomValues(new Uint32Array(1))[0] % 1000000,
       light: wants("color-scheme: light"), still: wants("reduced-motion: reduce"),
     }, packed.bytes);
@@ -138,6 +139,7 @@ const page = (() => {
     if (reply.fault) throw new Error(reply.fault);
     last = reply;
     for (const { name, content } of reply.downloads) give(name, content);
+    for (const call of reply.calls) classroom.does(call);
     if (reply.keep) {
       keeper.keep((failed) => {
         speak({ do: "kept", failed });

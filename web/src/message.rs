@@ -89,11 +89,67 @@ pub enum Command {
         /// The lines.
         lines: Vec<String>,
     },
+    /// Something was heard of the class.
+    Joined {
+        /// What.
+        news: News,
+    },
     /// Tell the player something.
     Tell {
         /// The words.
         words: String,
     },
+}
+
+/// What is heard of a class, of which this page was served.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(tag = "is", rename_all = "kebab-case")]
+pub enum News {
+    /// The host is reached.
+    Reached,
+    /// It says something.
+    Heard {
+        /// What.
+        text: String,
+    },
+    /// It cannot be reached, or no longer.
+    Lost {
+        /// Why.
+        reason: String,
+    },
+    /// What was remembered of an earlier time.
+    Remembered {
+        /// What brings the pupil back.
+        seat: String,
+        /// Their name.
+        name: String,
+    },
+    /// The page was asleep, and is back.
+    Awake,
+}
+
+/// What the page is to do for a pupil of a class.
+#[derive(Debug, Clone, Serialize)]
+#[serde(tag = "do", rename_all = "kebab-case")]
+pub enum Call {
+    /// Reach the host that the page came from.
+    Dial,
+    /// Say this.
+    Say {
+        /// What.
+        text: String,
+    },
+    /// Remember this.
+    Remember {
+        /// What brings the pupil back.
+        seat: String,
+        /// Their name.
+        name: String,
+        /// The code of the class.
+        code: String,
+    },
+    /// Hang up.
+    HangUp,
 }
 
 /// How carrom begins.
@@ -138,6 +194,8 @@ pub struct Reply {
     pub think: bool,
     /// Whether carrom was left.
     pub quit: bool,
+    /// What is to be done for a pupil of a class, in order.
+    pub calls: Vec<Call>,
     /// Texts for the player to take away.
     pub downloads: Vec<Download>,
     /// What was drawn, if that was asked for.

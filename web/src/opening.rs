@@ -92,6 +92,26 @@ impl Wanted {
                     teams,
                 };
             }
+            "code" => {
+                let expected = "the six letters of a class, such as BCDFGH";
+                self.place = Place::Join {
+                    address: None,
+                    code: Some(value.parse().map_err(|_| expected)?),
+                    again: false,
+                };
+            }
+            "again" => {
+                if let Place::Join { again, .. } = &mut self.place {
+                    *again = true;
+                }
+            }
+            "join" => {
+                self.place = Place::Join {
+                    address: None,
+                    code: None,
+                    again: false,
+                }
+            }
             "teams" => {
                 let names = team_names(value.split(',')).map_err(|error| error.to_string())?;
                 match &mut self.place {

@@ -6,7 +6,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use carrom::app::App;
-use carrom::messages::{Effect, Input, Key, Mouse, MouseKind, SearchTask};
+use carrom::messages::{
+    Effect, HostCall, HostNews, Input, JoinCall, JoinNews, Key, Mouse, MouseKind, SearchTask,
+};
 use carrom::shells::{FRAME, search::search};
 use carrom::widgets::{PaintedCell, gather, glyph_shape, painted};
 use ratatui::Terminal;
@@ -17,7 +19,7 @@ use ratatui::style::Modifier;
 
 use crate::keeping::Keeping;
 use crate::message::{
-    Command, Download, FileLength, Keys, Opening, Painted, Picture, Reply, split,
+    Call, Command, Download, FileLength, Keys, News, Opening, Painted, Picture, Reply, split,
 };
 use crate::{opening, own, talk};
 
@@ -34,6 +36,7 @@ pub struct Shell {
     keeping: Keeping,
     searches: VecDeque<SearchTask>,
     downloads: Vec<Download>,
+    calls: Vec<JoinCall>,
     quit: bool,
     opening: Opening,
     talk: talk::Talked,
@@ -59,6 +62,7 @@ impl Shell {
             keeping,
             searches: VecDeque::new(),
             downloads: Vec::new(),
+            calls: Vec::new(),
             quit: false,
             opening: opening.clone(),
             talk: talk::Talked::default(),
@@ -165,6 +169,7 @@ impl Shell {
                 };
                 (told.lines, told.over) = self.talk.go_on(&lines, &asked, &mut self.keeping);
             }
+            Command::Joined { news } => self.input(&Input::Joined(heard(news))),
             Command::Tell { words } => self.app.tell(words),
         }
         Reply {
@@ -235,8 +240,12 @@ impl Shell {
                         }
                     }
                 }
-                // No screen asks for these before there is somebody to ask.
-                Effect::Host(_) | Effect::Join(_) => {}
+                Effect::Host(HostCall::Open(_)) => {
+                    let words = "a page cannot be one; the program carrom can".to_owned();
+                    self.input(&Input::Hosted(vec![HostNews::Opened(Err(words))]));
+                }
+                Effect::Host(_) => {}
+                Effect::Join(call) => self.calls.push(call),
                 Effect::Export { name, content } => {
                     let place = match self.opening.simulated {
                         true => name.clone(),
@@ -257,6 +266,7 @@ impl Shell {
             keep: self.keeping.is_to_keep(),
             think: !self.searches.is_empty(),
             quit: self.quit,
+            calls: self.calls.drain(..).map(call).collect(),
             downloads: self.downloads.drain(..).chain(exports).collect(),
             ..Reply::default()
         }
@@ -328,6 +338,27 @@ impl Shell {
             });
         }
         all
+    }
+}
+
+/// What the page is to do for a pupil of a class.
+fn call(call: JoinCall) -> Call {
+    match call {
+        JoinCall::Dial(_) => Call::Dial,
+        JoinCall::Say(text) => Call::Say { text },
+        JoinCall::Remember { seat, name, code } => Call::Remember { seat, name, code },
+        JoinCall::HangUp => Call::HangUp,
+    }
+}
+
+/// What the page has heard of the class.
+fn heard(news: News) -> JoinNews {
+    match news {
+        News::Reached => JoinNews::Reached,
+        News::Heard { text } => JoinNews::Heard(text),
+        News::Lost { reason } => JoinNews::Lost(reason),
+        News::Remembered { seat, name } => JoinNews::Remembered(seat, name),
+        News::Awake => JoinNews::Awake,
     }
 }
 

@@ -6,6 +6,7 @@
 mod earlier;
 mod ending_view;
 mod heading;
+mod hosting;
 mod play;
 mod question_view;
 mod scores_view;
@@ -29,14 +30,17 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::kept_files::KeptAction;
 use super::{Confirmation, Context, Next, Screen};
+use crate::class::ClassRound;
+use crate::class::protocol::PupilStep;
 use crate::messages::{Input, Key, Mouse};
 use crate::quiz::Code;
 use crate::widgets::hit::WatchAction;
 use crate::widgets::input::{KeyTable, ListAction};
 use crate::widgets::{AnswerAction, Outcome, Palette};
 use earlier::EarlierRounds;
+use hosting::HostingAction;
 use play::ClassPlay;
-use set_up::{SetUp, SetUpAction, SetUpEnd};
+use set_up::{SetUp, SetUpAction, SetUpEnd, SetUpRow};
 
 /// What keys do in a class round.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
@@ -46,6 +50,8 @@ pub(crate) enum ClassAction {
     SetUp(SetUpAction),
     /// choose an earlier round
     Earlier(KeptAction),
+    /// see to the pupils on their own devices
+    Hosting(HostingAction),
     /// go on
     Forward,
     /// the step before
@@ -107,6 +113,23 @@ impl Class {
         }
     }
 
+    /// A round on devices of their own: begun at once if its code is known.
+    pub(crate) fn with_devices(code: Option<&Code>, cx: &mut Context) -> Self {
+        let mut class = Self::new(code, &[], cx);
+        match code {
+            Some(code) => {
+                let round = ClassRound::with_devices(code.clone());
+                class.scene = ClassScene::Play(Box::new(ClassPlay::new(round, cx)));
+            }
+            None => {
+                if let ClassScene::SetUp(set_up) = &mut class.scene {
+                    set_up.put(SetUpRow::Devices);
+                }
+            }
+        }
+        class
+    }
+
     fn set_up(&mut self, outcome: Outcome<SetUpEnd>, cx: &mut Context) -> Next {
         match outcome {
             Outcome::Ignored => return Next::Ignored,
@@ -122,14 +145,17 @@ impl Class {
         Next::Stay
     }
 
-    fn leave(&mut self) -> Next {
-        match &self.scene {
+    fn leave(&mut self, cx: &mut Context) -> Next {
+        match &mut self.scene {
             ClassScene::SetUp(_) => Next::Back,
             ClassScene::Earlier(earlier) => {
                 self.scene = ClassScene::SetUp(earlier.set_up.clone());
                 Next::Stay
             }
-            ClassScene::Play(play) if !play.asks_before_leaving() => Next::Back,
+            ClassScene::Play(play) if !play.asks_before_leaving() => {
+                play.leave(cx);
+                Next::Back
+            }
             ClassScene::Play(play) => {
                 let what = match play.unsaved {
                     true => "It cannot be saved: it is lost then. e writes its tables.",
@@ -166,12 +192,20 @@ impl Screen for Class {
 
     fn status(&self, _cx: &Context) -> String {
         match &self.scene {
-            ClassScene::Play(play) if !self.paused => format!(
-                "question {} of {}  code {}",
-                play.number() + 1,
-                play.round.questions().len(),
-                play.round.code()
-            ),
+            ClassScene::Play(play) if !self.paused => {
+                let of = play.round.questions().len();
+                let place = format!("question {} of {of}", play.number() + 1);
+                match &play.hosting {
+                    // Whoever has the code could play the round first.
+                    Some(hosting) => match PupilStep::from(play.step()).vote() {
+                        Some(vote) if !play.is_over() => {
+                            format!("{place}  {}", hosting.turnout(&play.round, vote))
+                        }
+                        _ => place,
+                    },
+                    None => format!("{place}  code {}", play.round.code()),
+                }
+            }
             _ => String::new(),
         }
     }
@@ -195,7 +229,7 @@ impl Screen for Class {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "One laptop, one projector, up to eight teams. Each question goes the same way: it is read out; everyone predicts in silence; the teams enter their first vote; all see how the votes are spread, and talk; the teams may change; then the shot, and why; then the scores.",
+            "One laptop, one projector; up to eight teams at its keyboard, or everyone on a phone or a laptop of their own. Each question goes the same way: it is read out; everyone predicts in silence; the teams enter their first vote; all see how the votes are spread, and talk; the teams may change; then the shot, and why; then the scores.",
             "Let every team write its answer down while it is silent: then nobody copies what is typed first.",
             "Rims are smooth unless a question says otherwise. Points come from how near the last vote is, up to ten a question. There are no timers, and nobody is faster than anybody.",
             "Everything is saved after each vote. Leave when the bell rings, and take the round up again another day.",
@@ -205,6 +239,10 @@ impl Screen for Class {
     fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {
         match &mut self.scene {
             ClassScene::SetUp(set_up) => set_up.typed(key),
+            ClassScene::Play(play) if !self.paused => {
+                let hosting = play.hosting.as_mut();
+                hosting.is_some_and(|hosting| hosting.typed(key))
+            }
             _ => false,
         }
     }
@@ -218,7 +256,15 @@ impl Screen for Class {
                     Palette::Dark | Palette::Mono => Palette::Light,
                 };
             }
-            (ClassAction::Leave, _) => return self.leave(),
+            (ClassAction::Leave, _) => return self.leave(cx),
+            (ClassAction::Hosting(action), ClassScene::Play(play)) => {
+                let hosting = play.hosting.as_ref();
+                let asked = hosting.and_then(|it| it.confirmation(action, &play.round));
+                if let Some(words) = asked {
+                    return Next::Confirm(Confirmation::new(words, "yes", "no"));
+                }
+                play.host(action, cx);
+            }
             (ClassAction::SetUp(action), ClassScene::SetUp(set_up)) => {
                 let outcome = set_up.act(action, cx);
                 return self.set_up(outcome, cx);
@@ -232,11 +278,19 @@ impl Screen for Class {
         Next::Stay
     }
 
-    fn confirmed(&mut self, _action: ClassAction, cx: &mut Context) -> Next {
-        match &self.scene {
-            ClassScene::Earlier(earlier) => {
+    fn confirmed(&mut self, action: ClassAction, cx: &mut Context) -> Next {
+        match (&mut self.scene, action) {
+            (ClassScene::Earlier(earlier), _) => {
                 earlier.rounds.remove(cx);
                 Next::Stay
+            }
+            (ClassScene::Play(play), ClassAction::Hosting(action)) => {
+                play.host(action, cx);
+                Next::Stay
+            }
+            (ClassScene::Play(play), _) => {
+                play.leave(cx);
+                Next::Back
             }
             _ => Next::Back,
         }
@@ -252,6 +306,7 @@ impl Screen for Class {
                 }
             }
             (Input::Kept(answer), ClassScene::Play(play)) => play.take_answer(answer, cx),
+            (Input::Hosted(news), ClassScene::Play(play)) => play.take_news(news, cx),
             _ => return Next::Ignored,
         }
         Next::Stay

@@ -2,11 +2,13 @@
 
 use std::time::Duration;
 
+use super::hosting::{Hosting, HostingAction, Scene};
 use super::shown::ClassReveal;
 use super::vote_entry::VoteEntry;
 use super::{ClassAction, view, vote_view};
-use crate::class::{ClassPlace, ClassRound, ClassStep, Vote};
-use crate::messages::{Key, Mouse, MouseKind, StoreAnswer, StoreReply, StoreRequest};
+use crate::class::protocol::PupilStep;
+use crate::class::{ClassPlace, ClassRound, ClassStep, Vote, WayOfVoting};
+use crate::messages::{HostNews, Key, Mouse, MouseKind, StoreAnswer, StoreReply, StoreRequest};
 use crate::quiz::Question;
 use crate::screens::{Context, Next};
 use crate::widgets::hit::HitPace;
@@ -31,6 +33,8 @@ pub(super) struct ClassPlay {
     ticket: u64,
     /// Whether it could not be saved as it stands: what is left now is lost.
     pub(super) unsaved: bool,
+    /// The pupils, where they vote on devices of their own.
+    pub(super) hosting: Option<Box<Hosting>>,
 }
 
 /// What there is to do at a step, where that is more than to look and go on.
@@ -65,7 +69,7 @@ impl ClassPlay {
     }
 
     /// A round that was kept, where it was left.
-    pub(super) fn with_ticket(round: ClassRound, ticket: u64, cx: &Context) -> Self {
+    pub(super) fn with_ticket(round: ClassRound, ticket: u64, cx: &mut Context) -> Self {
         let place = round.place();
         let furthest = place.question.max(round.begun().saturating_sub(1));
         let steps = (0..round.questions().len()).map(|question| match question {
@@ -73,7 +77,9 @@ impl ClassPlay {
             question if question <= furthest => ClassStep::Scores,
             _ => ClassStep::Describe,
         });
+        let hosted = round.way() == WayOfVoting::Devices;
         let mut play = Self {
+            hosting: hosted.then(|| Box::new(Hosting::open(&round, cx))),
             steps: steps.collect(),
             round,
             phase: ClassPhase::Look,
@@ -132,9 +138,10 @@ impl ClassPlay {
             *kept = step;
         }
         let vote = |vote| ClassPhase::Vote(VoteEntry::new(&self.round, question, vote));
+        let at_keyboard = self.round.way() == WayOfVoting::Teams;
         self.phase = match step {
-            ClassStep::FirstVote => vote(Vote::First),
-            ClassStep::SecondVote => vote(Vote::Second),
+            ClassStep::FirstVote if at_keyboard => vote(Vote::First),
+            ClassStep::SecondVote if at_keyboard => vote(Vote::Second),
             ClassStep::Shot => {
                 let shown = ClassReveal::new(&self.round, question, cx.settings.pace());
                 shown.map_or(ClassPhase::Look, |it| ClassPhase::Shot(Box::new(it)))
@@ -150,6 +157,72 @@ impl ClassPlay {
         self.round.go(ClassPlace { question, step });
         self.arrive(cx);
         self.save(cx);
+        self.tell_pupils(cx);
+    }
+
+    /// What pupils on devices are told besides what they said.
+    fn scene(&self) -> Scene {
+        let gathers = self.hosting.as_ref().is_some_and(|it| it.gathers);
+        Scene {
+            ticket: self.ticket,
+            asked: self.asked(),
+            step: match () {
+                () if gathers => PupilStep::Lobby,
+                () if self.is_over() => PupilStep::End,
+                () => self.step().into(),
+            },
+        }
+    }
+
+    /// Tells all pupils on devices where the class is.
+    fn tell_pupils(&mut self, cx: &mut Context) {
+        let scene = self.scene();
+        if let Some(hosting) = &mut self.hosting {
+            hosting.moved(&self.round, scene, cx);
+        }
+    }
+
+    /// Takes in what was heard of pupils on devices.
+    pub(super) fn take_news(&mut self, news: &[HostNews], cx: &mut Context) {
+        let scene = self.scene();
+        if let Some(hosting) = &mut self.hosting {
+            hosting.take_news(news, &mut self.round, scene, cx);
+        }
+    }
+
+    /// Does what a key means for pupils on devices.
+    pub(super) fn host(&mut self, action: HostingAction, cx: &mut Context) {
+        let scene = self.scene();
+        let Some(hosting) = &mut self.hosting else {
+            return;
+        };
+        let gathered = hosting.gathers;
+        hosting.act(action, &mut self.round, scene, cx);
+        if gathered && !hosting.gathers {
+            self.tell_pupils(cx);
+        }
+    }
+
+    /// Lets pupils on devices go: those of a round that is over cannot come back.
+    pub(super) fn leave(&mut self, cx: &mut Context) {
+        if self.hosting.is_none() {
+            return;
+        }
+        Hosting::close(cx);
+        if self.is_over() {
+            self.round.close();
+            let round = Box::new(self.round.clone());
+            cx.keep(self.ticket, StoreRequest::SaveClass(round));
+        }
+    }
+
+    /// The step so many further in the question; on devices all predict where they vote.
+    fn step_beside(&self, beside: impl Fn(ClassStep) -> Option<ClassStep>) -> Option<ClassStep> {
+        let skips = self.round.way() == WayOfVoting::Devices;
+        match beside(self.step())? {
+            ClassStep::Predict if skips => beside(ClassStep::Predict),
+            step => Some(step),
+        }
     }
 
     /// To what comes next.
@@ -157,12 +230,12 @@ impl ClassPlay {
         let question = self.number();
         if let ClassPhase::End(page) = self.phase {
             self.turn_page(page, 1);
-        } else if let Some(next) = self.step().next() {
+        } else if let Some(next) = self.step_beside(ClassStep::next) {
             self.go(question, next, cx);
         } else if let Some(step) = self.steps.get(question + 1) {
             self.go(question + 1, *step, cx);
         } else {
-            self.end();
+            self.end(cx);
         }
     }
 
@@ -172,7 +245,7 @@ impl ClassPlay {
         match self.phase {
             ClassPhase::End(EndPage::Board) => self.go(question, ClassStep::Scores, cx),
             ClassPhase::End(page) => self.turn_page(page, -1),
-            _ => match (self.step().before(), question.checked_sub(1)) {
+            _ => match (self.step_beside(ClassStep::before), question.checked_sub(1)) {
                 (Some(before), _) => self.go(question, before, cx),
                 (None, Some(question)) => self.go(question, ClassStep::Scores, cx),
                 (None, None) => {}
@@ -192,15 +265,16 @@ impl ClassPlay {
     fn leap(&mut self, by: isize, cx: &mut Context) {
         match self.leads_to(by).map(|to| (to, self.steps.get(to))) {
             Some((question, Some(step))) => self.go(question, *step, cx),
-            Some((_, None)) => self.end(),
+            Some((_, None)) => self.end(cx),
             None => {}
         }
     }
 
-    fn end(&mut self) {
+    fn end(&mut self, cx: &mut Context) {
         self.furthest = self.steps.len();
         self.phase = ClassPhase::End(EndPage::Board);
         self.scroll = Scroll::default();
+        self.tell_pupils(cx);
     }
 
     fn turn_page(&mut self, page: EndPage, by: isize) {
@@ -210,8 +284,11 @@ impl ClassPlay {
     }
 
     /// Has it kept as it stands, once there is a vote in it.
-    fn save(&self, cx: &mut Context) {
-        if self.round.is_begun() {
+    fn save(&mut self, cx: &mut Context) {
+        let scene = self.scene();
+        if let Some(hosting) = &mut self.hosting {
+            hosting.save(&self.round, scene, cx);
+        } else if self.round.is_begun() {
             let round = Box::new(self.round.clone());
             cx.keep(self.ticket, StoreRequest::SaveClass(round));
         }
@@ -229,6 +306,10 @@ impl ClassPlay {
                     ));
                 }
                 self.unsaved = saved.is_err();
+                let scene = self.scene();
+                if let Some(hosting) = &mut self.hosting {
+                    hosting.saved(&self.round, scene, cx);
+                }
             }
             StoreReply::Exported(exported) => cx.tell(match exported {
                 Ok(place) => format!("Both tables are written: {place}"),
@@ -245,6 +326,14 @@ impl ClassPlay {
             Team, Teams, TurnPage, Vote, Watch, WordsAlone,
         };
         let keys = KeyTable::new("class");
+        if let Some(page) = self.hosting.as_ref().and_then(|it| it.page_keys()) {
+            let free = page.exact(Key::Escape).is_none();
+            return keys
+                .with(page, ClassAction::Hosting)
+                .on(Key::Escape, Leave, "leave")
+                .when(free)
+                .on('l', Light, "dark or light");
+        }
         let forward = |name| {
             let keys = KeyTable::new("class").on(Key::Enter, Forward, name);
             keys.or([(' ', Forward)])
@@ -289,6 +378,9 @@ impl ClassPlay {
                 (ClassPhase::End(page), _) => forward("next page")
                     .when(*page != EndPage::Items)
                     .by([Key::Left, Key::Right], TurnPage, [-1, 1], ""),
+                (_, ClassStep::Describe) if self.hosting.is_some() => read("the vote"),
+                (_, ClassStep::FirstVote) => read("talk"),
+                (_, ClassStep::SecondVote) => read("the shot"),
                 (_, ClassStep::Describe) => read("predict"),
                 (_, ClassStep::Predict) => read("first vote"),
                 (_, ClassStep::Talk) => forward("second vote"),
@@ -299,6 +391,11 @@ impl ClassPlay {
         let tables = match self.is_over() {
             true => "tables",
             false => "",
+        };
+        let pupils = self.hosting.as_ref().map(|hosting| hosting.keys());
+        let step = match pupils {
+            Some(pupils) => step.with(pupils, ClassAction::Hosting),
+            None => step,
         };
         scrolled(
             step.on('e', Tables, tables)
@@ -314,6 +411,7 @@ impl ClassPlay {
     /// Does what a key stands for.
     pub(super) fn act(&mut self, action: ClassAction, cx: &mut Context) {
         match (action, &mut self.phase) {
+            (ClassAction::Hosting(action), _) => self.host(action, cx),
             (ClassAction::Forward, _) => self.forward(cx),
             (ClassAction::Scroll(rows), _) => {
                 view::scroll(self, rows, cx.body, &cx.settings.look());
@@ -355,6 +453,13 @@ impl ClassPlay {
 
     /// Takes the mouse: it chooses a team or makes its vote; the wheel scrolls what is long.
     pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
+        if self
+            .hosting
+            .as_ref()
+            .is_some_and(|it| it.page_keys().is_some())
+        {
+            return Next::Ignored;
+        }
         let (cell, look) = (mouse.cell(), cx.settings.look());
         let Some(step) = self.step_view(cx.body, &look) else {
             return Next::Ignored;
@@ -405,6 +510,9 @@ impl ClassPlay {
 
     /// Lets time pass.
     pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
+        if let Some(hosting) = &mut self.hosting {
+            hosting.advance(passed);
+        }
         if let ClassPhase::Shot(shown) = &mut self.phase {
             shown.reveal.advance(passed, pace);
         }
@@ -412,10 +520,12 @@ impl ClassPlay {
 
     /// When it next needs time.
     pub(super) fn wake(&self, pace: HitPace) -> Option<Duration> {
-        match &self.phase {
+        let shot = match &self.phase {
             ClassPhase::Shot(shown) => shown.reveal.wake(pace),
             _ => None,
-        }
+        };
+        let door = self.hosting.as_ref().and_then(|hosting| hosting.wake());
+        shot.into_iter().chain(door).min()
     }
 }
 

@@ -48,6 +48,8 @@ pub(super) enum SetUpRow {
     Kind(RoundKind),
     /// Off we go.
     Start,
+    /// Off we go, everyone on a device of their own.
+    Devices,
     /// The list of earlier rounds.
     Earlier,
 }
@@ -112,7 +114,7 @@ impl SetUp {
     }
 
     /// Puts the mark at a row.
-    fn put(&mut self, row: SetUpRow) {
+    pub(super) fn put(&mut self, row: SetUpRow) {
         let at = self.rows().iter().position(|it| *it == row);
         self.list.choose(at.unwrap_or(self.teams.len()));
     }
@@ -143,7 +145,7 @@ impl SetUp {
             rows.push(SetUpRow::Add);
         }
         rows.extend(self.kinds().into_iter().map(SetUpRow::Kind));
-        rows.extend([SetUpRow::Start, SetUpRow::Earlier]);
+        rows.extend([SetUpRow::Start, SetUpRow::Devices, SetUpRow::Earlier]);
         rows
     }
 
@@ -163,7 +165,7 @@ impl SetUp {
         let enter = match at {
             SetUpRow::Team(_) | SetUpRow::Add => "next",
             SetUpRow::Kind(_) => "choose it",
-            SetUpRow::Start => "start",
+            SetUpRow::Start | SetUpRow::Devices => "start",
             SetUpRow::Earlier => "open the list",
         };
         // Where text is typed they lead to its ends.
@@ -301,15 +303,17 @@ impl SetUp {
                 self.kind = kind;
                 self.put(SetUpRow::Start);
             }
-            SetUpRow::Start => return self.start(cx),
+            SetUpRow::Start | SetUpRow::Devices => return self.start(at, cx),
             SetUpRow::Earlier => return Outcome::Done(SetUpEnd::Earlier),
         }
         Outcome::Used
     }
 
-    fn start(&mut self, cx: &mut Context) -> Outcome<SetUpEnd> {
+    fn start(&mut self, at: SetUpRow, cx: &mut Context) -> Outcome<SetUpEnd> {
         let names = match team_names(self.teams.iter().map(TextField::text)) {
             Ok(names) => names,
+            // Who has a device says its name there.
+            Err(_) if at == SetUpRow::Devices => Vec::new(),
             Err(trouble) => {
                 self.trouble = Some(format!("The teams: {trouble}."));
                 return Outcome::Used;
@@ -326,7 +330,10 @@ impl SetUp {
         };
         match code {
             Ok(code) => {
-                let round = ClassRound::new(code, names);
+                let round = match at {
+                    SetUpRow::Devices => ClassRound::with_devices(code),
+                    _ => ClassRound::new(code, names),
+                };
                 Outcome::Done(SetUpEnd::Start(Box::new(ClassPlay::new(round, cx))))
             }
             Err(trouble) => {

@@ -1,6 +1,8 @@
 //! How the first votes are spread, without the truth and without names: something to
 //! talk about.
 
+use std::collections::BTreeMap;
+
 use glam::dvec2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -36,7 +38,7 @@ pub(super) fn write_more(play: &ClassPlay, question: &Question, lines: &mut Line
             lines.line(&words, Role::Text);
         }
     }
-    let missing = play.round.teams().len() - votes.len();
+    let missing = play.round.teams().len().saturating_sub(votes.len());
     if missing > 0 {
         lines.line(&format!("{} without a vote", teams(missing)), Role::Dim);
     }
@@ -111,6 +113,9 @@ fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
     words.collect::<Vec<_>>().join(", ") + more
 }
 
+/// Ways of one disc from which on not each has a name.
+const MANY_WAYS: usize = 8;
+
 /// All rays, from where the two will meet.
 fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
     let stage = HitLayout::new(area, collision);
@@ -119,19 +124,28 @@ fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buf
         (Ray::Striker, "S", Role::StrikerOut),
         (Ray::Target, "C", Role::CoinOut),
     ];
-    for said in votes {
-        let Response::Rays(rays) = said else { continue };
-        for (ray, name, role) in bodies {
-            let Some(angle) = rays.get(ray) else {
-                continue;
-            };
-            let (direction, [start, tip]) = stage.ray(ray, angle);
+    for (ray, name, role) in bodies {
+        // A class votes for the same ways again and again: each is drawn once, by whole degrees,
+        // and where there are many only the one that most are for has a name.
+        let mut ways: BTreeMap<i64, (usize, f64)> = BTreeMap::new();
+        let said = votes.iter().filter_map(|said| said.rays()?.get(ray));
+        for angle in said {
+            let degree = angle.to_degrees().round() as i64;
+            ways.entry(degree).or_insert((0, angle)).0 += 1;
+        }
+        let most = ways.values().map(|(count, _)| *count).max();
+        let many = ways.len() > MANY_WAYS;
+        for (count, angle) in ways.values() {
+            let (direction, [start, tip]) = stage.ray(ray, *angle);
             let pen = match ray {
+                Ray::Striker if many => Pen::new(role).dotted(),
                 Ray::Striker => Pen::new(role),
                 Ray::Target => Pen::new(role).dashed(),
             };
             picture.line(start, tip, pen);
-            picture.label(name, tip, &LabelSide::towards(direction), role);
+            if !many || Some(*count) == most {
+                picture.label(name, tip, &LabelSide::towards(direction), role);
+            }
         }
     }
     picture.draw(buf, look);

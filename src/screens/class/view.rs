@@ -41,6 +41,9 @@ impl ClassPlay {
                 (&["The shot"], String::new())
             }
             (ClassPhase::Shot(_), _) => (&["And why"], self.right_in_words()),
+            (ClassPhase::Look, ClassStep::FirstVote | ClassStep::SecondVote) => {
+                return self.turnout();
+            }
             (ClassPhase::Look, ClassStep::Talk) => (
                 &["Talk"],
                 "These are the votes. Find someone who thinks otherwise, and say why.".into(),
@@ -54,6 +57,23 @@ impl ClassPlay {
             (ClassPhase::Look, _) => (&[&number], String::new()),
         };
         Some(Heading::new(texts, line))
+    }
+
+    /// How many have voted on devices of their own.
+    fn turnout(&self) -> Option<Heading> {
+        let hosting = self.hosting.as_ref()?;
+        let (vote, line) = match self.step() {
+            ClassStep::SecondVote => (
+                Vote::Second,
+                "Who wants to change? All others keep their vote.",
+            ),
+            _ => (
+                Vote::First,
+                "Everyone predicts in silence, and votes on their own device.",
+            ),
+        };
+        let words = hosting.turnout(&self.round, vote);
+        Some(Heading::new(&[&words], line))
     }
 
     /// "right at first: 1 of 3, after talking: 2 of 3"
@@ -82,6 +102,10 @@ impl ClassPlay {
 
 /// Draws a round.
 pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) {
+    let hosting = play.hosting.as_ref();
+    if hosting.is_some_and(|it| it.draw(&play.round, area, buf, look)) {
+        return;
+    }
     if let Some(step) = play.step_view(area, look) {
         return step.draw(buf, look);
     }

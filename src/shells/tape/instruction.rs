@@ -26,6 +26,11 @@ pub enum Instruction {
     Scroll(MouseKind, u32, Option<(u16, u16)>),
     /// Let simulated time pass.
     Sleep(Duration),
+    /// Go to somebody's device in a class: by the name of a pupil, who comes if they were not
+    /// there, or back to the teacher's.
+    At(Option<String>),
+    /// A pupil's device loses the host, or reaches it again.
+    Reach(String, bool),
     /// Keep the screen under a name.
     Screenshot(String),
     /// Fail unless the screen shows this.

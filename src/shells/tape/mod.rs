@@ -21,6 +21,9 @@
 //! Scroll down 3                or up; how far (default 1); over the middle of the
 //!                              screen, or over a cell: Scroll up 1 40,12
 //! Sleep 1.5s                   or 200ms: simulated, so it takes no time
+//! At "Ada"                     from here on on the device of a pupil, who comes to the class;
+//!                              At "teacher" goes back
+//! Lose "Ada"                   her device loses the class; Reach "Ada" finds it again
 //! Screenshot impact            keeps the screen under this name
 //! Expect "90.0"                fails unless the screen shows this
 //! Refuse "NaN"                 fails if the screen shows this

@@ -103,6 +103,9 @@ impl<'a> Arguments<'a> {
     }
 }
 
+/// Who has the class.
+const TEACHER: &str = "teacher";
+
 fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
     let Part::Word(name) = arguments.of else {
         return Err(format!("expected an instruction, found {}", arguments.of));
@@ -140,6 +143,12 @@ fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
             let [time] = arguments.exactly("a time, such as 1.5s or 200ms")?;
             Instruction::Sleep(duration(time)?)
         }
+        "At" => {
+            let [who] = arguments.exactly("\"teacher\" or the name of a pupil in quotes")?;
+            let who = quoted(who, "a name in quotes")?;
+            Instruction::At((who != TEACHER).then_some(who))
+        }
+        "Lose" | "Reach" => Instruction::Reach(one_text()?, name == "Reach"),
         "Screenshot" => {
             let [name] = arguments.exactly("one name")?;
             Instruction::Screenshot(file_name(name)?)
@@ -148,7 +157,7 @@ fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
             let Some(key) = Key::named(other) else {
                 return Err(format!(
                     "unknown instruction {other}; expected Run, Set, Type, Click, Drag, Hold, \
-                     Release, Scroll, Sleep, Screenshot, Expect, Refuse or the name of a key"
+                     Release, Scroll, Sleep, At, Lose, Reach, Screenshot, Expect, Refuse or the name of a key"
                 ));
             };
             let times = match arguments.rest {

@@ -4,8 +4,11 @@ use ratatui::layout::Rect;
 use thiserror::Error;
 
 use super::{Instruction, ScreenSetting, Screenshot, Tape};
+use crate::app::App;
 use crate::messages::{Key, MouseKind};
-use crate::shells::Headless;
+use crate::screens::{Place, Settings};
+use crate::shells::classroom::Who;
+use crate::shells::{Classroom, Headless};
 
 /// Why a tape did not play to its end.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -63,14 +66,32 @@ pub fn play<G: Into<Headless>>(
         None => (1, ""),
     };
     let opened = open(arguments).map_err(|message| PlayError::Run { line, message })?;
-    let mut game: Headless = opened.into();
+    let mut class = Classroom::new(opened.into());
+    let mut who = Who::Host;
     let mut left = None;
     let mut screenshots = Vec::new();
     for (line, instruction) in &tape.steps {
         if let Some(left) = left {
             return Err(PlayError::Left { line: *line, left });
         }
+        let game = class.game(who);
         match instruction {
+            Instruction::At(name) => {
+                who = match name {
+                    None => Who::Host,
+                    Some(name) => class.pupil(name).unwrap_or_else(|| come(&mut class, name)),
+                }
+            }
+            Instruction::Reach(name, reaches) => match class.pupil(name) {
+                Some(pupil) => class.reach(pupil, *reaches),
+                None => {
+                    let message = format!("there is no pupil {name:?}");
+                    return Err(PlayError::Run {
+                        line: *line,
+                        message,
+                    });
+                }
+            },
             Instruction::Set(ScreenSetting::Size(columns, rows)) => game.resize(*columns, *rows),
             Instruction::Set(ScreenSetting::Charset(charset)) => {
                 game.app_mut().settings_mut().charset = *charset;
@@ -92,17 +113,40 @@ pub fn play<G: Into<Headless>>(
                 let at = at.unwrap_or_else(|| middle(game.buffer().area));
                 (0..*notches).for_each(|_| game.mouse(*way, at));
             }
-            Instruction::Sleep(time) => game.pass(*time),
+            Instruction::Sleep(time) => class.pass(*time),
             Instruction::Screenshot(name) => screenshots.push(Screenshot {
                 name: name.clone(),
                 cells: game.buffer().clone(),
             }),
-            Instruction::Expect(text) => judge(*line, &mut game, text, true)?,
-            Instruction::Refuse(text) => judge(*line, &mut game, text, false)?,
+            Instruction::Expect(text) => judge(*line, game, text, true)?,
+            Instruction::Refuse(text) => judge(*line, game, text, false)?,
         }
-        left = game.has_quit().then_some(*line);
+        class.settle();
+        left = class.game(who).has_quit().then_some(*line);
     }
     Ok(screenshots)
+}
+
+/// A pupil comes with a device that has the page open, and looks like the teacher's.
+fn come(class: &mut Classroom, name: &str) -> Who {
+    let code = class.code();
+    let host = class.game(Who::Host);
+    let settings = Settings {
+        player: name.to_owned(),
+        ..host.app().settings().clone()
+    };
+    let size = host.buffer().area;
+    let address = None;
+    let app = App::new(
+        Place::Join {
+            address,
+            code,
+            again: false,
+        },
+        settings,
+        7,
+    );
+    class.add(name, app, size.width, size.height)
 }
 
 /// Fails unless the screen shows `text`, or if it does, as is `wanted`.

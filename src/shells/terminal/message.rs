@@ -64,6 +64,8 @@ impl Inbox {
 pub(super) enum Message {
     /// Something for the app.
     Input(Input),
+    /// There is news of the class that is served.
+    Hosted,
     /// The terminal can no longer be read.
     Lost(io::Error),
     /// A signal of this number asks carrom to end.

@@ -36,6 +36,8 @@ pub use surroundings::{Unusable, charset, check, depth};
 
 use crate::app::App;
 use crate::messages::{Effect, Input};
+use crate::shells::client::Client;
+use crate::shells::host::{Host, HostOptions};
 use crate::store::Store;
 use guard::Guard;
 use message::{Inbox, Message};
@@ -90,13 +92,20 @@ fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHan
     thread::Builder::new().name(name.into()).spawn(work)
 }
 
-/// Runs `app` in the terminal until it is left, and keeps its games in `store`. The
+/// Runs `app` in the terminal until it is left, and keeps its games in `store`; a class is
+/// served as `host` says. The
 /// terminal is afterwards as it was before, however the run ends.
 ///
 /// # Errors
 /// If the terminal cannot be used, or no longer.
-pub fn run(app: App, store: Store) -> Result<Ending, TerminalError> {
+pub fn run(app: App, store: Store, host: HostOptions) -> Result<Ending, TerminalError> {
     let (sender, messages) = mpsc::channel();
+    let (to_host, to_client) = (sender.clone(), sender.clone());
+    // Should nobody listen any more, carrom is leaving.
+    let host = Host::new(host, move || drop(to_host.send(Message::Hosted)));
+    let client = Client::new(move |news| {
+        let _ = to_client.send(Message::Input(Input::Joined(news)));
+    });
     let inbox = Inbox::new(sender.clone());
     #[cfg(unix)]
     signals::watch(inbox.clone()).map_err(TerminalError::SetUp)?;
@@ -119,6 +128,8 @@ pub fn run(app: App, store: Store) -> Result<Ending, TerminalError> {
         inbox,
         sender,
         store_worker,
+        host,
+        client,
         pace: Pace::new(Instant::now()),
     }
     .play()
@@ -134,6 +145,10 @@ struct TerminalRun {
     /// For the searches and the store.
     sender: Sender<Message>,
     store_worker: StoreWorker,
+    /// Serves a class.
+    host: Host,
+    /// Joins one.
+    client: Client,
     pace: Pace,
 }
 
@@ -200,6 +215,12 @@ impl TerminalRun {
                 self.pace.outdated();
                 self.carry_out(&effects)
             }
+            Message::Hosted => {
+                let news = self.host.take_news();
+                let effects = self.app.update(&Input::Hosted(news));
+                self.pace.outdated();
+                self.carry_out(&effects)
+            }
             Message::Lost(error) => return Err(TerminalError::Read(error)),
             #[cfg(unix)]
             Message::Leave(signal) => Flow::Break(Ending::Signal(signal)),
@@ -256,8 +277,8 @@ impl TerminalRun {
                         self.app.update(&Input::Saving(request.ticket));
                     }
                 }
-                // No screen asks for these before there is somebody to ask.
-                Effect::Host(_) | Effect::Join(_) => {}
+                Effect::Host(call) => self.host.call(call),
+                Effect::Join(call) => self.client.call(call),
                 Effect::Export { name, content } => {
                     let exported = Input::Exported(export::write(name, content));
                     // Should nobody listen any more, nobody waits for it either.

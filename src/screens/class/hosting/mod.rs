@@ -1,0 +1,621 @@
+//! A round whose pupils vote on devices of their own, as the teacher's screen sees it: who is
+//! in, what they say, and what they are told.
+//!
+//! Nothing is told of a vote before it is kept: changes are collected, asked to be kept all
+//! at once, and whoever they are of hears of it when that is done.
+
+mod door_page;
+mod people;
+mod qr;
+
+use std::collections::BTreeSet;
+use std::time::Duration;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
+
+use crate::class::protocol::{PupilState, PupilStep, Refusal, VERSION};
+use crate::class::{
+    AskedQuestion, Ballot, ClassChange, ClassRound, Said, ToldTruth, Vote, standings,
+};
+use crate::messages::{HostCall, HostNews, Key, LineId, OpenDoor, StoreRequest};
+use crate::quiz::{Answer, Confidence, Form, Response, explain};
+use crate::screens::Context;
+use crate::widgets::Look;
+use crate::widgets::input::{KeyTable, ListAction};
+use people::People;
+
+/// How long nobody may have come before the screen says what may be in the way.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// What keys do about pupils on their own devices.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum HostingAction {
+    /// show how to come in: the address and the code
+    Door,
+    /// show who is in, and who has voted
+    Names,
+    /// on with the round
+    GoOn,
+    /// let nobody new in, or let them in again
+    Shut,
+    /// choose somebody
+    List(ListAction),
+    /// give them another name
+    Rename,
+    /// somebody came back as a stranger: make one of the two
+    Merge,
+    /// take them off the list
+    Remove,
+    /// as it was
+    NotYet,
+}
+
+/// The pupils of a round on their own devices.
+#[derive(Debug, Clone)]
+pub(in crate::screens::class) struct Hosting {
+    door: DoorState,
+    /// Who is reached how, in the order of the round's names.
+    presence: Vec<Presence>,
+    /// Whether nobody new is let in.
+    shut: bool,
+    keeping: Keeping,
+    /// How long the door has been open without anybody coming in.
+    waited: Duration,
+    page: Option<HostPage>,
+    /// Whether the class still gathers.
+    pub(in crate::screens::class) gathers: bool,
+}
+
+/// Whether pupils can come in.
+#[derive(Debug, Clone)]
+enum DoorState {
+    Opening,
+    Open(OpenDoor),
+    Failed(String),
+}
+
+/// How somebody is reached.
+#[derive(Debug, Clone, Copy, Default)]
+struct Presence {
+    /// Their connection; `None` while they are away.
+    line: Option<LineId>,
+    /// The number of their last vote that was handled.
+    n: u64,
+    /// The number of the last state that this connection was told.
+    rev: u64,
+}
+
+/// What is on its way to the disk, and who waits for it.
+#[derive(Debug, Clone, Default)]
+struct Keeping {
+    /// Changes that nobody was asked to keep yet, and the connections that they came by.
+    changes: Vec<ClassChange>,
+    later: BTreeSet<LineId>,
+    /// How many requests are under way, and the connections to be told when they are done.
+    asked: usize,
+    waiting: BTreeSet<LineId>,
+}
+
+/// A page of its own.
+#[derive(Debug, Clone)]
+enum HostPage {
+    /// How to come in.
+    Door,
+    /// Who is in.
+    People(People),
+}
+
+/// What of the round a pupil's state follows from, besides the votes.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::screens::class) struct Scene {
+    /// The ticket with which the round is kept.
+    pub(in crate::screens::class) ticket: u64,
+    /// Where the class is.
+    pub(in crate::screens::class) step: PupilStep,
+    /// How many questions have their points.
+    pub(in crate::screens::class) asked: usize,
+}
+
+impl Hosting {
+    /// The door of a round, which is asked to be opened.
+    pub(in crate::screens::class) fn open(round: &ClassRound, cx: &mut Context) -> Self {
+        cx.host(HostCall::Open(round.door()));
+        Self {
+            door: DoorState::Opening,
+            presence: vec![Presence::default(); round.teams().len()],
+            shut: false,
+            keeping: Keeping::default(),
+            waited: Duration::ZERO,
+            page: Some(HostPage::Door),
+            gathers: true,
+        }
+    }
+
+    /// How many are in just now.
+    pub(in crate::screens::class) fn present(&self) -> usize {
+        let lines = self.presence.iter().filter(|it| it.line.is_some());
+        lines.count()
+    }
+
+    /// "27 of 32 have voted": of those who are in, and those who have voted and are away.
+    pub(in crate::screens::class) fn turnout(&self, round: &ClassRound, vote: Vote) -> String {
+        let question = round.place().question;
+        let voted = |person: usize| round.ballot(question, person).said(vote).is_some();
+        let here = |person: &usize| {
+            let line = self.presence.get(*person).and_then(|it| it.line);
+            line.is_some() || voted(*person)
+        };
+        let all: Vec<usize> = (0..round.teams().len()).filter(here).collect();
+        let count = all.iter().filter(|person| voted(**person)).count();
+        match vote {
+            Vote::First => format!("{count} of {} have voted", all.len()),
+            Vote::Second => {
+                let changed = round.voted(question, Vote::Second);
+                format!("{changed} of {} have voted again", all.len())
+            }
+        }
+    }
+
+    /// Takes in what was heard of the class.
+    pub(in crate::screens::class) fn take_news(
+        &mut self,
+        news: &[HostNews],
+        round: &mut ClassRound,
+        scene: Scene,
+        cx: &mut Context,
+    ) {
+        for it in news {
+            match it {
+                HostNews::Opened(Ok(door)) => {
+                    round.open(door.code);
+                    self.door = DoorState::Open(door.clone());
+                    self.save(round, scene, cx);
+                }
+                HostNews::Opened(Err(reason)) => self.door = DoorState::Failed(reason.clone()),
+                HostNews::Came {
+                    line,
+                    name,
+                    seat,
+                    fresh,
+                } => {
+                    let known = seat.and_then(|seat| round.seat(seat));
+                    match known {
+                        Some(person) => self.seat(person, *line, cx),
+                        None => match self.let_in(name, *fresh, round, scene) {
+                            Ok(person) => {
+                                self.seat(person, *line, cx);
+                                self.keeping.wait_for_changes(*line);
+                            }
+                            Err(why) => cx.host(HostCall::Refuse(*line, why)),
+                        },
+                    }
+                }
+                HostNews::Voted {
+                    line,
+                    question,
+                    vote,
+                    said,
+                    n,
+                } => {
+                    if let Some(person) = self.person(*line) {
+                        let open =
+                            scene.step.vote() == Some(*vote) && *question == round.place().question;
+                        let is_new = *n > self.presence[person].n;
+                        self.presence[person].n = self.presence[person].n.max(*n);
+                        if open && is_new && self.vote(person, *vote, said, round) {
+                            self.keeping.wait_for_changes(*line);
+                        } else {
+                            self.keeping.wait(*line);
+                        }
+                    }
+                }
+                HostNews::Gone(line) => {
+                    if let Some(person) = self.person(*line) {
+                        self.presence[person].line = None;
+                    }
+                }
+            }
+        }
+        self.go_on(round, scene, cx);
+    }
+
+    /// Who is reached by a connection.
+    fn person(&self, line: LineId) -> Option<usize> {
+        let mut all = self.presence.iter();
+        all.position(|presence| presence.line == Some(line))
+    }
+
+    /// Puts somebody in their place; whoever sat there has to leave.
+    fn seat(&mut self, person: usize, line: LineId, cx: &mut Context) {
+        let n = self.presence[person].n;
+        let before = std::mem::replace(
+            &mut self.presence[person],
+            Presence {
+                line: Some(line),
+                n,
+                rev: 0,
+            },
+        );
+        if let Some(before) = before.line {
+            cx.host(HostCall::Refuse(before, Refusal::Elsewhere));
+        }
+        self.keeping.wait(line);
+    }
+
+    /// Lets somebody new in, if there is a place for them.
+    fn let_in(
+        &mut self,
+        name: &str,
+        seat: crate::class::SeatToken,
+        round: &mut ClassRound,
+        scene: Scene,
+    ) -> Result<usize, Refusal> {
+        if self.shut || scene.step == PupilStep::End {
+            return Err(Refusal::Closed);
+        }
+        if round.teams().len() >= round.way().most() {
+            return Err(Refusal::Full);
+        }
+        let name = round.name_for(name).ok_or(Refusal::Name)?;
+        let change = ClassChange::Join { seat, name };
+        self.change(change, round).map_err(|_| Refusal::Full)?;
+        self.presence.push(Presence::default());
+        Ok(self.presence.len() - 1)
+    }
+
+    /// Takes a vote; says whether something has changed.
+    fn vote(&mut self, person: usize, vote: Vote, said: &str, round: &mut ClassRound) -> bool {
+        let said = match said {
+            "" => None,
+            text => match Said::parse(text) {
+                Some(said) => Some(said),
+                None => return false,
+            },
+        };
+        let change = ClassChange::Vote {
+            question: round.place().question,
+            vote,
+            person,
+            said,
+        };
+        self.change(change, round).is_ok()
+    }
+
+    /// Lets something change, to be kept.
+    fn change(&mut self, change: ClassChange, round: &mut ClassRound) -> Result<(), String> {
+        round.change(&change)?;
+        self.keeping.changes.push(change);
+        Ok(())
+    }
+
+    /// Has the round kept as it stands.
+    pub(in crate::screens::class) fn save(
+        &mut self,
+        round: &ClassRound,
+        scene: Scene,
+        cx: &mut Context,
+    ) {
+        // What has changed is in it.
+        self.keeping.changes.clear();
+        self.keeping.ask(
+            scene.ticket,
+            StoreRequest::SaveClass(Box::new(round.clone())),
+            cx,
+        );
+    }
+
+    /// The round is kept, or it cannot be: the teacher was told so, and the class goes on.
+    pub(in crate::screens::class) fn saved(
+        &mut self,
+        round: &ClassRound,
+        scene: Scene,
+        cx: &mut Context,
+    ) {
+        self.keeping.asked = self.keeping.asked.saturating_sub(1);
+        self.go_on(round, scene, cx);
+    }
+
+    /// The class is somewhere else: everybody is told, once all is kept.
+    pub(in crate::screens::class) fn moved(
+        &mut self,
+        round: &ClassRound,
+        scene: Scene,
+        cx: &mut Context,
+    ) {
+        let lines = self.presence.iter().filter_map(|it| it.line);
+        lines.for_each(|line| self.keeping.wait(line));
+        self.go_on(round, scene, cx);
+    }
+
+    /// While nothing is on its way to the disk: tells those who wait for what is there, and
+    /// sends what has changed since.
+    fn go_on(&mut self, round: &ClassRound, scene: Scene, cx: &mut Context) {
+        if self.keeping.asked > 0 {
+            return;
+        }
+        let waiting = std::mem::take(&mut self.keeping.waiting);
+        self.tell(&waiting, round, scene, cx);
+        if !self.keeping.changes.is_empty() {
+            let changes = std::mem::take(&mut self.keeping.changes);
+            let round = Box::new(round.clone());
+            self.keeping
+                .ask(scene.ticket, StoreRequest::NoteClass { changes, round }, cx);
+        }
+    }
+
+    /// Tells pupils how things stand.
+    fn tell(
+        &mut self,
+        lines: &BTreeSet<LineId>,
+        round: &ClassRound,
+        scene: Scene,
+        cx: &mut Context,
+    ) {
+        if lines.is_empty() {
+            return;
+        }
+        let told = Told::new(round, scene);
+        let mut states = Vec::new();
+        for (person, presence) in self.presence.iter_mut().enumerate() {
+            if let Some(line) = presence.line.filter(|line| lines.contains(line)) {
+                presence.rev += 1;
+                if let Some(state) = told.state(round, person, presence) {
+                    states.push((line, state));
+                }
+            }
+        }
+        cx.host(HostCall::Tell(states));
+    }
+
+    /// Ends it: nobody can come back, and all hang up.
+    pub(in crate::screens::class) fn close(cx: &mut Context) {
+        cx.host(HostCall::Close);
+    }
+
+    /// The keys that there are at every step.
+    pub(in crate::screens::class) fn keys(&self) -> KeyTable<HostingAction> {
+        KeyTable::new("class")
+            .on('j', HostingAction::Door, "how to join")
+            .on('w', HostingAction::Names, "who is in")
+    }
+
+    /// The keys of a page of its own, if one is open.
+    pub(in crate::screens::class) fn page_keys(&self) -> Option<KeyTable<HostingAction>> {
+        use HostingAction::{Door, GoOn, Names, Shut};
+        let shut = if self.shut {
+            "let them in"
+        } else {
+            "close the door"
+        };
+        match self.page.as_ref()? {
+            HostPage::Door => Some(
+                KeyTable::new("class")
+                    .on(Key::Enter, GoOn, "on with the round")
+                    .or([(Key::Char(' '), GoOn), (Key::Char('j'), GoOn)])
+                    .on('w', Names, "who is in")
+                    .on('c', Shut, shut),
+            ),
+            HostPage::People(people) => Some(people.keys(shut).or([(Key::Char('j'), Door)])),
+        }
+    }
+
+    /// Takes a key that types; says whether it was one.
+    pub(in crate::screens::class) fn typed(&mut self, key: Key) -> bool {
+        match &mut self.page {
+            Some(HostPage::People(people)) => people.typed(key),
+            _ => false,
+        }
+    }
+
+    /// What is asked before an action is done that cannot be undone.
+    pub(in crate::screens::class) fn confirmation(
+        &self,
+        action: HostingAction,
+        round: &ClassRound,
+    ) -> Option<String> {
+        match (&self.page, action) {
+            (Some(HostPage::People(people)), _) => people.confirmation(action, round),
+            _ => None,
+        }
+    }
+
+    /// Does what a key stands for.
+    pub(in crate::screens::class) fn act(
+        &mut self,
+        action: HostingAction,
+        round: &mut ClassRound,
+        scene: Scene,
+        cx: &mut Context,
+    ) {
+        let vote = scene.step.vote();
+        match (action, &mut self.page) {
+            (HostingAction::Door, _) => self.page = Some(HostPage::Door),
+            (HostingAction::Names, _) => {
+                self.page = Some(HostPage::People(People::new(round, vote)));
+            }
+            (HostingAction::GoOn | HostingAction::NotYet, None) => {}
+            (HostingAction::GoOn, _) => {
+                self.page = None;
+                self.gathers = false;
+            }
+            (HostingAction::Shut, _) => self.shut = !self.shut,
+            (action, Some(HostPage::People(people))) => {
+                if let Some(change) = people.act(action, round) {
+                    self.change_people(&change, round, cx);
+                    if let Some(HostPage::People(people)) = &mut self.page {
+                        people.renew(round, vote);
+                    }
+                    self.go_on(round, scene, cx);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Lets the list of people change, with who is reached how.
+    fn change_people(&mut self, change: &ClassChange, round: &mut ClassRound, cx: &mut Context) {
+        if self.change(change.clone(), round).is_err() {
+            return;
+        }
+        match change {
+            ClassChange::Remove { person } => {
+                let gone = self.presence.remove(*person);
+                if let Some(line) = gone.line {
+                    cx.host(HostCall::Refuse(line, Refusal::Kicked));
+                }
+            }
+            ClassChange::Merge { from, into } => {
+                let stranger = self.presence[*from];
+                if let Some(line) = stranger.line {
+                    let before = std::mem::replace(&mut self.presence[*into], stranger);
+                    if let Some(before) = before.line {
+                        cx.host(HostCall::Refuse(before, Refusal::Elsewhere));
+                    }
+                    self.keeping.wait(line);
+                }
+                self.presence.remove(*from);
+            }
+            ClassChange::Rename { person, .. } => {
+                if let Some(line) = self.presence[*person].line {
+                    self.keeping.wait(line);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Lets time pass.
+    pub(in crate::screens::class) fn advance(&mut self, passed: Duration) {
+        if self.waits() {
+            self.waited += passed;
+        }
+    }
+
+    /// When it next needs time: when it may have to say what is in the way.
+    pub(in crate::screens::class) fn wake(&self) -> Option<Duration> {
+        let left = PATIENCE.checked_sub(self.waited)?;
+        (self.waits() && !left.is_zero()).then_some(left)
+    }
+
+    /// Whether the door is open and nobody has come yet.
+    fn waits(&self) -> bool {
+        matches!(self.door, DoorState::Open(_)) && self.presence.is_empty()
+    }
+
+    /// Draws the page of its own, if one is open; says whether it did.
+    pub(in crate::screens::class) fn draw(
+        &self,
+        round: &ClassRound,
+        area: Rect,
+        buf: &mut Buffer,
+        look: &Look,
+    ) -> bool {
+        match &self.page {
+            None => return false,
+            Some(HostPage::Door) => door_page::draw(self, round, area, buf, look),
+            Some(HostPage::People(people)) => people.draw(self, round, area, buf, look),
+        }
+        true
+    }
+}
+
+impl Keeping {
+    /// Somebody is to be told when all is kept that was asked for so far.
+    fn wait(&mut self, line: LineId) {
+        if !self.later.contains(&line) {
+            self.waiting.insert(line);
+        }
+    }
+
+    /// Somebody is to be told when what has changed last is kept.
+    fn wait_for_changes(&mut self, line: LineId) {
+        self.waiting.remove(&line);
+        self.later.insert(line);
+    }
+
+    fn ask(&mut self, ticket: u64, wish: StoreRequest, cx: &mut Context) {
+        self.asked += 1;
+        let later = std::mem::take(&mut self.later);
+        self.waiting.extend(later);
+        cx.keep(ticket, wish);
+    }
+}
+
+/// What all pupils are told alike.
+struct Told {
+    scene: Scene,
+    question: Option<AskedQuestion>,
+    spread: Vec<u32>,
+    /// Points and place of each, once there are any.
+    scores: Vec<Option<(f64, usize)>>,
+}
+
+impl Told {
+    fn new(round: &ClassRound, scene: Scene) -> Self {
+        let number = round.place().question;
+        let question = round.questions().get(number);
+        let is_asked = !matches!(scene.step, PupilStep::Lobby | PupilStep::End);
+        let mut spread = Vec::new();
+        if let (PupilStep::Talk | PupilStep::SecondVote, Some(Form::Choice { options, .. })) =
+            (scene.step, question.map(|it| &it.form))
+        {
+            spread = vec![0; options.len()];
+            for said in round.said(number, Vote::First) {
+                if let Response::Choice(choice) = said {
+                    spread[choice] += 1;
+                }
+            }
+        }
+        let mut scores = vec![None; round.teams().len()];
+        if matches!(scene.step, PupilStep::Scores | PupilStep::End) {
+            for it in standings(round, scene.asked) {
+                scores[it.team] = Some((it.points, it.place));
+            }
+        }
+        Self {
+            scene,
+            question: question.filter(|_| is_asked).map(AskedQuestion::new),
+            spread,
+            scores,
+        }
+    }
+
+    /// How things stand for one of them.
+    fn state(&self, round: &ClassRound, person: usize, presence: &Presence) -> Option<PupilState> {
+        let q = round.place().question;
+        let ballot = round.ballot(q, person);
+        let text = |vote| ballot.given(vote).map(Said::to_text).unwrap_or_default();
+        let is_told = matches!(self.scene.step, PupilStep::Shot | PupilStep::Scores);
+        Some(PupilState {
+            v: VERSION,
+            rev: presence.rev,
+            seat: round.token(person)?,
+            name: round.teams().get(person)?.clone(),
+            q,
+            of: round.questions().len(),
+            step: self.scene.step,
+            n: presence.n,
+            first: text(Vote::First),
+            second: text(Vote::Second),
+            question: self.question.clone(),
+            spread: self.spread.clone(),
+            told: is_told.then(|| truth(round, person, &ballot)).flatten(),
+            score: self.scores.get(person).copied().flatten(),
+        })
+    }
+}
+
+/// The truth, with what is to be said to what this pupil said.
+fn truth(round: &ClassRound, person: usize, ballot: &Ballot) -> Option<ToldTruth> {
+    let number = round.place().question;
+    let question = round.questions().get(number)?;
+    let why = match ballot.counts() {
+        Some(said) => explain(question, &Answer::new(said, Confidence::ThinkSo)).text,
+        None => question.why.clone(),
+    };
+    let points = ballot.counts().map(|_| round.points(number, person));
+    Some(ToldTruth::new(question, why, points))
+}

@@ -1,0 +1,219 @@
+//! Who is in, and who has voted: names that are shown when the teacher asks for them.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::{Hosting, HostingAction};
+use crate::class::{ClassChange, ClassRound, LONGEST_NAME, Vote};
+use crate::messages::Key;
+use crate::screens::class::view::column;
+use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
+use crate::widgets::panels::draw_panel;
+use crate::widgets::{Lines, Look, Outcome, Role, areas, text};
+
+/// The page of names.
+#[derive(Debug, Clone)]
+pub(super) struct People {
+    /// The people in the order in which they stand there: those who have not voted first.
+    order: Vec<usize>,
+    list: ListView,
+    doing: Doing,
+}
+
+/// What is being done with the one at the mark.
+#[derive(Debug, Clone)]
+enum Doing {
+    Nothing,
+    /// Another name is typed.
+    Rename(TextField),
+    /// Who this stranger really is, is being chosen.
+    Merge(usize),
+}
+
+impl People {
+    /// The page, at a step where this vote is open.
+    pub(super) fn new(round: &ClassRound, vote: Option<Vote>) -> Self {
+        let mut people = Self {
+            order: Vec::new(),
+            list: ListView::default(),
+            doing: Doing::Nothing,
+        };
+        people.renew(round, vote);
+        people
+    }
+
+    /// The list has changed.
+    pub(super) fn renew(&mut self, round: &ClassRound, vote: Option<Vote>) {
+        let question = round.place().question;
+        let voted = |person: &usize| {
+            vote.is_some_and(|vote| round.ballot(question, *person).said(vote).is_some())
+        };
+        self.order = (0..round.teams().len()).collect();
+        self.order.sort_by_key(voted);
+    }
+
+    /// The one at the mark.
+    fn at(&self) -> Option<usize> {
+        self.order.get(self.list.chosen(self.order.len())).copied()
+    }
+
+    /// The keys; `shut` is what closing or opening the door is called.
+    pub(super) fn keys(&self, shut: &'static str) -> KeyTable<HostingAction> {
+        use HostingAction::{GoOn, List, Merge, NotYet, Remove, Rename, Shut};
+        let keys = KeyTable::new("class");
+        match &self.doing {
+            Doing::Rename(_) => {
+                keys.on(Key::Enter, Rename, "that is the name")
+                    .on(Key::Escape, NotYet, "as it was")
+            }
+            Doing::Merge(_) => {
+                let list = ListView::keys("this is who it is");
+                keys.with(list, List).on(Key::Escape, NotYet, "as it was")
+            }
+            Doing::Nothing => keys
+                .with(
+                    ListView::keys("rename").without_keys(&[Key::Char(' ')]),
+                    List,
+                )
+                .on('m', Merge, "is somebody else")
+                .when(self.order.len() > 1)
+                .on(Key::Delete, Remove, "remove")
+                .or([(Key::Char('x'), Remove)])
+                .when(!self.order.is_empty())
+                .on('c', Shut, shut)
+                .on(Key::Escape, GoOn, "back")
+                .or([(Key::Char('w'), GoOn)]),
+        }
+    }
+
+    /// Takes a key that types; says whether it was one.
+    pub(super) fn typed(&mut self, key: Key) -> bool {
+        match &mut self.doing {
+            Doing::Rename(field) => field.update(key),
+            _ => false,
+        }
+    }
+
+    /// What is asked before an action is done.
+    pub(super) fn confirmation(&self, action: HostingAction, round: &ClassRound) -> Option<String> {
+        let name = |person: usize| round.teams().get(person).cloned().unwrap_or_default();
+        match (&self.doing, action) {
+            (Doing::Nothing, HostingAction::Remove) => Some(format!(
+                "Take {} off the list, with all they said?",
+                name(self.at()?)
+            )),
+            (Doing::Merge(from), HostingAction::List(ListAction::Open)) => {
+                let into = self.at().filter(|into| into != from)?;
+                Some(format!(
+                    "{} is {}? The two become one.",
+                    name(*from),
+                    name(into)
+                ))
+            }
+            _ => None,
+        }
+    }
+
+    /// Does what a key stands for; gives what is to change in the round.
+    pub(super) fn act(&mut self, action: HostingAction, round: &ClassRound) -> Option<ClassChange> {
+        let person = self.at();
+        match (action, std::mem::replace(&mut self.doing, Doing::Nothing)) {
+            (HostingAction::List(action), doing) => {
+                match (self.list.act(action, self.order.len()), doing) {
+                    (Outcome::Done(_), Doing::Merge(from)) => {
+                        let into = person.filter(|into| *into != from)?;
+                        return Some(ClassChange::Merge { from, into });
+                    }
+                    (Outcome::Done(_), _) => {
+                        let name = round.teams().get(person?)?;
+                        let field = TextField::new(name, 2 * LONGEST_NAME);
+                        self.doing = Doing::Rename(field);
+                    }
+                    (_, doing) => self.doing = doing,
+                }
+                None
+            }
+            (HostingAction::Merge, _) => {
+                self.doing = Doing::Merge(person?);
+                None
+            }
+            (HostingAction::Rename, Doing::Rename(field)) => {
+                let name = round.renamed(person?, field.text())?;
+                let person = person?;
+                Some(ClassChange::Rename { person, name })
+            }
+            (HostingAction::Remove, _) => Some(ClassChange::Remove { person: person? }),
+            _ => None,
+        }
+    }
+
+    /// Draws the list.
+    pub(super) fn draw(
+        &self,
+        hosting: &Hosting,
+        round: &ClassRound,
+        area: Rect,
+        buf: &mut Buffer,
+        look: &Look,
+    ) {
+        let frame = column(area);
+        let title = format!(
+            "{} in, {} on the list",
+            hosting.present(),
+            round.teams().len()
+        );
+        let inside = draw_panel(buf, frame, &title, look.charset, &look.theme);
+        let foot = 3.min(inside.height);
+        let [above, below] = areas::upper(inside, inside.height - foot);
+        let question = round.place().question;
+        let at = self.list.chosen(self.order.len());
+        let first = ListView::first_shown(at, self.order.len(), above.height);
+        let mut lines = Lines::new(above, buf, *look);
+        if self.order.is_empty() {
+            lines.paragraph("Nobody is in yet.", Role::Text);
+        }
+        for (row, person) in self
+            .order
+            .iter()
+            .enumerate()
+            .skip(first)
+            .take(above.height.into())
+        {
+            let (mark, role) = Role::Text.of_choice(row == at);
+            let name = round.teams().get(*person).map_or("", String::as_str);
+            let name = match &self.doing {
+                Doing::Rename(field) if row == at => field.shown(),
+                _ => name.to_owned(),
+            };
+            let here = hosting
+                .presence
+                .get(*person)
+                .is_some_and(|it| it.line.is_some());
+            let ballot = round.ballot(question, *person);
+            let voted = match (ballot.first, ballot.second) {
+                (_, Some(_)) => "voted again",
+                (Some(_), None) => "has voted",
+                (None, None) => "no vote yet",
+            };
+            let state = match here {
+                true => voted.to_owned(),
+                false => format!("{voted}, away"),
+            };
+            let room = usize::from(lines.width()).saturating_sub(text::width(&state) + 5);
+            let name = text::clipped(&look.charset.text(&name), room);
+            lines.pair(&format!("{mark} {name} "), &state, role, Role::Dim);
+        }
+        let mut lines = Lines::new(below, buf, *look);
+        lines.gap();
+        let words = match &self.doing {
+            Doing::Merge(from) => {
+                let name = round.teams().get(*from).map_or("", String::as_str);
+                format!("Who is \"{name}\" really? Choose, then Enter.")
+            }
+            Doing::Rename(_) => "Type the name, then Enter.".into(),
+            Doing::Nothing if hosting.shut => "The door is closed: nobody new can come in.".into(),
+            Doing::Nothing => String::new(),
+        };
+        lines.paragraph(&words, Role::Key);
+    }
+}

@@ -1,0 +1,166 @@
+//! A pupil's place in the class: what is asked, what they say, and what comes of it.
+
+use std::time::Duration;
+
+use super::link::Link;
+use crate::class::protocol::{PupilState, PupilStep};
+use crate::class::{Said, Vote};
+use crate::quiz::{Confidence, Form, Question, Response};
+use crate::screens::Context;
+use crate::widgets::hit::{HitPace, Reveal, Watch};
+use crate::widgets::{AnswerAction, AnswerInput, Outcome};
+
+/// A pupil's place in the class.
+#[derive(Debug, Clone)]
+pub(super) struct Desk {
+    /// How things stand, as the host said last.
+    pub(super) state: PupilState,
+    /// The question at hand; once the truth is told, with that.
+    pub(super) question: Option<Question>,
+    pub(super) doing: Doing,
+}
+
+/// What there is to do.
+#[derive(Debug, Clone)]
+pub(super) enum Doing {
+    /// Look and listen.
+    Look,
+    /// A vote is made.
+    Answer(AnswerInput),
+    /// How sure they are of it is asked.
+    Sure(AnswerInput, Confidence),
+    /// The truth is watched.
+    Watch(Box<Reveal>),
+}
+
+impl Desk {
+    /// The place as the host says that things stand.
+    pub(super) fn new(state: PupilState, pace: HitPace) -> Self {
+        let question = state.question.as_ref().and_then(|asked| asked.question());
+        let question = match (&state.told, question) {
+            (Some(told), Some(question)) => told.told(question),
+            (_, question) => question,
+        };
+        let mut desk = Self {
+            doing: Doing::Look,
+            question,
+            state,
+        };
+        desk.begin(pace);
+        desk
+    }
+
+    /// Takes in how things stand now. What is just being typed stays, while the class is
+    /// where it was.
+    pub(super) fn take(&mut self, state: PupilState, pace: HitPace) {
+        let same = (self.state.q, self.state.step) == (state.q, state.step);
+        let stays = same && self.question.is_some() && self.state.question == state.question;
+        match stays {
+            true => self.state = state,
+            false => *self = Self::new(state, pace),
+        }
+    }
+
+    fn begin(&mut self, pace: HitPace) {
+        let Some(question) = &self.question else {
+            return;
+        };
+        self.doing = match self.state.step {
+            PupilStep::FirstVote | PupilStep::SecondVote => {
+                Doing::Answer(match self.said().map(|said| said.response) {
+                    Some(said) => AnswerInput::saying(&question.form, &said),
+                    None => AnswerInput::new(&question.form),
+                })
+            }
+            PupilStep::Shot if self.state.told.is_some() => {
+                Doing::Watch(Box::new(Reveal::new(self.watch(question, pace))))
+            }
+            _ => Doing::Look,
+        };
+    }
+
+    /// The hit as it really goes, with what they said.
+    fn watch(&self, question: &Question, pace: HitPace) -> Option<Watch> {
+        let said = self.said().map(|said| said.response);
+        let collision = match (&question.form, said) {
+            (Form::Shot(aim), Some(Response::Shot(offset))) => {
+                let shot = aim.with(offset);
+                return Some(Watch::new(shot, None, pace).with_wanted(*aim));
+            }
+            (Form::Shot(aim), _) => Some(aim.with(aim.offset)),
+            _ => question.picture.collision().copied(),
+        };
+        let rays = said.and_then(Response::rays);
+        let frame = question.seen_from();
+        collision.map(|collision| Watch::new(collision, rays, pace).seen_from(frame))
+    }
+
+    /// What the host has of them on this question: what counts at this step.
+    pub(super) fn said(&self) -> Option<Said> {
+        let parse = |text: &str| Said::parse(text);
+        match self.state.step.vote() {
+            Some(Vote::First) => parse(&self.state.first),
+            _ => parse(&self.state.second).or_else(|| parse(&self.state.first)),
+        }
+    }
+
+    /// Whether the host has a vote that can be taken back.
+    pub(super) fn has_voted(&self) -> bool {
+        match self.state.step.vote() {
+            Some(Vote::First) => !self.state.first.is_empty(),
+            Some(Vote::Second) => !self.state.second.is_empty(),
+            None => false,
+        }
+    }
+
+    /// Does what a key does to the answer.
+    pub(super) fn answer(&mut self, action: AnswerAction) -> Outcome {
+        let Doing::Answer(input) = &mut self.doing else {
+            return Outcome::Ignored;
+        };
+        let outcome = input.act(action);
+        if outcome == Outcome::Done(()) {
+            self.doing = Doing::Sure(input.clone(), Confidence::ThinkSo);
+            return Outcome::Used;
+        }
+        outcome
+    }
+
+    /// Votes with this confidence.
+    pub(super) fn vote(&mut self, sure: Confidence, link: &mut Link, cx: &mut Context) {
+        let Doing::Sure(input, _) = &self.doing else {
+            return;
+        };
+        let input = input.clone();
+        if let (Some(response), Some(vote)) = (input.said(), self.state.step.vote()) {
+            let sure = Some(sure);
+            link.vote(self.state.q, vote, Some(Said { response, sure }), cx);
+        }
+        self.doing = Doing::Answer(input);
+    }
+
+    /// Takes the vote back.
+    pub(super) fn take_back(&mut self, link: &mut Link, cx: &mut Context) {
+        if let Some(vote) = self.state.step.vote() {
+            link.vote(self.state.q, vote, None, cx);
+        }
+        if let (Doing::Answer(input), Some(question)) = (&mut self.doing, &self.question) {
+            *input = AnswerInput::new(&question.form);
+        }
+    }
+
+    /// Lets time pass.
+    pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
+        if let Doing::Watch(reveal) = &mut self.doing {
+            reveal.advance(passed, pace);
+        }
+    }
+
+    /// When it next needs time.
+    pub(super) fn wake(&self, pace: HitPace) -> Option<Duration> {
+        match &self.doing {
+            Doing::Watch(reveal) => reveal.wake(pace),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,268 @@
+//! Coming in: where the class is, its code, and who comes.
+
+use crate::class::{DoorCode, LONGEST_NAME};
+use crate::messages::Key;
+use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
+use crate::widgets::{Lines, Outcome, Role};
+
+/// The port of a class, where an address names none.
+pub(crate) const PORT: u16 = 8090;
+/// Most letters of an address while it is typed.
+const LONGEST_ADDRESS: usize = 80;
+
+/// What is asked before coming in.
+#[derive(Debug, Clone)]
+pub(super) struct DoorForm {
+    /// Where the class is; `None` where the page came from there.
+    address: Option<TextField>,
+    code: TextField,
+    name: TextField,
+    list: ListView,
+    /// Why one is not in.
+    pub(super) trouble: Option<String>,
+}
+
+/// A row of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum DoorRow {
+    Address,
+    Code,
+    Name,
+    Enter,
+}
+
+/// What was asked, whole.
+pub(super) struct Entry {
+    pub(super) address: String,
+    pub(super) code: String,
+    pub(super) name: String,
+}
+
+impl DoorForm {
+    /// The form with what is known already.
+    pub(super) fn new(address: Option<&str>, code: Option<DoorCode>, name: &str) -> Self {
+        let code = code.map(|code| code.to_string()).unwrap_or_default();
+        let mut form = Self {
+            address: address.map(|it| TextField::new(it, LONGEST_ADDRESS)),
+            code: TextField::new(&code, LONGEST_ADDRESS),
+            name: TextField::new(name, 2 * LONGEST_NAME),
+            list: ListView::default(),
+            trouble: None,
+        };
+        let rows = form.rows();
+        let missing = rows.iter().position(|row| {
+            let field = form.field_of(*row);
+            field.is_none_or(|field| field.text().trim().is_empty())
+        });
+        form.list.choose(missing.unwrap_or(rows.len()));
+        form
+    }
+
+    fn rows(&self) -> Vec<DoorRow> {
+        let mut rows = vec![
+            DoorRow::Address,
+            DoorRow::Code,
+            DoorRow::Name,
+            DoorRow::Enter,
+        ];
+        rows.retain(|row| *row != DoorRow::Address || self.address.is_some());
+        rows
+    }
+
+    fn at(&self) -> DoorRow {
+        let rows = self.rows();
+        rows[self.list.chosen(rows.len())]
+    }
+
+    fn field_of(&self, row: DoorRow) -> Option<&TextField> {
+        match row {
+            DoorRow::Address => self.address.as_ref(),
+            DoorRow::Code => Some(&self.code),
+            DoorRow::Name => Some(&self.name),
+            DoorRow::Enter => None,
+        }
+    }
+
+    fn field(&mut self) -> Option<&mut TextField> {
+        match self.at() {
+            DoorRow::Address => self.address.as_mut(),
+            DoorRow::Code => Some(&mut self.code),
+            DoorRow::Name => Some(&mut self.name),
+            DoorRow::Enter => None,
+        }
+    }
+
+    pub(super) fn keys(&self) -> KeyTable<ListAction> {
+        let enter = match self.at() {
+            DoorRow::Enter => "come in",
+            _ => "next",
+        };
+        let ends: &[Key] = match self.at() {
+            DoorRow::Enter => &[],
+            _ => &[Key::Home, Key::End, Key::Char(' ')],
+        };
+        ListView::keys(enter).without_keys(ends)
+    }
+
+    /// Takes a key that types; says whether it was one.
+    pub(super) fn typed(&mut self, key: Key) -> bool {
+        let typed = self.field().is_some_and(|field| field.update(key));
+        if typed {
+            self.trouble = None;
+        }
+        typed
+    }
+
+    pub(super) fn paste(&mut self, text: &str) {
+        if let Some(field) = self.field() {
+            field.paste(text);
+        }
+    }
+
+    /// Does what a key stands for; gives what was asked, once all of it is there.
+    pub(super) fn act(&mut self, action: ListAction) -> Option<Entry> {
+        let rows = self.rows();
+        match self.list.act(action, rows.len()) {
+            Outcome::Done(at) if rows[at] == DoorRow::Enter => self.entry(),
+            Outcome::Done(at) => {
+                self.list.choose(at + 1);
+                None
+            }
+            _ => None,
+        }
+    }
+
+    /// Points at a row; gives what was asked, if that was the last.
+    pub(super) fn point(&mut self, row: usize) -> Option<Entry> {
+        let rows = self.rows();
+        // A row of the form, and one of air.
+        let at = row.checked_sub(HEAD)? / 2;
+        if at >= rows.len() {
+            return None;
+        }
+        self.list.choose(at);
+        (rows[at] == DoorRow::Enter).then(|| self.entry()).flatten()
+    }
+
+    /// What was asked, if all of it is there.
+    pub(super) fn entry(&mut self) -> Option<Entry> {
+        let address = match &self.address {
+            Some(field) => match host_of(field.text()) {
+                Some(address) => address,
+                None => {
+                    return self.refuse(
+                        DoorRow::Address,
+                        "The address stands on the board, such as 192.168.43.117:8090.",
+                    );
+                }
+            },
+            None => String::new(),
+        };
+        let Ok(code) = self.code.text().parse::<DoorCode>() else {
+            return self.refuse(
+                DoorRow::Code,
+                "The code is the six letters on the board, such as BCDFGH.",
+            );
+        };
+        let name = self.name.text().trim().to_owned();
+        if name.is_empty() {
+            return self.refuse(DoorRow::Name, "What are you called? A nickname will do.");
+        }
+        let code = code.to_string();
+        Some(Entry {
+            address,
+            code,
+            name,
+        })
+    }
+
+    fn refuse<T>(&mut self, row: DoorRow, words: &str) -> Option<T> {
+        let at = self.rows().iter().position(|it| *it == row);
+        self.list.choose(at.unwrap_or(0));
+        self.trouble = Some(words.into());
+        None
+    }
+
+    pub(super) fn write(&self, lines: &mut Lines) {
+        let at = self.at();
+        lines.paragraph("Your class plays a round. Come in:", Role::Title);
+        lines.gap();
+        for row in self.rows() {
+            let name = match row {
+                DoorRow::Address => "address ",
+                DoorRow::Code => "code    ",
+                DoorRow::Name => "name    ",
+                DoorRow::Enter => "Come in",
+            };
+            let (mark, role) = Role::Text.of_choice(row == at);
+            let typed = match self.field_of(row) {
+                Some(field) if row == at => field.shown(),
+                Some(field) => field.text().to_owned(),
+                None => String::new(),
+            };
+            lines.line(&format!("{mark} {name}{typed} "), role);
+            lines.gap();
+        }
+        if let Some(trouble) = &self.trouble {
+            lines.paragraph(trouble, Role::Warn);
+            lines.gap();
+        }
+        let openly = "Whoever is in this network can see names and votes: a nickname will do.";
+        lines.paragraph(openly, Role::Dim);
+    }
+}
+
+/// Rows above the first field.
+const HEAD: usize = 2;
+
+/// Host and port of an address as people write it: `192.168.43.117`, or what a QR code says.
+pub(crate) fn host_of(address: &str) -> Option<String> {
+    let address = address.trim();
+    let address = address.strip_prefix("http://").unwrap_or(address);
+    let host = address.split(['/', '#', '?']).next()?;
+    let good = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | ':' | '-' | '[' | ']');
+    if host.is_empty() || !host.chars().all(good) {
+        return None;
+    }
+    match host.rsplit_once(':') {
+        Some((_, port)) if !host.ends_with(']') => {
+            port.parse::<u16>().ok()?;
+            Some(host.to_owned())
+        }
+        _ => Some(format!("{host}:{PORT}")),
+    }
+}
+
+#[cfg(not(target_family = "wasm"))]
+/// The code in an address, if it is that of a QR code.
+pub(crate) fn code_of(address: &str) -> Option<DoorCode> {
+    address.split_once("#code=")?.1.parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_address_is_read_as_people_write_it() {
+        for (text, host) in [
+            ("192.168.43.117", Some("192.168.43.117:8090")),
+            (" 192.168.43.117:9000 ", Some("192.168.43.117:9000")),
+            (
+                "http://192.168.43.117:8090/#code=BCDFGH",
+                Some("192.168.43.117:8090"),
+            ),
+            ("localhost", Some("localhost:8090")),
+            ("[::1]:8090", Some("[::1]:8090")),
+            ("", None),
+            ("host:port", None),
+            ("a b", None),
+            ("<script>", None),
+        ] {
+            assert_eq!(host_of(text).as_deref(), host, "{text}");
+        }
+        let code = code_of("http://192.168.43.117:8090/#code=BCDFGH");
+        assert_eq!(code.unwrap().to_string(), "BCDFGH");
+        assert_eq!(code_of("192.168.43.117:8090"), None);
+    }
+}

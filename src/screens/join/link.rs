@@ -1,0 +1,209 @@
+//! The connection of a pupil's carrom to the host, which may come and go.
+
+use std::time::Duration;
+
+use crate::class::protocol::{HostSaying, PupilState, Refusal, Saying, VERSION};
+use crate::class::{Said, SeatToken, Vote};
+use crate::messages::{JoinCall, JoinNews};
+use crate::screens::Context;
+
+/// The shortest and the longest wait before the host is tried again, in milliseconds.
+const BACK_OFF: [u64; 2] = [300, 5000];
+
+/// The connection to the host.
+#[derive(Debug, Clone)]
+pub(super) struct Link {
+    address: String,
+    code: String,
+    name: String,
+    /// What brings the pupil back to their place.
+    seat: Option<SeatToken>,
+    state: LinkState,
+    /// Tries in vain since the host was last heard.
+    tries: u32,
+    /// The number of the last vote that was made here.
+    n: u64,
+    /// A vote that the host has not taken yet.
+    pending: Option<Saying>,
+}
+
+/// Whether the host is reached.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum LinkState {
+    Dialling,
+    /// Asked to be let in.
+    Asking,
+    In,
+    /// Tried again after so long.
+    Waiting(Duration),
+    /// It said no, or the pupil has left.
+    Over,
+}
+
+/// What comes of what was heard.
+pub(super) enum LinkNews {
+    State(Box<PupilState>),
+    Refused(Refusal),
+    Nothing,
+}
+
+impl Link {
+    /// Calls the host.
+    pub(super) fn dial(address: &str, code: &str, name: &str, cx: &mut Context) -> Self {
+        let mut link = Self {
+            address: address.to_owned(),
+            code: code.to_owned(),
+            name: name.to_owned(),
+            seat: None,
+            state: LinkState::Dialling,
+            tries: 0,
+            n: 0,
+            pending: None,
+        };
+        link.redial(cx);
+        link
+    }
+
+    fn redial(&mut self, cx: &mut Context) {
+        self.state = LinkState::Dialling;
+        cx.join(JoinCall::Dial(self.address.clone()));
+    }
+
+    /// Whether what the screen shows is how things stand.
+    pub(super) fn is_in(&self) -> bool {
+        self.state == LinkState::In
+    }
+
+    /// Whether a vote is still on its way.
+    pub(super) fn is_sending(&self) -> bool {
+        self.pending.is_some()
+    }
+
+    /// Takes in what was heard.
+    pub(super) fn take(&mut self, news: &JoinNews, cx: &mut Context) -> LinkNews {
+        match news {
+            _ if self.state == LinkState::Over => {}
+            JoinNews::Remembered(seat, name) => {
+                // Another name is another pupil at the same device.
+                if *name == self.name && self.seat.is_none() {
+                    self.seat = seat.parse().ok();
+                }
+            }
+            JoinNews::Reached => {
+                self.state = LinkState::Asking;
+                let join = Saying::Join {
+                    v: VERSION,
+                    code: self.code.clone(),
+                    name: self.name.clone(),
+                    seat: self.seat,
+                };
+                cx.join(JoinCall::Say(join.to_text()));
+            }
+            JoinNews::Heard(text) => return self.hear(text, cx),
+            JoinNews::Lost(_) => {
+                let wait = self.back_off(cx.seed());
+                self.tries += 1;
+                self.state = LinkState::Waiting(wait);
+            }
+            // The connection may be gone without a word.
+            JoinNews::Awake => self.redial(cx),
+        }
+        LinkNews::Nothing
+    }
+
+    fn hear(&mut self, text: &str, cx: &mut Context) -> LinkNews {
+        match HostSaying::read(text) {
+            Some(HostSaying::State(state)) => {
+                let first = self.state != LinkState::In;
+                self.state = LinkState::In;
+                self.tries = 0;
+                if first && self.seat != Some(state.seat) {
+                    cx.join(JoinCall::Remember {
+                        seat: state.seat.to_string(),
+                        name: self.name.clone(),
+                        code: self.code.clone(),
+                    });
+                }
+                self.seat = Some(state.seat);
+                if state.n >= self.n {
+                    self.pending = None;
+                } else if first {
+                    self.say_again(&state, cx);
+                }
+                self.n = self.n.max(state.n);
+                LinkNews::State(state)
+            }
+            Some(HostSaying::No { why }) if why.is_passing() => {
+                self.take(&JoinNews::Lost(why.words().into()), cx)
+            }
+            Some(HostSaying::No { why }) => {
+                self.hang_up(cx);
+                LinkNews::Refused(why)
+            }
+            // A newer host may say more.
+            None => LinkNews::Nothing,
+        }
+    }
+
+    /// Says a vote again that was on its way when the connection was lost, if it is still
+    /// asked for.
+    fn say_again(&mut self, state: &PupilState, cx: &mut Context) {
+        let open = state.step.vote();
+        match &self.pending {
+            Some(Saying::Vote { q, vote, .. }) if *q == state.q && open == Some(*vote) => {
+                let text = self.pending.as_ref().map(Saying::to_text);
+                text.into_iter()
+                    .for_each(|text| cx.join(JoinCall::Say(text)));
+            }
+            _ => self.pending = None,
+        }
+    }
+
+    /// Votes; `None` takes the vote back.
+    pub(super) fn vote(&mut self, q: usize, vote: Vote, said: Option<Said>, cx: &mut Context) {
+        self.n += 1;
+        let said = said.map(Said::to_text).unwrap_or_default();
+        let n = self.n;
+        let saying = Saying::Vote { q, vote, said, n };
+        if self.is_in() {
+            cx.join(JoinCall::Say(saying.to_text()));
+        }
+        self.pending = Some(saying);
+    }
+
+    /// Leaves for good.
+    pub(super) fn hang_up(&mut self, cx: &mut Context) {
+        if self.is_in() {
+            cx.join(JoinCall::Say(Saying::Leave.to_text()));
+        }
+        cx.join(JoinCall::HangUp);
+        self.state = LinkState::Over;
+    }
+
+    /// Lets time pass.
+    pub(super) fn advance(&mut self, passed: Duration, cx: &mut Context) {
+        if let LinkState::Waiting(left) = &mut self.state {
+            *left = left.saturating_sub(passed);
+            if left.is_zero() {
+                self.redial(cx);
+            }
+        }
+    }
+
+    /// When it next needs time.
+    pub(super) fn wake(&self) -> Option<Duration> {
+        match self.state {
+            LinkState::Waiting(left) => Some(left),
+            _ => None,
+        }
+    }
+
+    /// How long to wait before the next try: twice as long each time, and not the same for
+    /// all, or a class would come back all at once.
+    fn back_off(&self, seed: u64) -> Duration {
+        let [least, most] = BACK_OFF;
+        let longest = most.min(least << self.tries.min(8));
+        let mixed = (seed ^ u64::from(self.tries) << 32).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40;
+        Duration::from_millis(longest / 2 + mixed % (longest / 2 + 1))
+    }
+}

@@ -1,0 +1,311 @@
+//! How a pupil's place in the class looks.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::desk::{Desk, Doing};
+use super::link::Link;
+use crate::class::protocol::PupilStep;
+use crate::numbers;
+use crate::quiz::{Confidence, Form, Illustration, Question, Ray, Response, letter};
+use crate::widgets::bar::bar;
+use crate::widgets::input::ListView;
+use crate::widgets::panels::said_and_true;
+use crate::widgets::{
+    AnswerInput, Lines, Look, Role, Scroll, SplitLayout, draw_question, rehearsed,
+};
+
+/// Where picture and words are: the words alone where there is nothing to be seen.
+pub(super) fn layout(desk: Option<&Desk>, area: Rect) -> SplitLayout {
+    let question = desk.and_then(|desk| desk.question.as_ref());
+    match question.map(|question| question.picture) {
+        None | Some(Illustration::Nothing) => SplitLayout::card(area),
+        _ => SplitLayout::new(area),
+    }
+}
+
+/// Draws it.
+pub(super) fn draw(
+    desk: &Desk,
+    link: &Link,
+    scroll: &Scroll,
+    area: Rect,
+    buf: &mut Buffer,
+    look: &Look,
+) {
+    let layout = layout(Some(desk), area);
+    let kind = desk
+        .question
+        .as_ref()
+        .map_or("your class", |it| it.family.name());
+    let (picture, panel) = match &desk.doing {
+        Doing::Watch(reveal) => {
+            let title = reveal.watch().map(Watch::slowed_title);
+            (title.unwrap_or_else(|| kind.into()), "and why")
+        }
+        _ => (kind.to_owned(), step_name(desk.state.step)),
+    };
+    let panel = if layout.picture.is_empty() {
+        picture.as_str()
+    } else {
+        panel
+    };
+    layout.draw(buf, look, &picture, panel);
+    if let Some(question) = &desk.question {
+        match &desk.doing {
+            Doing::Watch(reveal) if reveal.watch().is_some() => {
+                let pictures = reveal.watch().map(|watch| watch.picture(layout.picture));
+                pictures
+                    .into_iter()
+                    .for_each(|picture| picture.draw(buf, look));
+            }
+            Doing::Answer(input) | Doing::Sure(input, _) => {
+                draw_question(layout.picture, buf, look, question, Some(input));
+            }
+            _ => draw_question(layout.picture, buf, look, question, None),
+        }
+    }
+    scroll.draw(layout.panel, buf, *look, |lines| write(desk, link, lines));
+}
+
+use crate::widgets::hit::Watch;
+
+/// What a step is called.
+fn step_name(step: PupilStep) -> &'static str {
+    match step {
+        PupilStep::Lobby => "your class",
+        PupilStep::Describe => "the question",
+        PupilStep::Predict => "in silence",
+        PupilStep::FirstVote => "your vote",
+        PupilStep::Talk => "talk",
+        PupilStep::SecondVote => "your second vote",
+        PupilStep::Shot => "and why",
+        PupilStep::Scores => "the scores",
+        PupilStep::End => "the end",
+    }
+}
+
+/// Writes what there is to say.
+pub(super) fn write(desk: &Desk, link: &Link, lines: &mut Lines) {
+    if !link.is_in() {
+        let words = "The teacher's carrom is out of reach. Trying again ..";
+        lines.paragraph(words, Role::Warn);
+        lines.gap();
+    }
+    match (&desk.question, desk.state.step) {
+        (None, PupilStep::End) => write_end(desk, lines),
+        (None, _) => {
+            lines.paragraph(&format!("You are in, {}.", desk.state.name), Role::Title);
+            lines.gap();
+            lines.paragraph("Look at the board: it begins soon.", Role::Text);
+        }
+        (Some(question), step) => write_step(desk, question, step, link, lines),
+    }
+}
+
+fn write_end(desk: &Desk, lines: &mut Lines) {
+    lines.paragraph("The round is over.", Role::Title);
+    if let Some((points, place)) = desk.state.score {
+        lines.gap();
+        let words = format!(
+            "You have {} points: place {place}.",
+            numbers::points(points)
+        );
+        lines.paragraph(&words, Role::Text);
+    }
+    lines.gap();
+    lines.paragraph("Esc: all of carrom, for you alone.", Role::Key);
+}
+
+fn write_step(desk: &Desk, question: &Question, step: PupilStep, link: &Link, lines: &mut Lines) {
+    match (&desk.doing, step) {
+        (Doing::Answer(input), _) => write_answer(desk, question, input, link, lines),
+        (Doing::Sure(input, sure), _) => write_sure(question, input, *sure, lines),
+        (Doing::Watch(reveal), _) if reveal.is_telling() => {
+            lines.paragraph(&question.text, Role::Dim);
+            if let Some(watch) = reveal.watch() {
+                lines.gap();
+                watch.write_telling(lines);
+            }
+        }
+        (Doing::Watch(_), _) | (_, PupilStep::Scores) => write_told(desk, question, lines),
+        (Doing::Look, step) => {
+            lines.paragraph(&question.text, Role::Text);
+            lines.gap();
+            let counts = match step {
+                PupilStep::Talk => desk.state.spread.as_slice(),
+                _ => &[],
+            };
+            write_choices(question, counts, lines);
+            let words = match step {
+                PupilStep::Describe => "Read with the class. The vote comes soon.",
+                PupilStep::Predict => "Decide in silence. The vote comes soon.",
+                PupilStep::Talk => "Talk: find someone who thinks otherwise, and say why.",
+                _ => "",
+            };
+            if let Some(said) = desk.said() {
+                let said = lettered(&question.form, &said.response);
+                lines.hanging("you said  ", &said, Role::Predicted);
+                lines.gap();
+            }
+            lines.paragraph(words, Role::Key);
+        }
+    }
+}
+
+/// The choices of a question that has any, with how many were for each.
+fn write_choices(question: &Question, counts: &[u32], lines: &mut Lines) {
+    let Form::Choice { options, .. } = &question.form else {
+        return;
+    };
+    let all: u32 = counts.iter().sum();
+    for (i, option) in options.iter().enumerate() {
+        lines.hanging(&format!("{}  ", letter(i)), option, Role::Text);
+        if let Some(count) = counts.get(i) {
+            let width = lines.width().saturating_sub(8);
+            let bar = bar(
+                f64::from(*count) / f64::from(all.max(1)),
+                width,
+                lines.charset(),
+            );
+            lines.pair(
+                &format!("   {bar}"),
+                &count.to_string(),
+                Role::Predicted,
+                Role::Title,
+            );
+        }
+    }
+    lines.gap();
+}
+
+/// Rows above the answer.
+fn head_rows(question: &Question, link: &Link, lines: &Lines) -> u16 {
+    let lost = match link.is_in() {
+        true => 0,
+        false => 3,
+    };
+    lost + lines.rows_of(&question.text) + 1
+}
+
+fn write_answer(
+    desk: &Desk,
+    question: &Question,
+    input: &AnswerInput,
+    link: &Link,
+    lines: &mut Lines,
+) {
+    lines.paragraph(&question.text, Role::Text);
+    lines.gap();
+    input.write(&question.form, lines);
+    lines.gap();
+    let given = desk.has_voted() && desk.said().map(|said| said.response) == input.said();
+    let (words, role) = match (link.is_sending(), desk.has_voted()) {
+        (true, _) => ("Your vote is on its way ..", Role::Warn),
+        (false, true) if given => (
+            "Your vote is in. You may change it until all go on.",
+            Role::Good,
+        ),
+        (false, true) => ("Your earlier vote is in. Enter makes this one.", Role::Key),
+        (false, false) if desk.state.step == PupilStep::SecondVote => (
+            "Your first vote stays, unless you vote otherwise: Enter.",
+            Role::Key,
+        ),
+        (false, false) => match (input, &question.form) {
+            (AnswerInput::Rays(rays), Form::Rays { .. }) if rays.turning() == Ray::Striker => {
+                ("Enter: then the other ray.", Role::Key)
+            }
+            _ => ("Enter: then how sure.", Role::Key),
+        },
+    };
+    lines.paragraph(words, role);
+    let about = input.about(&question.form);
+    if lines.left() > lines.rows_of(&about) {
+        lines.gap();
+        lines.paragraph(&about, Role::Dim);
+    }
+}
+
+/// The choice whose rows are at a cell of the panel.
+pub(super) fn choice_at(
+    desk: &Desk,
+    link: &Link,
+    scroll: &Scroll,
+    panel: Rect,
+    cell: (u16, u16),
+    look: Look,
+) -> Option<usize> {
+    let question = desk.question.as_ref()?;
+    let scrolled = scroll.rows(panel, look, |lines| write(desk, link, lines));
+    let row = ListView::row_at(panel, cell)? as u16 + scrolled;
+    rehearsed(panel, look, |lines| {
+        let head = head_rows(question, link, lines);
+        let left = panel.height.saturating_sub(head);
+        AnswerInput::choice_at(&question.form, lines, left, row.checked_sub(head)?)
+    })
+}
+
+/// Row of the first confidence.
+const FIRST_CONFIDENCE: usize = 2;
+
+fn write_sure(question: &Question, input: &AnswerInput, sure: Confidence, lines: &mut Lines) {
+    lines.line("How sure are you?", Role::Title);
+    lines.gap();
+    for (number, confidence) in (1..).zip(Confidence::ALL) {
+        let (mark, role) = Role::Text.of_choice(confidence == sure);
+        lines.line(&format!("{mark} {number} {} ", confidence.name()), role);
+    }
+    lines.gap();
+    if let Some(said) = input.said() {
+        let said = lettered(&question.form, &said);
+        lines.hanging("you say  ", &said, Role::Predicted);
+        lines.gap();
+    }
+    lines.paragraph(
+        "Enter: that is my vote. How sure you are changes no points here.",
+        Role::Key,
+    );
+}
+
+/// The confidence whose row is at a cell of the panel.
+pub(super) fn confidence_at(panel: Rect, cell: (u16, u16)) -> Option<Confidence> {
+    let at = ListView::row_at(panel, cell)?.checked_sub(FIRST_CONFIDENCE)?;
+    Confidence::ALL.get(at).copied()
+}
+
+/// An answer in words, a choice with its letter.
+fn lettered(form: &Form, said: &Response) -> String {
+    match said {
+        Response::Choice(i) => format!("{}: {}", letter(*i), form.words(said)),
+        _ => form.words(said),
+    }
+}
+
+/// What they said beside the truth, and why.
+fn write_told(desk: &Desk, question: &Question, lines: &mut Lines) {
+    let said = desk.said().map(|said| said.response);
+    let truth = question.form.truth();
+    if let Some(points) = desk.state.told.as_ref().and_then(|told| told.points) {
+        let points = format!("{} of 10 points", numbers::points(points));
+        lines.paragraph(&points, Role::Title);
+        lines.gap();
+    }
+    let hit = question.picture.collision();
+    match (&question.form, said, hit) {
+        (Form::Rays { target, .. }, Some(Response::Rays(rays)), Some(hit)) => {
+            said_and_true(hit, &rays, ["striker", target].map(Some), true, lines);
+        }
+        (form, said, _) => {
+            let said = said.map_or("nothing".into(), |said| lettered(form, &said));
+            lines.hanging("you    ", &said, Role::Predicted);
+            lines.hanging("truth  ", &lettered(form, &truth), Role::Good);
+        }
+    }
+    lines.gap();
+    lines.paragraph(&question.why, Role::Text);
+    if let Some((points, place)) = desk.state.score {
+        lines.gap();
+        let words = format!("{} points so far: place {place}", numbers::points(points));
+        lines.paragraph(&words, Role::Title);
+    }
+}

@@ -1,0 +1,265 @@
+//! A class in one process: the teacher's app and the apps of pupils, on simulated time and
+//! without a network. What they say to each other is what goes over the wire otherwise, word
+//! for word.
+
+use std::time::Duration;
+
+use crate::app::App;
+use crate::class::protocol::{HostSaying, Refusal, Saying};
+use crate::class::{DoorCode, SeatToken};
+use crate::messages::{HostCall, HostNews, Input, JoinCall, JoinNews, LineId, OpenDoor};
+use crate::shells::Headless;
+
+/// Where the class is, for all who are in it.
+const ADDRESS: &str = "192.168.43.117:8090";
+
+/// A class in one process.
+pub struct Classroom {
+    host: Headless,
+    pupils: Vec<Pupil>,
+    code: Option<DoorCode>,
+    /// How many connections there have been.
+    lines: LineId,
+}
+
+/// A pupil.
+struct Pupil {
+    name: String,
+    game: Headless,
+    /// The connection, while there is one.
+    line: Option<LineId>,
+    /// Whether the host can be reached.
+    reaches: bool,
+    /// What brings them back, and their name.
+    seat: Option<(String, String)>,
+}
+
+/// Somebody in a class.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Who {
+    /// The teacher.
+    Host,
+    /// A pupil, by the order in which they came.
+    Pupil(usize),
+}
+
+impl Classroom {
+    /// The class of a teacher's app; nobody has come yet.
+    pub fn new(host: Headless) -> Self {
+        let mut class = Self {
+            host,
+            pupils: Vec::new(),
+            code: None,
+            lines: 0,
+        };
+        class.settle();
+        class
+    }
+
+    /// A pupil comes with an app of their own; gives who that is.
+    pub fn add(&mut self, name: &str, app: App, columns: u16, rows: u16) -> Who {
+        self.pupils.push(Pupil {
+            name: name.to_owned(),
+            game: Headless::new(app, columns, rows),
+            line: None,
+            reaches: true,
+            seat: None,
+        });
+        self.settle();
+        Who::Pupil(self.pupils.len() - 1)
+    }
+
+    /// The pupil of this name, as it was given to [`Self::add`].
+    pub fn pupil(&self, name: &str) -> Option<Who> {
+        let at = self.pupils.iter().position(|pupil| pupil.name == name);
+        at.map(Who::Pupil)
+    }
+
+    /// The app of somebody.
+    pub fn game(&mut self, who: Who) -> &mut Headless {
+        match who {
+            Who::Pupil(at) if at < self.pupils.len() => &mut self.pupils[at].game,
+            Who::Pupil(_) | Who::Host => &mut self.host,
+        }
+    }
+
+    /// The app of somebody, alone from now on.
+    pub fn into_game(mut self, who: Who) -> Headless {
+        match who {
+            Who::Pupil(at) if at < self.pupils.len() => self.pupils.swap_remove(at).game,
+            Who::Pupil(_) | Who::Host => self.host,
+        }
+    }
+
+    /// The code that lets pupils in, once the door is open.
+    pub fn code(&self) -> Option<DoorCode> {
+        self.code
+    }
+
+    /// A pupil's device loses the host, or can reach it again.
+    pub fn reach(&mut self, who: Who, reaches: bool) {
+        let Who::Pupil(at) = who else { return };
+        let Some(pupil) = self.pupils.get_mut(at) else {
+            return;
+        };
+        pupil.reaches = reaches;
+        if !reaches && let Some(line) = pupil.line.take() {
+            let lost = JoinNews::Lost("out of reach".into());
+            pupil.game.input(&Input::Joined(lost));
+            self.host.input(&Input::Hosted(vec![HostNews::Gone(line)]));
+        }
+        self.settle();
+    }
+
+    /// Lets simulated time pass for all.
+    pub fn pass(&mut self, time: Duration) {
+        if self.pupils.is_empty() {
+            self.host.pass(time);
+            return self.settle();
+        }
+        const STEP: Duration = Duration::from_millis(100);
+        let mut left = time;
+        while !left.is_zero() {
+            let step = STEP.min(left);
+            self.host.pass(step);
+            self.pupils.iter_mut().for_each(|it| it.game.pass(step));
+            self.settle();
+            left -= step;
+        }
+    }
+
+    /// Carries to and fro what they say, until nobody says any more.
+    pub fn settle(&mut self) {
+        loop {
+            let calls = self.host.take_host_calls();
+            let mut quiet = calls.is_empty();
+            calls.iter().for_each(|call| self.host_calls(call));
+            for at in 0..self.pupils.len() {
+                let calls = self.pupils[at].game.take_join_calls();
+                quiet &= calls.is_empty();
+                calls.iter().for_each(|call| self.pupil_calls(at, call));
+            }
+            if quiet {
+                return;
+            }
+        }
+    }
+
+    fn host_calls(&mut self, call: &HostCall) {
+        match call {
+            HostCall::Open(code) => {
+                let code = code.unwrap_or(DoorCode::of(123_456_789));
+                self.code = Some(code);
+                let door = OpenDoor {
+                    code,
+                    addresses: vec![ADDRESS.into()],
+                    page: Ok(()),
+                };
+                self.host
+                    .input(&Input::Hosted(vec![HostNews::Opened(Ok(door))]));
+            }
+            HostCall::Tell(states) => {
+                for (line, state) in states {
+                    let saying = HostSaying::State(Box::new(state.clone()));
+                    self.tell(*line, &saying);
+                }
+            }
+            HostCall::Refuse(line, why) => {
+                self.tell(*line, &HostSaying::No { why: *why });
+                if let Some(pupil) = self.at(*line) {
+                    pupil.line = None;
+                }
+            }
+            HostCall::Close => {
+                self.code = None;
+                for pupil in &mut self.pupils {
+                    if pupil.line.take().is_some() {
+                        let lost = JoinNews::Lost("the class is over".into());
+                        pupil.game.input(&Input::Joined(lost));
+                    }
+                }
+            }
+        }
+    }
+
+    fn at(&mut self, line: LineId) -> Option<&mut Pupil> {
+        self.pupils.iter_mut().find(|it| it.line == Some(line))
+    }
+
+    fn tell(&mut self, line: LineId, saying: &HostSaying) {
+        if let Some(pupil) = self.at(line) {
+            let heard = JoinNews::Heard(saying.to_text());
+            pupil.game.input(&Input::Joined(heard));
+        }
+    }
+
+    fn pupil_calls(&mut self, at: usize, call: &JoinCall) {
+        let code = self.code;
+        let pupil = &mut self.pupils[at];
+        match call {
+            JoinCall::Dial(_) => {
+                let before = pupil.line.take();
+                if let Some((seat, name)) = pupil.seat.clone() {
+                    let news = JoinNews::Remembered(seat, name);
+                    pupil.game.input(&Input::Joined(news));
+                }
+                let reached = pupil.reaches && code.is_some();
+                let news = match reached {
+                    true => {
+                        self.lines += 1;
+                        pupil.line = Some(self.lines);
+                        JoinNews::Reached
+                    }
+                    false => JoinNews::Lost("out of reach".into()),
+                };
+                pupil.game.input(&Input::Joined(news));
+                if let Some(line) = before {
+                    self.host.input(&Input::Hosted(vec![HostNews::Gone(line)]));
+                }
+            }
+            JoinCall::Say(text) => {
+                if let Some(line) = pupil.line {
+                    self.hear(line, text);
+                }
+            }
+            JoinCall::Remember { seat, name, .. } => {
+                pupil.seat = Some((seat.clone(), name.clone()));
+            }
+            JoinCall::HangUp => {
+                if let Some(line) = pupil.line.take() {
+                    self.host.input(&Input::Hosted(vec![HostNews::Gone(line)]));
+                }
+            }
+        }
+    }
+
+    /// The host hears something, as its server would.
+    fn hear(&mut self, line: LineId, text: &str) {
+        let no = |why| HostSaying::No { why };
+        let news = match Saying::read(text) {
+            Ok(Saying::Join {
+                code, name, seat, ..
+            }) => {
+                if code.parse().ok() != self.code {
+                    return self.tell(line, &no(Refusal::Code));
+                }
+                HostNews::Came {
+                    line,
+                    name,
+                    seat,
+                    fresh: SeatToken::of(u128::from(line)),
+                }
+            }
+            Ok(Saying::Vote { q, vote, said, n }) => HostNews::Voted {
+                line,
+                question: q,
+                vote,
+                said,
+                n,
+            },
+            Ok(Saying::Leave) => HostNews::Gone(line),
+            Err(why) => return self.tell(line, &no(why)),
+        };
+        self.host.input(&Input::Hosted(vec![news]));
+    }
+}

@@ -1,0 +1,205 @@
+//! A pupil's carrom that joins a class: one WebSocket to the host.
+
+use std::collections::BTreeMap;
+use std::io::{self, ErrorKind, Read, Write};
+use std::net::{Shutdown, TcpStream, ToSocketAddrs};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+use tungstenite::client::client_with_config;
+use tungstenite::protocol::WebSocketConfig;
+use tungstenite::protocol::frame::coding::{Data, OpCode};
+use tungstenite::protocol::frame::{Frame, FrameHeader};
+use tungstenite::{Message, WebSocket};
+
+use crate::messages::{JoinCall, JoinNews};
+
+/// How long the host may take to answer a call.
+const PATIENCE: Duration = Duration::from_secs(5);
+/// After which silence the host is gone; it speaks every 20 seconds.
+const GONE: Duration = Duration::from_secs(65);
+/// Most bytes that the host says at once.
+const LARGEST_STATE: usize = 1 << 20;
+
+/// The way to a host.
+pub struct Client {
+    hear: Arc<dyn Fn(JoinNews) + Send + Sync>,
+    /// Counts the calls: what comes of an earlier one means nothing any more.
+    call: Arc<AtomicU64>,
+    wire: Arc<Mutex<Option<Wire>>>,
+    address: String,
+    /// What brings back which name, by address.
+    seats: BTreeMap<String, (String, String)>,
+}
+
+/// A connection; what is written is written whole.
+#[derive(Clone)]
+struct Wire {
+    stream: Arc<TcpStream>,
+    writing: Arc<Mutex<()>>,
+}
+
+impl Read for Wire {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        (&*self.stream).read(bytes)
+    }
+}
+
+impl Write for Wire {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let _alone = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
+        (&*self.stream).write_all(bytes)?;
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Client {
+    /// Reaches nobody yet; `hear` is told all that is heard.
+    pub fn new(hear: impl Fn(JoinNews) + Send + Sync + 'static) -> Self {
+        Self {
+            hear: Arc::new(hear),
+            call: Arc::default(),
+            wire: Arc::default(),
+            address: String::new(),
+            seats: BTreeMap::new(),
+        }
+    }
+
+    /// Does what a screen asks for.
+    pub fn call(&mut self, call: &JoinCall) {
+        match call {
+            JoinCall::Dial(address) => {
+                self.hang_up();
+                self.address.clone_from(address);
+                if let Some((seat, name)) = self.seats.get(address) {
+                    (self.hear)(JoinNews::Remembered(seat.clone(), name.clone()));
+                }
+                self.dial();
+            }
+            JoinCall::Say(text) => self.say(text),
+            JoinCall::Remember { seat, name, .. } => {
+                let seat = (seat.clone(), name.clone());
+                self.seats.insert(self.address.clone(), seat);
+            }
+            JoinCall::HangUp => self.hang_up(),
+        }
+    }
+
+    fn hang_up(&self) {
+        self.call.fetch_add(1, Ordering::SeqCst);
+        let mut wire = self.wire.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(wire) = wire.take() {
+            let _ = wire.stream.shutdown(Shutdown::Both);
+        }
+    }
+
+    fn dial(&self) {
+        let (hear, address) = (Arc::clone(&self.hear), self.address.clone());
+        let (calls, place) = (Arc::clone(&self.call), Arc::clone(&self.wire));
+        let own = calls.load(Ordering::SeqCst);
+        let say = move |news| {
+            if calls.load(Ordering::SeqCst) == own {
+                hear(news);
+            }
+        };
+        let talk = move || {
+            let lost = match connect(&address) {
+                Ok((mut socket, wire)) => {
+                    *place.lock().unwrap_or_else(PoisonError::into_inner) = Some(wire);
+                    say(JoinNews::Reached);
+                    listen(&mut socket, &say)
+                }
+                Err(error) => error.to_string(),
+            };
+            say(JoinNews::Lost(lost));
+        };
+        let builder = thread::Builder::new().name("client".into());
+        if let Err(error) = builder.spawn(talk) {
+            (self.hear)(JoinNews::Lost(error.to_string()));
+        }
+    }
+
+    fn say(&self, text: &str) {
+        let wire = self
+            .wire
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clone();
+        let mut bytes = Vec::new();
+        let header = |opcode| FrameHeader {
+            opcode,
+            mask: Some(mask()),
+            ..FrameHeader::default()
+        };
+        let text = text.to_owned().into_bytes();
+        let frame = Frame::from_payload(header(OpCode::Data(Data::Text)), text.into());
+        if let Some(mut wire) = wire
+            && frame.format(&mut bytes).is_ok()
+        {
+            // Whoever reads from it sees that it is gone.
+            let _ = wire.write(&bytes);
+        }
+    }
+}
+
+impl Drop for Client {
+    fn drop(&mut self) {
+        self.hang_up();
+    }
+}
+
+/// What a browser mixes into what it says; nothing hangs on it but that it differs.
+fn mask() -> [u8; 4] {
+    let mut mask = [0; 4];
+    let _ = getrandom::fill(&mut mask);
+    mask
+}
+
+fn connect(address: &str) -> io::Result<(WebSocket<Wire>, Wire)> {
+    let mut failed = io::Error::from(ErrorKind::NotFound);
+    for place in address.to_socket_addrs()? {
+        match TcpStream::connect_timeout(&place, PATIENCE) {
+            Ok(stream) => {
+                stream.set_nodelay(true)?;
+                stream.set_read_timeout(Some(PATIENCE))?;
+                stream.set_write_timeout(Some(PATIENCE))?;
+                let wire = Wire {
+                    stream: Arc::new(stream),
+                    writing: Arc::default(),
+                };
+                let config = WebSocketConfig::default()
+                    .read_buffer_size(1 << 14)
+                    .max_message_size(Some(LARGEST_STATE))
+                    .max_frame_size(Some(LARGEST_STATE));
+                let link = format!("ws://{address}/class");
+                let (socket, _) = client_with_config(link, wire.clone(), Some(config))
+                    .map_err(|error| io::Error::other(error.to_string()))?;
+                wire.stream.set_read_timeout(Some(GONE))?;
+                return Ok((socket, wire));
+            }
+            Err(error) => failed = error,
+        }
+    }
+    Err(failed)
+}
+
+/// Hears what the host says until it is gone; gives the reason.
+fn listen(socket: &mut WebSocket<Wire>, say: &impl Fn(JoinNews)) -> String {
+    loop {
+        match socket.read() {
+            Ok(Message::Text(text)) => say(JoinNews::Heard(text.to_string())),
+            Ok(Message::Ping(_)) => {
+                // The answer is on its way with the next word.
+                let _ = socket.flush();
+            }
+            Ok(_) => {}
+            Err(error) => return error.to_string(),
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! The head of a request: what is wanted, and whether whoever asks may have it.
+//!
+//! A page from elsewhere that a pupil has open must not reach the class: the `Host` has to be
+//! this very server by its address, which a name that is made to lead here is not, and the
+//! `Origin` of a talk has to be the page that was served here.
+
+use std::net::IpAddr;
+
+/// Most bytes of a head.
+pub(super) const LONGEST: usize = 8 * 1024;
+/// Most lines of a head.
+const MOST_LINES: usize = 64;
+/// Where devices talk.
+pub(crate) const TALK: &str = "/class";
+
+/// What a request wants.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Wish {
+    /// The page.
+    Page {
+        /// Whether it may be compressed.
+        gzip: bool,
+        /// The tag of the page that is there already.
+        known: Option<String>,
+        /// Whether only the head of the answer is wanted.
+        head_only: bool,
+    },
+    /// To talk; with this key.
+    Talk(String),
+    /// Something that is not given: the status, and what is said.
+    No(u16, &'static str),
+}
+
+/// What is said to whoever does not come by the address on the board.
+const BY_ADDRESS: &str = "Open the address that stands on the board.";
+
+/// Reads a head that is all there; `None` while it is not.
+pub(super) fn read(bytes: &[u8], port: u16) -> Option<(usize, Wish)> {
+    let mut lines = [httparse::EMPTY_HEADER; MOST_LINES];
+    let mut request = httparse::Request::new(&mut lines);
+    let length = match request.parse(bytes) {
+        Ok(httparse::Status::Complete(length)) => length,
+        Ok(httparse::Status::Partial) if bytes.len() < LONGEST => return None,
+        Ok(httparse::Status::Partial) => return Some((0, Wish::No(431, "Too long."))),
+        Err(_) => return Some((0, Wish::No(400, "That was no request of a browser."))),
+    };
+    Some((length, wish(&request, port)))
+}
+
+fn wish(request: &httparse::Request, port: u16) -> Wish {
+    // A line that is there twice is none that can be relied upon.
+    let only = |name: &str| {
+        let mut found = request
+            .headers
+            .iter()
+            .filter(|it| it.name.eq_ignore_ascii_case(name));
+        match (found.next(), found.next()) {
+            (Some(line), None) => std::str::from_utf8(line.value).ok(),
+            _ => None,
+        }
+    };
+    let has = |name: &str| {
+        request
+            .headers
+            .iter()
+            .any(|it| it.name.eq_ignore_ascii_case(name))
+    };
+    let Some(host) = only("host").filter(|host| is_own(host, port)) else {
+        return Wish::No(403, BY_ADDRESS);
+    };
+    let path = request.path.unwrap_or_default();
+    let path = path.split('?').next().unwrap_or_default();
+    let method = request.method.unwrap_or_default();
+    match (method, path) {
+        ("GET", TALK) => {
+            let origin = only("origin");
+            if has("origin") && origin != Some(format!("http://{host}").as_str()) {
+                return Wish::No(403, BY_ADDRESS);
+            }
+            let upgrades = only("upgrade").is_some_and(|it| it.eq_ignore_ascii_case("websocket"));
+            let version = only("sec-websocket-version") == Some("13");
+            match only("sec-websocket-key").filter(|_| upgrades && version) {
+                Some(key) => Wish::Talk(key.to_owned()),
+                None => Wish::No(426, "Here devices of a class talk."),
+            }
+        }
+        ("GET" | "HEAD", "/" | "/index.html" | "/carrom.html") => Wish::Page {
+            gzip: only("accept-encoding").is_some_and(takes_gzip),
+            known: only("if-none-match").map(str::to_owned),
+            head_only: method == "HEAD",
+        },
+        ("GET" | "HEAD", _) => Wish::No(404, "There is nothing here. The class is at /."),
+        _ => Wish::No(405, "Only reading is possible here."),
+    }
+}
+
+/// Whether a `Host` is this server, by an address or as this very computer.
+fn is_own(host: &str, port: u16) -> bool {
+    let (name, its_port) = match host.rsplit_once(':') {
+        Some((name, its_port)) if !host.ends_with(']') => (name, its_port.parse().ok()),
+        _ => (host, Some(80)),
+    };
+    let bare = name.strip_prefix('[').and_then(|it| it.strip_suffix(']'));
+    let is_address = bare.unwrap_or(name).parse::<IpAddr>().is_ok();
+    its_port == Some(port) && (is_address || name.eq_ignore_ascii_case("localhost"))
+}
+
+fn takes_gzip(encodings: &str) -> bool {
+    encodings.split(',').any(|it| {
+        let mut parts = it.split(';').map(str::trim);
+        let is_gzip = matches!(parts.next(), Some("gzip" | "*"));
+        is_gzip && !parts.any(|it| matches!(it, "q=0" | "q=0.0"))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wish(lines: &[&str]) -> Wish {
+        let head = format!("{}\r\n\r\n", lines.join("\r\n"));
+        read(head.as_bytes(), 8090).unwrap().1
+    }
+
+    const UPGRADE: [&str; 3] = [
+        "Upgrade: websocket",
+        "Sec-WebSocket-Version: 13",
+        "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==",
+    ];
+
+    fn talk(host: &str, origin: Option<&str>) -> Wish {
+        let origin = origin.map(|it| format!("Origin: {it}"));
+        let host = format!("Host: {host}");
+        let mut lines = vec!["GET /class HTTP/1.1", host.as_str()];
+        lines.extend(UPGRADE);
+        lines.extend(origin.as_deref());
+        wish(&lines)
+    }
+
+    #[test]
+    fn the_host_is_this_server_by_its_address() {
+        for host in [
+            "192.168.1.5:8090",
+            "127.0.0.1:8090",
+            "[::1]:8090",
+            "localhost:8090",
+        ] {
+            assert!(matches!(talk(host, None), Wish::Talk(_)), "{host}");
+        }
+        for host in [
+            "evil.example:8090",
+            "192.168.1.5",
+            "192.168.1.5:80",
+            "192.168.1.5:8091",
+            "",
+            "localhost.evil.example:8090",
+            "0x7f.1:8090",
+            "127.0.0.1.evil.example:8090",
+        ] {
+            assert_eq!(talk(host, None), Wish::No(403, BY_ADDRESS), "{host}");
+        }
+        assert_eq!(wish(&["GET / HTTP/1.1"]), Wish::No(403, BY_ADDRESS));
+        let twice = [
+            "GET / HTTP/1.1",
+            "Host: 127.0.0.1:8090",
+            "Host: evil.example",
+        ];
+        assert_eq!(wish(&twice), Wish::No(403, BY_ADDRESS));
+    }
+
+    #[test]
+    fn a_talk_comes_from_the_page_that_was_served() {
+        let host = "192.168.1.5:8090";
+        assert!(matches!(
+            talk(host, Some("http://192.168.1.5:8090")),
+            Wish::Talk(_)
+        ));
+        for origin in [
+            "null",
+            "http://evil.example",
+            "https://192.168.1.5:8090",
+            "http://192.168.1.5",
+            "http://192.168.1.5:8090.evil.example",
+            "http://localhost:8090",
+            "",
+        ] {
+            assert_eq!(
+                talk(host, Some(origin)),
+                Wish::No(403, BY_ADDRESS),
+                "{origin}"
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_no_request_is_told_so() {
+        assert_eq!(read(b"GET / HT", 8090), None);
+        for bytes in [
+            &b"\x16\x03\x01\x02\x00\x01\x00"[..],
+            b"\0\0\0\r\n\r\n",
+            b"hello there\r\n\r\n",
+        ] {
+            assert!(matches!(read(bytes, 8090), Some((0, Wish::No(400, _)))));
+        }
+        let long = format!("GET / HTTP/1.1\r\nHost: {}", "x".repeat(LONGEST));
+        assert!(matches!(
+            read(long.as_bytes(), 8090),
+            Some((0, Wish::No(431, _)))
+        ));
+        let host = "Host: localhost:8090";
+        assert!(matches!(wish(&["POST / HTTP/1.1", host]), Wish::No(405, _)));
+        assert!(matches!(
+            wish(&["GET /../x HTTP/1.1", host]),
+            Wish::No(404, _)
+        ));
+        assert!(matches!(
+            wish(&["GET /class HTTP/1.1", host]),
+            Wish::No(426, _)
+        ));
+    }
+
+    #[test]
+    fn the_page_is_compressed_for_whom_that_is_right() {
+        for (encodings, wanted) in [("gzip, br", true), ("br", false), ("gzip;q=0", false)] {
+            let encodings = format!("Accept-Encoding: {encodings}");
+            let lines = ["GET /?x HTTP/1.1", "Host: localhost:8090", &encodings];
+            assert!(matches!(wish(&lines), Wish::Page { gzip, .. } if gzip == wanted));
+        }
+    }
+}

@@ -1,0 +1,313 @@
+//! One connection: a request is read, and the page given or a talk begun.
+
+use std::io::{self, ErrorKind, Read, Write};
+use std::sync::{Arc, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use tungstenite::handshake::derive_accept_key;
+use tungstenite::protocol::frame::Frame;
+use tungstenite::protocol::frame::coding::{Data, OpCode};
+use tungstenite::protocol::{Role, WebSocketConfig};
+use tungstenite::{Error, Message, WebSocket};
+
+use super::head::{self, Wish};
+use super::switchboard::{Line, Outgoing, Switchboard};
+use super::{hang_up, random, spawn};
+use crate::class::protocol::{HostSaying, LARGEST_SAYING, Refusal, Saying};
+use crate::class::{DoorCode, SeatToken};
+use crate::messages::HostNews;
+
+/// In which time the head of a request has to be there.
+const HEAD_TIME: Duration = Duration::from_secs(5);
+/// In which time a device has to join.
+const JOIN_TIME: Duration = Duration::from_secs(10);
+/// After which silence a device is asked whether it is there, and after which it is gone.
+const PING: Duration = Duration::from_secs(20);
+const GONE: Duration = Duration::from_secs(65);
+/// How long a piece may take to be sent, and the page as a whole.
+const WRITE_TIME: Duration = Duration::from_secs(10);
+const PAGE_TIME: Duration = Duration::from_secs(120);
+/// How long whoever knows no code has to wait: so nobody tries many.
+const WRONG_CODE: Duration = Duration::from_secs(1);
+/// Messages a second, and how many at once.
+const RATE: f64 = 10.0;
+const BURST: f64 = 30.0;
+
+/// Serves a connection until it is gone.
+pub(super) fn serve(board: &Arc<Switchboard>, line: &Arc<Line>) {
+    // What fails is a connection that is gone; there is nobody to be told.
+    let _ = answer(board, line);
+    hang_up(&line.stream);
+    board.remove(line.id);
+}
+
+fn answer(board: &Arc<Switchboard>, line: &Arc<Line>) -> io::Result<()> {
+    line.stream.set_nodelay(true)?;
+    line.stream.set_write_timeout(Some(WRITE_TIME))?;
+    let (wish, rest) = read_head(line, board.port)?;
+    match wish {
+        Wish::Page {
+            gzip,
+            known,
+            head_only,
+        } => match &board.page {
+            Some(page) => {
+                let (head, body) = page.answer(gzip, known.as_deref());
+                let body = if head_only { &[] } else { body };
+                send(line, head.as_bytes(), body)
+            }
+            None => {
+                let words = "This carrom has no page for browsers. On a computer with carrom: \
+                             carrom join and this address.";
+                refuse(line, 200, words)
+            }
+        },
+        Wish::Talk(key) => {
+            let accept = derive_accept_key(key.as_bytes());
+            let head = format!(
+                "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\n\
+                 Connection: Upgrade\r\nSec-WebSocket-Accept: {accept}\r\n\r\n"
+            );
+            (&line.stream).write_all(head.as_bytes())?;
+            talk(board, line, rest);
+            Ok(())
+        }
+        Wish::No(status, words) => refuse(line, status, words),
+    }
+}
+
+/// Reads the head of a request; gives what came behind it, too.
+fn read_head(line: &Line, port: u16) -> io::Result<(Wish, Vec<u8>)> {
+    let end = Instant::now() + HEAD_TIME;
+    let mut bytes = Vec::new();
+    let mut piece = [0; 1024];
+    loop {
+        if let Some((length, wish)) = head::read(&bytes, port) {
+            return Ok((wish, bytes.split_off(length)));
+        }
+        line.stream.set_read_timeout(Some(left(end)?))?;
+        let room = head::LONGEST - bytes.len();
+        match (&line.stream).read(&mut piece[..room.min(1024)])? {
+            0 => return Err(ErrorKind::UnexpectedEof.into()),
+            count => bytes.extend(&piece[..count]),
+        }
+    }
+}
+
+/// What is left until then.
+fn left(end: Instant) -> io::Result<Duration> {
+    let left = end.saturating_duration_since(Instant::now());
+    if left.is_zero() {
+        return Err(ErrorKind::TimedOut.into());
+    }
+    Ok(left)
+}
+
+fn refuse(line: &Line, status: u16, words: &str) -> io::Result<()> {
+    let head = format!(
+        "HTTP/1.1 {status} -\r\nContent-Type: text/plain; charset=utf-8\r\nContent-Length: {}\r\n\
+         X-Content-Type-Options: nosniff\r\nConnection: close\r\n\r\n",
+        words.len() + 1
+    );
+    send(line, head.as_bytes(), format!("{words}\n").as_bytes())
+}
+
+/// Sends an answer whole, as long as it goes on.
+fn send(line: &Line, head: &[u8], body: &[u8]) -> io::Result<()> {
+    let end = Instant::now() + PAGE_TIME;
+    (&line.stream).write_all(head)?;
+    for piece in body.chunks(1 << 16) {
+        left(end)?;
+        (&line.stream).write_all(piece)?;
+    }
+    // Without this the other side might lose what it has not read yet.
+    line.stream.shutdown(std::net::Shutdown::Write)?;
+    drain(line, Duration::from_secs(2));
+    Ok(())
+}
+
+/// Waits until the other side has closed.
+fn drain(line: &Line, patience: Duration) {
+    let end = Instant::now() + patience;
+    let mut piece = [0; 512];
+    while let Ok(left) = left(end) {
+        let waits = line.stream.set_read_timeout(Some(left));
+        if waits.is_err() || !matches!((&line.stream).read(&mut piece), Ok(1..)) {
+            return;
+        }
+    }
+}
+
+/// A connection as a WebSocket takes it: reading ends at a deadline, and what is written is
+/// written whole.
+struct Wire {
+    line: Arc<Line>,
+    deadline: Option<Instant>,
+}
+
+impl Read for Wire {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        let patience = match self.deadline {
+            Some(deadline) => left(deadline)?,
+            None => GONE,
+        };
+        self.line.stream.set_read_timeout(Some(patience))?;
+        (&self.line.stream).read(bytes)
+    }
+}
+
+impl Write for Wire {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        write_whole(&self.line, bytes)?;
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+fn write_whole(line: &Line, bytes: &[u8]) -> io::Result<()> {
+    let _alone = line.writing.lock().unwrap_or_else(PoisonError::into_inner);
+    (&line.stream).write_all(bytes)
+}
+
+/// Talks with a device.
+fn talk(board: &Arc<Switchboard>, line: &Arc<Line>, rest: Vec<u8>) {
+    let config = WebSocketConfig::default()
+        .read_buffer_size(2 * LARGEST_SAYING)
+        .write_buffer_size(0)
+        .max_write_buffer_size(8 * LARGEST_SAYING)
+        .max_message_size(Some(LARGEST_SAYING))
+        .max_frame_size(Some(LARGEST_SAYING));
+    let wire = Wire {
+        line: Arc::clone(line),
+        deadline: Some(Instant::now() + JOIN_TIME),
+    };
+    let mut socket = WebSocket::from_partially_read(wire, rest, Role::Server, Some(config));
+    let why = match join(board, line, &mut socket) {
+        Ok(()) => {
+            let why = listen(board, line, &mut socket);
+            board.hear(HostNews::Gone(line.id));
+            why
+        }
+        Err(why) => why,
+    };
+    if let Some(why) = why {
+        let text = HostSaying::No { why }.to_text();
+        // Whoever does not hear it is gone.
+        let _ = socket.send(Message::text(text));
+        let _ = socket.close(None);
+        let _ = line.stream.shutdown(std::net::Shutdown::Write);
+        drain(line, Duration::from_secs(1));
+    }
+}
+
+/// What comes next: something said, or why there is nothing more; `None` if the other side
+/// is gone.
+fn next(socket: &mut WebSocket<Wire>) -> Result<Saying, Option<Refusal>> {
+    loop {
+        match socket.read() {
+            Ok(Message::Text(text)) => return Saying::read(&text).map_err(Some),
+            Ok(Message::Binary(_)) | Err(Error::Capacity(_) | Error::Utf8(_)) => {
+                return Err(Some(Refusal::Format));
+            }
+            Ok(_) => {}
+            Err(Error::Io(error)) if is_late(&error) && socket.get_ref().deadline.is_some() => {
+                return Err(Some(Refusal::Join));
+            }
+            Err(_) => return Err(None),
+        }
+    }
+}
+
+fn is_late(error: &io::Error) -> bool {
+    matches!(error.kind(), ErrorKind::TimedOut | ErrorKind::WouldBlock)
+}
+
+/// Waits for somebody to ask to come in.
+fn join(
+    board: &Arc<Switchboard>,
+    line: &Arc<Line>,
+    socket: &mut WebSocket<Wire>,
+) -> Result<(), Option<Refusal>> {
+    let Saying::Join {
+        code, name, seat, ..
+    } = next(socket)?
+    else {
+        return Err(Some(Refusal::Join));
+    };
+    if code.parse::<DoorCode>() != Ok(board.code) {
+        thread::sleep(WRONG_CODE);
+        return Err(Some(Refusal::Code));
+    }
+    let fresh = SeatToken::of(random().map_err(|_| None)?);
+    socket.get_mut().deadline = None;
+    line.join();
+    let writer = Arc::clone(line);
+    spawn("outbox", move || write_out(&writer)).map_err(|_| Some(Refusal::Full))?;
+    board.hear(HostNews::Came {
+        line: line.id,
+        name,
+        seat,
+        fresh,
+    });
+    Ok(())
+}
+
+/// Hears what somebody says who is in; says why they have to go.
+fn listen(
+    board: &Arc<Switchboard>,
+    line: &Arc<Line>,
+    socket: &mut WebSocket<Wire>,
+) -> Option<Refusal> {
+    let mut room = BURST;
+    let mut since = Instant::now();
+    loop {
+        let saying = match next(socket) {
+            Ok(saying) => saying,
+            Err(why) => return why,
+        };
+        let now = Instant::now();
+        room = (room + RATE * (now - since).as_secs_f64()).min(BURST) - 1.0;
+        since = now;
+        if room < 0.0 {
+            thread::sleep(Duration::from_secs_f64(-room / RATE));
+        }
+        match saying {
+            Saying::Vote { q, vote, said, n } => board.hear(HostNews::Voted {
+                line: line.id,
+                question: q,
+                vote,
+                said,
+                n,
+            }),
+            Saying::Leave => return None,
+            Saying::Join { .. } => return Some(Refusal::Format),
+        }
+    }
+}
+
+/// Sends what lies in the outbox, and asks now and then whether somebody is there.
+fn write_out(line: &Line) {
+    let text = |text: String| Frame::message(text, OpCode::Data(Data::Text), true);
+    loop {
+        let (frames, goes_on) = match line.take(PING) {
+            Outgoing::State(state) => (vec![text(state)], true),
+            Outgoing::Nothing => (vec![Frame::ping("")], true),
+            Outgoing::Last(last) => (vec![text(last), Frame::close(None)], false),
+            Outgoing::Closed => return,
+        };
+        let mut bytes = Vec::new();
+        let made = frames.into_iter().try_for_each(|it| it.format(&mut bytes));
+        if made.is_err() || write_whole(line, &bytes).is_err() {
+            // Who does not read for so long is gone; whoever reads here sees it.
+            return hang_up(&line.stream);
+        }
+        if !goes_on {
+            let _ = line.stream.shutdown(std::net::Shutdown::Write);
+            return;
+        }
+    }
+}

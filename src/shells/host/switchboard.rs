@@ -1,0 +1,214 @@
+//! All connections of a class, and what was heard by them.
+
+use std::collections::{BTreeMap, VecDeque};
+use std::net::{IpAddr, TcpStream};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use super::{ServedPage, hang_up};
+use crate::class::DoorCode;
+use crate::class::protocol::{HostSaying, Refusal};
+use crate::messages::{HostNews, LineId};
+
+/// Most connections at once. When there are more, the oldest one goes that has not joined, of
+/// the address that holds most: whoever opens many gets in nobody's way.
+const MOST_LINES: usize = 600;
+
+/// All connections of a class.
+pub(super) struct Switchboard {
+    /// The code of the class.
+    pub(super) code: DoorCode,
+    /// The port on which it listens.
+    pub(super) port: u16,
+    /// The page, if there is one.
+    pub(super) page: Option<Arc<ServedPage>>,
+    wake: Arc<dyn Fn() + Send + Sync>,
+    lines: Mutex<BTreeMap<LineId, Arc<Line>>>,
+    news: Mutex<VecDeque<HostNews>>,
+    next: AtomicU64,
+    closed: AtomicBool,
+}
+
+/// One connection.
+pub(super) struct Line {
+    /// Its number.
+    pub(super) id: LineId,
+    address: IpAddr,
+    pub(super) stream: TcpStream,
+    /// Whoever writes a frame holds this.
+    pub(super) writing: Mutex<()>,
+    joined: AtomicBool,
+    outbox: Mutex<Outbox>,
+    filled: Condvar,
+}
+
+/// What is to be sent: the latest alone.
+#[derive(Default)]
+struct Outbox {
+    state: Option<String>,
+    last: Option<String>,
+    closed: bool,
+}
+
+/// What is taken out of an outbox.
+pub(super) enum Outgoing {
+    /// How things stand.
+    State(String),
+    /// The last that is said.
+    Last(String),
+    /// Nothing for a while.
+    Nothing,
+    /// It is over.
+    Closed,
+}
+
+/// A lock that somebody held who failed is still good here: all that is held is whole.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Switchboard {
+    pub(super) fn new(
+        code: DoorCode,
+        port: u16,
+        page: Option<Arc<ServedPage>>,
+        wake: Arc<dyn Fn() + Send + Sync>,
+    ) -> Self {
+        Self {
+            code,
+            port,
+            page,
+            wake,
+            lines: Mutex::default(),
+            news: Mutex::default(),
+            next: AtomicU64::new(1),
+            closed: AtomicBool::new(false),
+        }
+    }
+
+    /// Takes a connection in; `None` if there is no room for it.
+    pub(super) fn admit(&self, stream: TcpStream, address: IpAddr) -> Option<Arc<Line>> {
+        let mut lines = lock(&self.lines);
+        if lines.len() >= MOST_LINES {
+            let id = Self::superfluous(&lines)?;
+            if let Some(line) = lines.remove(&id) {
+                hang_up(&line.stream);
+            }
+        }
+        let id = self.next.fetch_add(1, Ordering::Relaxed);
+        let line = Arc::new(Line {
+            id,
+            address,
+            stream,
+            writing: Mutex::default(),
+            joined: AtomicBool::new(false),
+            outbox: Mutex::default(),
+            filled: Condvar::new(),
+        });
+        lines.insert(id, Arc::clone(&line));
+        Some(line)
+    }
+
+    /// The connection that goes when there are too many.
+    fn superfluous(lines: &BTreeMap<LineId, Arc<Line>>) -> Option<LineId> {
+        let mut held: BTreeMap<IpAddr, (usize, LineId)> = BTreeMap::new();
+        for (id, line) in lines.iter().filter(|(_, line)| !line.has_joined()) {
+            held.entry(line.address).or_insert((0, *id)).0 += 1;
+        }
+        let most = held.values().max_by_key(|(count, _)| *count)?;
+        Some(most.1)
+    }
+
+    /// A connection is gone.
+    pub(super) fn remove(&self, id: LineId) {
+        if let Some(line) = lock(&self.lines).remove(&id) {
+            line.close();
+        }
+    }
+
+    fn line(&self, id: LineId) -> Option<Arc<Line>> {
+        lock(&self.lines).get(&id).cloned()
+    }
+
+    /// Tells a pupil how things stand.
+    pub(super) fn tell(&self, id: LineId, state: String) {
+        if let Some(line) = self.line(id) {
+            lock(&line.outbox).state = Some(state);
+            line.filled.notify_all();
+        }
+    }
+
+    /// Tells somebody why they have to go.
+    pub(super) fn refuse(&self, id: LineId, why: Refusal) {
+        if let Some(line) = self.line(id) {
+            lock(&line.outbox).last = Some(HostSaying::No { why }.to_text());
+            line.filled.notify_all();
+        }
+    }
+
+    /// Something was heard.
+    pub(super) fn hear(&self, news: HostNews) {
+        let mut all = lock(&self.news);
+        let was_empty = all.is_empty();
+        all.push_back(news);
+        drop(all);
+        if was_empty {
+            (self.wake)();
+        }
+    }
+
+    /// What was heard since the last call.
+    pub(super) fn take_news(&self) -> Vec<HostNews> {
+        lock(&self.news).drain(..).collect()
+    }
+
+    /// Whether the class is over.
+    pub(super) fn is_closed(&self) -> bool {
+        self.closed.load(Ordering::SeqCst)
+    }
+
+    /// Hangs up on all.
+    pub(super) fn close(&self) {
+        self.closed.store(true, Ordering::SeqCst);
+        let lines = std::mem::take(&mut *lock(&self.lines));
+        for line in lines.values() {
+            line.close();
+            hang_up(&line.stream);
+        }
+        // Whoever accepts has to see it.
+        let own = (std::net::Ipv4Addr::LOCALHOST, self.port);
+        let _ = TcpStream::connect_timeout(&own.into(), Duration::from_secs(1));
+    }
+}
+
+impl Line {
+    fn has_joined(&self) -> bool {
+        self.joined.load(Ordering::SeqCst)
+    }
+
+    /// Notes that it has joined.
+    pub(super) fn join(&self) {
+        self.joined.store(true, Ordering::SeqCst);
+    }
+
+    fn close(&self) {
+        lock(&self.outbox).closed = true;
+        self.filled.notify_all();
+    }
+
+    /// Waits for something to be sent, but no longer than this.
+    pub(super) fn take(&self, patience: Duration) -> Outgoing {
+        let empty = |it: &mut Outbox| it.state.is_none() && it.last.is_none() && !it.closed;
+        let waited = self
+            .filled
+            .wait_timeout_while(lock(&self.outbox), patience, empty);
+        let (mut outbox, _) = waited.unwrap_or_else(PoisonError::into_inner);
+        match (outbox.state.take(), outbox.last.take()) {
+            (_, Some(last)) => Outgoing::Last(last),
+            (Some(state), None) => Outgoing::State(state),
+            (None, None) if outbox.closed => Outgoing::Closed,
+            (None, None) => Outgoing::Nothing,
+        }
+    }
+}

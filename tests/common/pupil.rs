@@ -1,0 +1,122 @@
+//! A pupil's device as a test plays it: a WebSocket and what is said over it.
+
+use std::io::{self, Read, Write};
+use std::net::TcpStream;
+use std::time::Duration;
+
+use serde_json::{Value, json};
+use tungstenite::client::client;
+use tungstenite::{Message, WebSocket};
+
+/// How long a device waits before a test gives up.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// A pupil's device.
+pub(crate) struct Pupil {
+    pub(crate) socket: WebSocket<TcpStream>,
+    /// How things stand, as the host said last.
+    pub(crate) state: Value,
+    n: u64,
+}
+
+/// A connection to a host on this computer.
+pub(crate) fn connect(port: u16) -> io::Result<TcpStream> {
+    let stream = TcpStream::connect(("127.0.0.1", port))?;
+    stream.set_nodelay(true)?;
+    stream.set_read_timeout(Some(PATIENCE))?;
+    Ok(stream)
+}
+
+/// What the host answers to a request, whole.
+pub(crate) fn answer(port: u16, request: &[u8]) -> String {
+    let mut stream = connect(port).unwrap();
+    stream.write_all(request).unwrap();
+    let mut answer = Vec::new();
+    // What was answered counts, however the connection ends.
+    let _ = stream.read_to_end(&mut answer);
+    String::from_utf8_lossy(&answer).into_owned()
+}
+
+impl Pupil {
+    /// A device that has not joined yet.
+    pub(crate) fn dial(port: u16) -> io::Result<Self> {
+        let link = format!("ws://127.0.0.1:{port}/class");
+        let (socket, _) =
+            client(link, connect(port)?).map_err(|error| io::Error::other(error.to_string()))?;
+        Ok(Self {
+            socket,
+            state: Value::Null,
+            n: 0,
+        })
+    }
+
+    /// A device that joins; what the host says to that is its state.
+    pub(crate) fn join(port: u16, code: &str, name: &str, seat: Option<&str>) -> io::Result<Self> {
+        let mut pupil = Self::dial(port)?;
+        let mut join = json!({"t": "join", "v": 1, "code": code, "name": name});
+        if let Some(seat) = seat {
+            join["seat"] = seat.into();
+        }
+        pupil.say(&join.to_string())?;
+        pupil.hear()?;
+        pupil.n = pupil.state["n"].as_u64().unwrap_or(0);
+        Ok(pupil)
+    }
+
+    pub(crate) fn say(&mut self, text: &str) -> io::Result<()> {
+        let sent = self.socket.send(Message::text(text.to_owned()));
+        sent.map_err(|error| io::Error::other(error.to_string()))
+    }
+
+    /// The next that the host says.
+    pub(crate) fn hear(&mut self) -> io::Result<()> {
+        loop {
+            match self.socket.read() {
+                Ok(Message::Text(text)) => {
+                    self.state = serde_json::from_str(&text)?;
+                    return Ok(());
+                }
+                Ok(_) => {}
+                Err(tungstenite::Error::Io(error)) => return Err(error),
+                Err(error) => return Err(io::Error::other(error.to_string())),
+            }
+        }
+    }
+
+    /// Hears until things stand so.
+    pub(crate) fn hear_until(&mut self, stand: impl Fn(&Value) -> bool) -> io::Result<()> {
+        while !stand(&self.state) {
+            self.hear()?;
+        }
+        Ok(())
+    }
+
+    /// Votes, and hears until that is in.
+    pub(crate) fn vote(&mut self, said: &str) -> io::Result<()> {
+        self.send_vote(said)?;
+        let n = self.n;
+        self.hear_until(|state| state["n"].as_u64() >= Some(n))
+    }
+
+    /// Votes, and hears nothing of it yet.
+    pub(crate) fn send_vote(&mut self, said: &str) -> io::Result<()> {
+        self.n += 1;
+        let vote = match self.state["step"].as_str() {
+            Some("second-vote") => "second",
+            _ => "first",
+        };
+        let vote =
+            json!({"t": "vote", "q": self.state["q"], "vote": vote, "said": said, "n": self.n});
+        self.say(&vote.to_string())
+    }
+
+    /// What is said to whom the host sends away.
+    pub(crate) fn why(&self) -> Option<&str> {
+        self.state["why"].as_str()
+    }
+
+    /// A text of the state.
+    pub(crate) fn text(&self, field: &str) -> String {
+        self.state[field].as_str().unwrap_or_default().to_owned()
+    }
+}

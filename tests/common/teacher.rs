@@ -1,0 +1,134 @@
+//! The teacher of a class on its own devices, without a terminal: their app, and the server
+//! that it asks for.
+
+use std::fs;
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::sync::{Arc, Mutex};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+use carrom::app::App;
+use carrom::class::ClassRound;
+use carrom::messages::{HostNews, Input};
+use carrom::screens::{Place, Settings};
+use carrom::shells::Headless;
+use carrom::shells::host::{Host, HostOptions, ServedPage};
+use carrom::store::Store;
+
+use crate::folder::Folder;
+
+/// The teacher of a class, in a thread of their own.
+pub(crate) struct Teacher {
+    pub(crate) port: u16,
+    pub(crate) code: String,
+    keys: Option<Sender<String>>,
+    screen: Arc<Mutex<String>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Teacher {
+    /// A round of two questions about rays, kept in `folder`, at the first vote.
+    pub(crate) fn start(folder: &Folder, page: &str) -> Self {
+        let teacher = Self::gathering(folder, page);
+        teacher.press("<Enter><Enter>", "have voted");
+        teacher
+    }
+
+    /// The same while the class gathers.
+    pub(crate) fn gathering(folder: &Folder, page: &str) -> Self {
+        let page = Arc::new(ServedPage::new(page).unwrap());
+        let (keys, pressed) = mpsc::channel();
+        let (told, opened) = mpsc::channel();
+        let screen = Arc::new(Mutex::new(String::new()));
+        let (path, shown) = (folder.path().to_owned(), Arc::clone(&screen));
+        let thread = thread::spawn(move || {
+            let code = carrom::quiz::Code::parse("from-angle2-7");
+            let app = App::new(Place::Host { code }, Settings::default(), 7);
+            let store = Store::in_folder(&path);
+            let game = Headless::keeping(app, 80, 24, store);
+            teach(game, page, &pressed, &told, &shown);
+        });
+        let (port, code) = opened.recv().unwrap();
+        Self {
+            port,
+            code,
+            keys: Some(keys),
+            screen,
+            thread: Some(thread),
+        }
+    }
+
+    /// Presses keys, and waits until the screen shows this.
+    pub(crate) fn press(&self, keys: &str, shows: &str) {
+        self.keys.as_ref().unwrap().send(keys.into()).unwrap();
+        self.wait_for(shows);
+    }
+
+    pub(crate) fn wait_for(&self, shows: &str) {
+        let start = Instant::now();
+        while !self.screen.lock().unwrap().contains(shows) {
+            let late = start.elapsed() > Duration::from_secs(20);
+            assert!(!late, "no {shows:?}:\n{}", self.screen.lock().unwrap());
+            thread::sleep(Duration::from_millis(5));
+        }
+    }
+}
+
+impl Drop for Teacher {
+    fn drop(&mut self) {
+        self.keys = None;
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+/// Drives the teacher's app as the terminal's shell does, until there are no more keys.
+fn teach(
+    mut game: Headless,
+    page: Arc<ServedPage>,
+    keys: &Receiver<String>,
+    told: &Sender<(u16, String)>,
+    shown: &Mutex<String>,
+) {
+    let (wake, woken) = mpsc::channel();
+    // Any port that is free.
+    let options = HostOptions {
+        port: Some(0),
+        page: Some(Ok(page)),
+    };
+    let mut host = Host::new(options, move || {
+        // Nobody listens any more only when the test is over.
+        let _ = wake.send(());
+    });
+    loop {
+        for call in game.take_host_calls() {
+            host.call(&call);
+        }
+        match keys.try_recv() {
+            Ok(keys) => game.press(&keys),
+            Err(mpsc::TryRecvError::Disconnected) => return,
+            Err(mpsc::TryRecvError::Empty) => {
+                let _ = woken.recv_timeout(Duration::from_millis(2));
+            }
+        }
+        let news = host.take_news();
+        for it in &news {
+            if let HostNews::Opened(Ok(door)) = it {
+                let (_, port) = door.addresses[0].rsplit_once(':').unwrap();
+                told.send((port.parse().unwrap(), door.code.to_string()))
+                    .unwrap();
+            }
+        }
+        if !news.is_empty() {
+            game.input(&Input::Hosted(news));
+        }
+        *shown.lock().unwrap() = game.screen();
+    }
+}
+
+/// The round as it is on the disk.
+pub(crate) fn kept(folder: &Folder) -> ClassRound {
+    let path = folder.path().join("classes/class-1.toml");
+    ClassRound::read("kept", &fs::read(path).unwrap(), &Arc::default()).unwrap()
+}

@@ -1,0 +1,292 @@
+//! A class on its own devices over real connections: the app of the teacher without a
+//! terminal, the server, and devices that are good, slow, clumsy or hostile.
+
+use std::io::{ErrorKind, Read, Write};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use carrom::class::Vote;
+use tungstenite::Message;
+
+use crate::folder::Folder;
+use crate::pupil::{Pupil, answer, connect};
+use crate::teacher::{Teacher, kept};
+
+/// What is served in place of the page.
+const STUB: &str = "<html lang=\"en\"><meta http-equiv=\"Content-Security-Policy\" \
+                    content=\"default-src 'none'; connect-src 'none'\">a page</html>";
+
+fn start(folder: &Folder) -> Teacher {
+    Teacher::start(folder, STUB)
+}
+
+impl Teacher {
+    fn join(&self, name: &str) -> Pupil {
+        Pupil::join(self.port, &self.code, name, None).unwrap()
+    }
+}
+
+#[test]
+fn a_vote_is_on_the_disk_before_its_device_hears_that_it_is_in() {
+    let folder = Folder::new("hosted-votes");
+    let teacher = start(&folder);
+    let mut pupils: Vec<_> = (0..20)
+        .map(|i| teacher.join(&format!("Pupil {i}")))
+        .collect();
+    for angle in [10, 20, 30] {
+        for (i, pupil) in pupils.iter_mut().enumerate() {
+            pupil.vote(&format!("sure rays {angle} {i}")).unwrap();
+            let said = kept(&folder).ballot(0, i).first.unwrap().to_text();
+            assert!(said.starts_with("rays "), "{said}");
+            let rays = kept(&folder).ballot(0, i).first.unwrap().rays().unwrap();
+            assert!((rays.striker.unwrap().to_degrees() - f64::from(angle)).abs() < 1e-9);
+            assert_eq!(pupil.text("first"), format!("sure {said}"));
+        }
+    }
+    teacher.wait_for("20 of 20 have voted");
+    // It is taken back.
+    pupils[3].vote("").unwrap();
+    assert_eq!(
+        (
+            pupils[3].text("first").as_str(),
+            kept(&folder).voted(0, Vote::First)
+        ),
+        ("", 19)
+    );
+    // What is no vote on this question, or on another one, changes nothing.
+    for said in ["choice 1", "rays 1 2 3", "x", "number 3"] {
+        pupils[4].vote(said).unwrap();
+        assert!(pupils[4].text("first").contains("rays "), "{said}");
+    }
+    assert_eq!(kept(&folder).voted(0, Vote::First), 19);
+}
+
+#[test]
+fn whoever_comes_back_sits_where_they_sat() {
+    let folder = Folder::new("hosted-back");
+    let teacher = start(&folder);
+    let mut ada = teacher.join("Ada");
+    ada.vote("rays 60 30").unwrap();
+    let seat = ada.text("seat");
+    drop(ada);
+    let back = Pupil::join(teacher.port, &teacher.code, "whoever", Some(&seat)).unwrap();
+    assert_eq!(
+        (back.text("name").as_str(), back.state["n"].as_u64()),
+        ("Ada", Some(1))
+    );
+    assert!(back.text("first").starts_with("rays "));
+    // A second tab takes the place of the first one.
+    let mut first = back;
+    let second = Pupil::join(teacher.port, &teacher.code, "Ada", Some(&seat)).unwrap();
+    assert_eq!(second.text("name"), "Ada");
+    first.hear().unwrap();
+    assert_eq!(first.why(), Some("elsewhere"));
+    // Her name is no key to her place, nor is a token that nobody has.
+    let thief = teacher.join("ADA");
+    assert_eq!(
+        (thief.text("name").as_str(), thief.text("first").as_str()),
+        ("ADA 2", "")
+    );
+    let forged = Pupil::join(teacher.port, &teacher.code, "Ada", Some(&"0".repeat(32))).unwrap();
+    assert_eq!(forged.text("name"), "Ada 3");
+}
+
+#[test]
+fn nobody_gets_in_without_the_code() {
+    let folder = Folder::new("hosted-code");
+    let teacher = start(&folder);
+    let tries: Vec<_> = (0..40)
+        .map(|i| {
+            let port = teacher.port;
+            thread::spawn(move || {
+                let start = Instant::now();
+                let code = carrom::class::DoorCode::of(i).to_string();
+                let pupil = Pupil::join(port, &code, "x", None).unwrap();
+                (pupil.why().map(str::to_owned), start.elapsed())
+            })
+        })
+        .collect();
+    for guess in tries {
+        let (why, took) = guess.join().unwrap();
+        assert_eq!(why.as_deref(), Some("code"));
+        // At this rate the six letters take years.
+        assert!(took >= Duration::from_secs(1));
+    }
+    for code in ["", "BCDFG", "😀😀😀😀😀😀", "' OR 1=1"] {
+        let pupil = Pupil::join(teacher.port, code, "x", None).unwrap();
+        assert_eq!(pupil.why(), Some("code"), "{code}");
+    }
+    // As people type it.
+    let code = teacher.code.to_lowercase();
+    let spaced = format!(" {} {}", &code[..3], &code[3..]);
+    let pupil = Pupil::join(teacher.port, &spaced, "Ada", None).unwrap();
+    assert_eq!(pupil.text("name"), "Ada");
+}
+
+#[test]
+fn names_of_any_signs_stay_names() {
+    let folder = Folder::new("hosted-names");
+    let teacher = start(&folder);
+    for (name, shown) in [
+        ("<script>alert(1)</script>", "<script>alert(1)</script"),
+        ("=1+1", "=1+1"),
+        ("\u{202e}evil\u{202c}\u{7}", "evil"),
+        ("Zoë 球 👩‍👩‍👧", "Zoë 球 👩👩👧"),
+        ("  a\n\tb  ", "a b"),
+        ("\u{1b}[31mred", "[31mred"),
+    ] {
+        assert_eq!(teacher.join(name).text("name"), shown);
+    }
+    for name in ["", "   ", "\u{200b}\u{200d}", "\u{0}\u{1}"] {
+        assert_eq!(teacher.join(name).why(), Some("name"), "{name:?}");
+    }
+    assert_eq!(teacher.join(&"x".repeat(10_000)).why(), Some("format"));
+    assert_eq!(teacher.join(&"x".repeat(500)).text("name"), "x".repeat(24));
+    // In a table a name is a text and no formula; in the file it is what it was.
+    let round = kept(&folder);
+    let table = carrom::class::answers_csv(&round).unwrap();
+    assert!(
+        !table.contains(",=1+1") && table.contains("=1+1"),
+        "{table}"
+    );
+    assert_eq!(round.teams().len(), 7);
+}
+
+#[test]
+fn what_is_no_talk_ends_it() {
+    let folder = Folder::new("hosted-format");
+    let teacher = start(&folder);
+    let said = |messages: &[Message]| {
+        let mut pupil = Pupil::dial(teacher.port).unwrap();
+        for message in messages {
+            let _ = pupil.socket.send(message.clone());
+        }
+        let heard = pupil.hear();
+        heard
+            .map(|()| pupil.why().map(str::to_owned))
+            .ok()
+            .flatten()
+    };
+    let vote = r#"{"t":"vote","q":0,"vote":"first","said":"rays 1 2","n":1}"#;
+    assert_eq!(said(&[Message::text(vote)]).as_deref(), Some("join"));
+    let old = format!(
+        r#"{{"t":"join","v":7,"code":"{}","name":"a"}}"#,
+        teacher.code
+    );
+    assert_eq!(said(&[Message::text(old)]).as_deref(), Some("version"));
+    for bad in [
+        Message::text("{}"),
+        Message::text("[".repeat(900)),
+        Message::binary(vec![0; 10]),
+        Message::text("x".repeat(1025)),
+        Message::text("x".repeat(10_000_000)),
+    ] {
+        let why = said(std::slice::from_ref(&bad));
+        assert!(matches!(why.as_deref(), Some("format") | None), "{why:?}");
+    }
+    // Random bytes, and half a head.
+    for bytes in [
+        &b"\xff\xfe\x00\x01\r\n\r\n"[..],
+        &[7; 9000],
+        b"GET /class HTT",
+    ] {
+        let mut stream = connect(teacher.port).unwrap();
+        let _ = stream.write_all(bytes);
+        let _ = stream.shutdown(std::net::Shutdown::Write);
+        let mut answer = Vec::new();
+        let _ = stream.read_to_end(&mut answer);
+        assert!(!answer.starts_with(b"HTTP/1.1 1"));
+    }
+    let mut ada = teacher.join("Ada");
+    ada.vote("rays 1 2").unwrap();
+}
+
+#[test]
+fn only_the_served_page_talks_to_the_class() {
+    let folder = Folder::new("hosted-origin");
+    let teacher = start(&folder);
+    let request = |path: &str, host: &str, more: &str| {
+        let request = format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n{more}\r\n");
+        answer(teacher.port, request.as_bytes())
+    };
+    let own = format!("127.0.0.1:{}", teacher.port);
+    let page = request("/", &own, "");
+    assert!(
+        page.starts_with("HTTP/1.1 200 ") && page.contains("a page"),
+        "{page}"
+    );
+    assert!(
+        page.contains("connect-src 'self'") && !page.contains("connect-src 'none'"),
+        "{page}"
+    );
+    let upgrade = "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n\
+                   Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
+    for (host, origin, status) in [
+        ("evil.example", "", "403"),
+        (own.as_str(), "Origin: http://evil.example\r\n", "403"),
+        (own.as_str(), "Origin: null\r\n", "403"),
+    ] {
+        let refused = request("/class", host, &format!("{upgrade}{origin}"));
+        assert!(
+            refused.starts_with(&format!("HTTP/1.1 {status} ")),
+            "{refused}"
+        );
+    }
+    assert!(request("/", "evil.example", "").starts_with("HTTP/1.1 403 "));
+    assert!(request("/class-1.toml", &own, "").starts_with("HTTP/1.1 404 "));
+}
+
+#[test]
+fn a_thousand_connections_keep_nobody_out() {
+    let folder = Folder::new("hosted-thousand");
+    let teacher = start(&folder);
+    let mut early = teacher.join("Early");
+    let mut idle = Vec::new();
+    for _ in 0..1000 {
+        match connect(teacher.port) {
+            Ok(stream) => idle.push(stream),
+            Err(error) => assert!(
+                matches!(
+                    error.kind(),
+                    ErrorKind::ConnectionReset | ErrorKind::ConnectionRefused
+                ),
+                "{error}"
+            ),
+        }
+    }
+    let start = Instant::now();
+    let mut late = teacher.join("Late");
+    assert_eq!(late.text("name"), "Late");
+    late.vote("rays 1 2").unwrap();
+    early.vote("rays 3 4").unwrap();
+    assert!(start.elapsed() < Duration::from_secs(10));
+    teacher.wait_for("2 of 2 have voted");
+}
+
+#[test]
+fn who_is_removed_or_comes_when_the_door_is_closed_hears_so() {
+    let folder = Folder::new("hosted-door");
+    let teacher = start(&folder);
+    let mut ada = teacher.join("Ada");
+    let mut bo = teacher.join("Bo");
+    bo.vote("rays 1 2").unwrap();
+    teacher.press("w", "no vote yet");
+    // The one who has not voted stands first.
+    teacher.press("x", "Take Ada off");
+    teacher.press("y", "1 in, 1 on the list");
+    ada.hear().unwrap();
+    assert_eq!(ada.why(), Some("kicked"));
+    teacher.press("c", "The door is closed");
+    assert_eq!(teacher.join("Cy").why(), Some("closed"));
+    let seat = bo.text("seat");
+    let bo = Pupil::join(teacher.port, &teacher.code, "Bo", Some(&seat)).unwrap();
+    assert!(
+        bo.text("first").starts_with("rays "),
+        "who was in comes back all the same"
+    );
+    teacher.press("c", "1 in");
+    // A stranger turns out to be Bo.
+    let mut stranger = teacher.join("Bob");
+    stranger.vote("rays 5 6").unwrap();
+    assert_eq!(kept(&folder).teams(), ["Bo", "Bob"]);
+}

@@ -1,0 +1,159 @@
+//! What is sent to a pupil's device while a question is open: all that is seen, and nothing
+//! of the answer.
+
+use carrom::class::{AskedQuestion, ToldTruth};
+use carrom::quiz::{Dice, Difficulty, Family, Form, Illustration, Measure, Question, Rays};
+use carrom::widgets::{Charset, Depth, Look, Palette, Theme, draw_question};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Questions of every family and every written item.
+fn all() -> Vec<Question> {
+    let mut all = Vec::new();
+    for (family, difficulty) in Family::ALL
+        .iter()
+        .flat_map(|it| Difficulty::ALL.map(|d| (it, d)))
+    {
+        let many = if *family == Family::Concept { 400 } else { 12 };
+        for seed in 0..many {
+            let asked = family.ask(difficulty, &mut Dice::new(seed));
+            all.extend(asked.map(|(question, _)| question));
+        }
+    }
+    all
+}
+
+/// The same question with another answer, and nothing to be said to any.
+fn otherwise(question: &Question) -> Question {
+    let mut other = question.clone();
+    other.beliefs.clear();
+    other.replies.clear();
+    other.figures.clear();
+    other.why = "Because.".into();
+    match &mut other.form {
+        Form::Rays { truth, .. } => *truth = Rays::new(1.25, -0.75),
+        Form::Number { truth, .. } => *truth = 12_345.678,
+        Form::Choice { right, options } => *right = (*right + 1) % options.len(),
+        Form::Shot(aim) => aim.offset += 0.00123,
+    }
+    other
+}
+
+fn sent(question: &Question) -> String {
+    serde_json::to_string(&AskedQuestion::new(question)).unwrap()
+}
+
+#[test]
+fn what_is_sent_does_not_hang_on_the_answer() {
+    let all = all();
+    for family in Family::ALL {
+        assert!(all.iter().any(|it| it.family == *family), "{}", family.id());
+    }
+    for question in &all {
+        let message = sent(question);
+        assert_eq!(message, sent(&otherwise(question)), "{}", question.text);
+        // Neither is it there by another way.
+        for says in question.beliefs.iter().map(|it| it.says.as_str()) {
+            assert!(!message.contains(says), "{says}");
+        }
+        for says in question.replies.values().chain([&question.why]) {
+            assert!(!message.contains(says.as_str()), "{says}");
+        }
+        for belief in &question.beliefs {
+            assert!(
+                !message.contains(&format!("\"{}\"", belief.misconception.id())),
+                "{message}"
+            );
+        }
+        assert!(message.len() < 8000, "{}", message.len());
+    }
+}
+
+/// A number that is asked for is in no figure of the message, unless the text or the picture
+/// gives it, too.
+#[test]
+fn no_figure_that_is_sent_is_the_number_that_is_asked_for() {
+    for question in all() {
+        let Form::Number { quantity, truth } = &question.form else {
+            continue;
+        };
+        let message: serde_json::Value = serde_json::from_str(&sent(&question)).unwrap();
+        let mut figures = Vec::new();
+        collect(&message["picture"], &mut figures);
+        for figure in figures {
+            let scaled = match quantity {
+                Measure::Angle => figure.to_degrees(),
+                Measure::Share => 100.0 * figure,
+                Measure::Mass | Measure::Length => 1000.0 * figure,
+                Measure::Speed | Measure::Times | Measure::Restitution => figure,
+            };
+            let near = (scaled.abs() - truth.abs()).abs() < 1e-9 * truth.abs().max(1e-9);
+            let printed = quantity.print(*truth);
+            let given = question.text.contains(printed.split(' ').next().unwrap());
+            assert!(!near || given, "{truth}: {}\n{message}", question.text);
+        }
+    }
+}
+
+fn collect(value: &serde_json::Value, figures: &mut Vec<f64>) {
+    match value {
+        serde_json::Value::Number(x) => figures.extend(x.as_f64()),
+        serde_json::Value::Array(items) => items.iter().for_each(|it| collect(it, figures)),
+        serde_json::Value::Object(fields) => fields.values().for_each(|it| collect(it, figures)),
+        _ => {}
+    }
+}
+
+fn drawn(question: &Question) -> Buffer {
+    let area = Rect::new(0, 0, 60, 24);
+    let mut buf = Buffer::empty(area);
+    let look = Look {
+        charset: Charset::Unicode,
+        theme: Theme::new(Palette::Dark, Depth::True),
+    };
+    draw_question(area, &mut buf, &look, question, None);
+    buf
+}
+
+#[test]
+fn a_device_shows_what_the_board_shows() {
+    for question in all() {
+        let message = sent(&question);
+        let asked: AskedQuestion = serde_json::from_str(&message).unwrap();
+        let there = asked.question().unwrap_or_else(|| panic!("{message}"));
+        assert_eq!(there.text, question.text);
+        let [here, there_too] = [&question, &there].map(drawn);
+        let pairs = here.content().iter().zip(there_too.content());
+        let apart = pairs.filter(|(a, b)| a != b).count();
+        // Of a hit that was seen only the angles are sent: a dot may lie on the other side of
+        // its edge by the last bit of a sine.
+        let most = match question.picture {
+            Illustration::After { .. } => 12,
+            _ => 0,
+        };
+        assert!(
+            apart <= most,
+            "{apart}, {}: {}",
+            question.family.id(),
+            question.text
+        );
+        // Once it is told, all of the truth is there.
+        let told = ToldTruth::new(&question, question.why.clone(), Some(10.0));
+        let told = serde_json::to_string(&told).unwrap();
+        let told: ToldTruth = serde_json::from_str(&told).unwrap();
+        let there = told.told(there).unwrap();
+        let truth = question.form.truth();
+        assert!(
+            question.form.distance(&there.form.truth(), &truth) < 1e-6,
+            "{}",
+            question.text
+        );
+        if let (
+            Illustration::Before { collision: a, .. } | Illustration::After { collision: a },
+            Illustration::Before { collision: b, .. } | Illustration::After { collision: b },
+        ) = (&there.picture, &question.picture)
+        {
+            assert_eq!(a, b, "{}", question.text);
+        }
+    }
+}

@@ -1,0 +1,87 @@
+// A pupil's way to the class whose host has served this page: one WebSocket to where the page
+// came from. When to call again is the program's business; what brings the pupil back to
+// their place is kept here.
+
+const classroom = (() => {
+  const KEY = "carrom-seat";
+  let line = null, number = 0, say = () => {}, hidden = 0;
+
+  function does(call) {
+    if (call.do === "dial") dial();
+    if (call.do === "say" && line && line.readyState === WebSocket.OPEN) line.send(call.text);
+    if (call.do === "remember") keep(call);
+    if (call.do === "hang-up") hangUp();
+  }
+
+  function hangUp() {
+    number += 1;
+    if (line) line.close();
+    line = null;
+  }
+
+  function dial() {
+    hangUp();
+    const own = number;
+    const tell = (news) => own === number && say({ do: "joined", news });
+    const lost = () => tell({ is: "lost", reason: "the connection is closed" });
+    const seat = kept();
+    if (seat) setTimeout(() => tell({ is: "remembered", seat: seat.seat, name: seat.name }));
+    try {
+      line = new WebSocket(`ws://${location.host}/class`);
+    } catch {
+      return void setTimeout(lost);
+    }
+    line.onopen = () => setTimeout(() => tell({ is: "reached" }));
+    line.onmessage = ({ data }) => tell({ is: "heard", text: String(data) });
+    line.onclose = lost;
+  }
+
+  // Not every browser keeps something for every page.
+  function kept() {
+    try {
+      return JSON.parse(localStorage.getItem(KEY));
+    } catch {
+      return null;
+    }
+  }
+
+  function keep({ seat, name, code }) {
+    try {
+      localStorage.setItem(KEY, JSON.stringify({ seat, name, code }));
+    } catch {}
+  }
+
+  // What this page opens with: who was in this class before is not asked again.
+  function fragment() {
+    const given = location.hash.slice(1);
+    if (!isHere()) return given;
+    const before = kept();
+    const link = /(^|&)code=([^&]*)/.exec(given);
+    if (before && (!given || (link && link[2].toUpperCase() === before.code))) {
+      return `player=${encodeURIComponent(before.name)}&code=${before.code}&again`;
+    }
+    return given || "join";
+  }
+
+  // A phone that slept may not know that it has lost the class.
+  function awake() {
+    const slept = performance.now() - hidden;
+    if (line && (line.readyState > WebSocket.OPEN || slept > 3000)) {
+      say({ do: "joined", news: { is: "awake" } });
+    }
+  }
+
+  function start(speak) {
+    say = speak;
+    document.addEventListener("visibilitychange", () => {
+      if (document.hidden) hidden = performance.now();
+      else awake();
+    });
+    addEventListener("pageshow", (event) => event.persisted && awake());
+  }
+
+  // Whether a class has served this page, and not a disk or a school's own server.
+  const isHere = () => "class" in document.documentElement.dataset;
+
+  return { does, start, fragment };
+})();
