@@ -238,9 +238,8 @@ fn play(devices: u64, bad: bool) {
     drop(reports);
     let mut joined = Vec::new();
     while joined.len() < devices as usize {
-        match heard.recv_timeout(Duration::from_secs(30)).unwrap() {
-            Report::Joined(took) => joined.push(took),
-            _ => {}
+        if let Report::Joined(took) = heard.recv_timeout(Duration::from_secs(30)).unwrap() {
+            joined.push(took);
         }
     }
     let mut seen = Vec::new();
@@ -402,11 +401,11 @@ fn a_host_is_killed_in_the_midst_of_votes_and_loses_none() {
         let number: u16 = port.parse().unwrap();
         // Everybody comes back, and has what they were told is in.
         let start = Instant::now();
-        for i in 0..DEVICES {
-            let seat = seats[i].as_deref();
-            let pupil = Pupil::join(number, &code, &format!("Pupil {i}"), seat).unwrap();
-            assert_eq!(pupil.text("name"), format!("Pupil {i}"));
-            seats[i] = Some(pupil.text("seat"));
+        for (i, seat) in seats.iter_mut().enumerate() {
+            let name = format!("Pupil {i}");
+            let pupil = Pupil::join(number, &code, &name, seat.as_deref()).unwrap();
+            assert_eq!(pupil.text("name"), name);
+            *seat = Some(pupil.text("seat"));
         }
         back.push(start.elapsed());
         let round = kept(folder.path()).unwrap();
