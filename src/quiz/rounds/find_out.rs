@@ -6,7 +6,7 @@
 //! one misconception stands clear of the others, when none is left, or after as many
 //! questions as the course has.
 
-use crate::quiz::misconceptions::{Clue, SLIP, evidence};
+use crate::quiz::misconceptions::{Clue, Evidence, SLIP, evidence};
 use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Question};
 
 /// How likely somebody is to hold none of the misconceptions, before the first answer.
@@ -57,9 +57,8 @@ struct Standing {
 }
 
 impl Standing {
-    /// After these answers.
-    fn new(clues: &[Clue]) -> Self {
-        let evidence = evidence(clues);
+    /// After answers that say this.
+    fn new(evidence: &[Evidence]) -> Self {
         let weight = |it: Misconception| {
             let found = evidence.iter().find(|found| found.misconception == it);
             found.map_or(0.0, |found| found.weight)
@@ -129,8 +128,9 @@ pub(super) fn is_settled(clues: &[Clue]) -> bool {
     if clues.len() < FEWEST {
         return false;
     }
-    let standing = Standing::new(clues);
-    let first = evidence(clues).into_iter().next();
+    let evidence = evidence(clues);
+    let standing = Standing::new(&evidence);
+    let first = evidence.first();
     first.is_some_and(|it| it.names() && standing.of(it.misconception) >= CLEAR)
         || standing.none >= NONE_LEFT
 }
@@ -138,7 +138,7 @@ pub(super) fn is_settled(clues: &[Clue]) -> bool {
 /// The question that tells most after these answers, of those that the dice bring; none of
 /// `asked` again.
 pub(super) fn ask(asked: &[Question], clues: &[Clue], dice: &mut Dice) -> Option<Question> {
-    let standing = Standing::new(clues);
+    let standing = Standing::new(&evidence(clues));
     let hardest = match asked.len() < BEFORE_HARD {
         true => Difficulty::Middle,
         false => Difficulty::Hard,
