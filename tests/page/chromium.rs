@@ -18,14 +18,14 @@ impl Chromium {
     /// A window of so many CSS pixels; with a finger, one of a phone. `None` where there is
     /// no driver.
     pub(crate) fn start(size: (u32, u32), finger: bool) -> Option<Self> {
-        Self::start_as(size, finger, json!({}))
+        Self::start_as(size, finger, &json!({}))
     }
 
     /// The same, with settings of the browser's own (`prefs`).
     pub(crate) fn start_as(
         (width, height): (u32, u32),
         finger: bool,
-        prefs: Value,
+        prefs: &Value,
     ) -> Option<Self> {
         let driver = Command::new("chromedriver")
             .arg("--port=0")

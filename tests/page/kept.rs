@@ -162,7 +162,7 @@ fn times_told(chromium: &mut Chromium) -> usize {
 fn a_browser_that_keeps_nothing_is_told_of_once() {
     // Blocked, as some schools have it.
     let blocked = json!({ "profile.default_content_setting_values.cookies": 2 });
-    let Some((page, mut chromium)) = page().zip(Chromium::start_as((1000, 700), false, blocked))
+    let Some((page, mut chromium)) = page().zip(Chromium::start_as((1000, 700), false, &blocked))
     else {
         return;
     };

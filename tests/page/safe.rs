@@ -26,7 +26,7 @@ fn nothing_is_asked_of_a_network() {
         // What the page hands to itself has no network in it.
         let mut asked = chromium.requests();
         asked.retain(|it| !it.starts_with("data:") && !it.starts_with("blob:"));
-        assert_eq!(asked, [page.clone()], "{place}");
+        assert_eq!(asked, std::slice::from_ref(&page), "{place}");
     }
     // A watch that sees nothing would prove nothing.
     chromium.run("new Image().src = 'http://127.0.0.1:9/seen'", &[]);
