@@ -18,6 +18,7 @@
 //!
 //! This room knows no network: how people on devices come and go is told it as changes.
 
+mod advice;
 mod asked;
 mod ballot;
 mod change;
@@ -32,6 +33,7 @@ mod tables;
 mod tally;
 mod way;
 
+pub use advice::Advice;
 pub use asked::{AskedQuestion, ToldTruth};
 pub use ballot::{Ballot, ClassRound, Vote};
 pub use change::{ClassChange, Said};

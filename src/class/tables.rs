@@ -1,9 +1,9 @@
 //! The tables a teacher takes home, as comma-separated values.
 
-use super::{ClassRound, Vote, items};
+use super::{ClassRound, ItemAnalysis, Vote, items};
 use crate::numbers::{self, bare_degrees};
 use crate::progress::table;
-use crate::quiz::{Question, Response};
+use crate::quiz::{Form, Grade, Question, Response, letter};
 
 /// The columns that both tables begin with: what was asked.
 const ASKED: [&str; 6] = [
@@ -27,11 +27,12 @@ fn asked(round: &ClassRound, number: usize, question: &Question) -> Vec<String> 
     ]
 }
 
-/// A row a team and question: both votes, the truth, how good they were.
+/// A row a team and question: both votes, the truth, how good they were; `date` is that of the
+/// lesson, as 2026-11-22.
 ///
 /// # Errors
 /// None that can be met in practice; the reason, should a row not be writable.
-pub fn answers_csv(round: &ClassRound) -> Result<String, String> {
+pub fn answers_csv(round: &ClassRound, date: &str) -> Result<String, String> {
     let heads = [
         "team",
         "first_vote",
@@ -45,6 +46,9 @@ pub fn answers_csv(round: &ClassRound) -> Result<String, String> {
         "second_error_deg",
         "second_misconception",
         "points",
+        "first_points",
+        "gain",
+        "date",
     ];
     let mut rows = Vec::new();
     for (i, question) in round.questions().iter().enumerate() {
@@ -57,6 +61,13 @@ pub fn answers_csv(round: &ClassRound) -> Result<String, String> {
             }
             let points = |_| numbers::points(round.points(i, team));
             row.push(cell(ballot.counts(), points));
+            // What talking brought.
+            let [first, last] = [ballot.first, ballot.counts()]
+                .map(|said| round.grade(i, said).map(|grade| Grade::MOST * grade.credit));
+            row.push(cell(first, numbers::points));
+            let gain = first.zip(last).map(|(first, last)| last - first);
+            row.push(cell(gain, |gain| numbers::fixed(gain, 1)));
+            row.push(date.to_owned());
             rows.push(row);
         }
     }
@@ -83,11 +94,11 @@ fn cell<T>(of: Option<T>, text: impl Fn(T) -> String) -> String {
     of.map(text).unwrap_or_default()
 }
 
-/// A row a question: what it showed about the class.
+/// A row a question: what it showed about the class; `date` is that of the lesson.
 ///
 /// # Errors
 /// None that can be met in practice; the reason, should a row not be writable.
-pub fn items_csv(round: &ClassRound) -> Result<String, String> {
+pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
     let heads = [
         "first_votes",
         "first_share_right",
@@ -100,6 +111,12 @@ pub fn items_csv(round: &ClassRound) -> Result<String, String> {
         "discrimination",
         "commonest_misconception",
         "commonest_votes",
+        "gain",
+        "changed_to_right",
+        "changed_to_wrong",
+        "first_counts",
+        "second_counts",
+        "date",
     ];
     let share = |share: Option<f64>| cell(share, |it| format!("{it:.3}"));
     let rows: Vec<Vec<String>> = items(round, round.questions().len())
@@ -121,8 +138,31 @@ pub fn items_csv(round: &ClassRound) -> Result<String, String> {
                 misconception.id().into()
             }));
             row.push(cell(item.commonest, |(_, count)| count.to_string()));
+            row.push(share(item.gain));
+            for way in 0..2 {
+                row.push(cell(item.changed, |changed| changed[way].to_string()));
+            }
+            row.extend(Vote::BOTH.map(|vote| counted(question, item, vote)));
+            row.push(date.to_owned());
             Some(row)
         })
         .collect();
     table(&[&ASKED[..], &heads].concat(), &rows)
+}
+
+/// What was said at a vote with how many said it: "A 4, B 17, C 9, D 2".
+fn counted(question: &Question, item: &ItemAnalysis, vote: Vote) -> String {
+    let is_choice = matches!(question.form, Form::Choice { .. });
+    let each = item.counts.iter().enumerate().map(|(i, (said, counts))| {
+        let words = match is_choice {
+            true => letter(i).to_string(),
+            false => question.form.words(said),
+        };
+        (words, counts[vote as usize])
+    });
+    let said = each.filter(|(_, count)| is_choice || *count > 0);
+    let said: Vec<String> = said
+        .map(|(words, count)| format!("{words}: {count}"))
+        .collect();
+    said.join("; ")
 }

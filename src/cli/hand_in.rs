@@ -65,6 +65,9 @@ pub(super) struct GatherArgs {
     /// A name that ends in .html or .csv
     #[arg(long, value_name = "FILE", value_parser = gathered)]
     out: Gathered,
+    /// The names of the class, one a line, to say who has handed in nothing
+    #[arg(long, value_name = "FILE")]
+    class_list: Option<PathBuf>,
     /// Replace files that are there already
     #[arg(long)]
     force: bool,
@@ -149,6 +152,11 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
             .and_then(|bytes| HandIn::read(&bytes));
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         book.add(&name, read);
+    }
+    if let Some(path) = &args.class_list {
+        let list = crate::files::read(path, crate::files::LARGEST).map_err(Failure::input)?;
+        let list = String::from_utf8_lossy(&list);
+        book.look_for(list.trim_start_matches('\u{feff}').lines());
     }
     for note in &book.notes {
         let note = options.printed().text(note);

@@ -122,6 +122,19 @@ impl GlobalOptions {
         self.charset(terminal::charset(|name| env::var(name).ok()))
     }
 
+    /// The folders of own questions, as a shell takes them.
+    pub(super) fn concepts(&self) -> Vec<String> {
+        let folders = self
+            .concepts
+            .iter()
+            .map(|folder| folder.display().to_string());
+        let quoted = |folder: String| match shlex::try_quote(&folder) {
+            Ok(quoted) => quoted.into_owned(),
+            Err(_) => folder,
+        };
+        folders.map(quoted).collect()
+    }
+
     /// The name of the player: the one given, or else who played last.
     pub(super) fn player_name(&self) -> String {
         let kept = || {

@@ -4,10 +4,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use strum::VariantNames;
 
 use super::{Failure, GlobalOptions, print_names, written};
 use crate::files::Document;
-use crate::paper::worksheet::{Worksheet, WorksheetPicture};
+use crate::paper::Paper;
+use crate::paper::worksheet::{Worksheet, WorksheetPicture, cards};
 use crate::quiz::{Code, Course, CourseKind, Round};
 
 /// Write a round of the quiz as a worksheet, with its key
@@ -18,11 +21,17 @@ Examples:
                                 a mixed round of 12 questions
   carrom worksheet --code speeds-3 --title \"Physics 10b\" --out sheets
                                 any round that has a code
+  carrom worksheet --seed 7 --versions 2 --paper letter --out sheets
+                                two versions, for who sit side by side, on US paper
+  carrom worksheet --cards 32 --out sheets
+                                cards A to D to vote with, a sheet a pupil to fold twice
 
 Writes worksheet.html, the questions with room to answer, and key.html, the worked solutions
 with the wrong answers to listen for: two files, so that the sheet can be printed and handed
 on without the key. worksheet.md and key.md say the same in Markdown, with their pictures in
-the folder pictures. Open an HTML file in a browser and print it on A4; nothing else is needed.
+the folder pictures. Open an HTML file in a browser and print it; nothing else is needed. Of several versions each
+question is of the same kind and as difficult, with other numbers: worksheet-a.html, key-a.html,
+worksheet-b.html and so on.
 
 The code on the sheet opens the same round on a screen: carrom quiz --code mixed12-7")]
 pub(super) struct Args {
@@ -41,6 +50,19 @@ pub(super) struct Args {
     /// One document: the key in worksheet.html and worksheet.md too, behind the questions
     #[arg(long)]
     with_key: bool,
+    /// So many versions with other numbers, for who sit side by side: 1 to 4
+    #[arg(long, value_name = "N", default_value_t = 1,
+          value_parser = clap::value_parser!(u8).range(1..=4))]
+    versions: u8,
+    /// The paper to print on
+    #[arg(long, value_name = "PAPER", default_value = "a4",
+          value_parser = PossibleValuesParser::new(Paper::VARIANTS.iter().copied()).map(|it| it.parse::<Paper>().unwrap_or_default()))]
+    paper: Paper,
+    /// No worksheet: so many sheets of cards A to D to vote with, to be folded twice
+    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "1",
+          value_parser = clap::value_parser!(u16).range(1..=200),
+          conflicts_with_all = ["count", "code", "with_key", "versions"])]
+    cards: Option<u16>,
     /// Replace the worksheet that is there already, with its key and its pictures
     #[arg(long)]
     force: bool,
@@ -50,16 +72,40 @@ pub(super) struct Args {
 const PICTURES: &str = "pictures";
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
+    if let Some(count) = args.cards {
+        let path = args.out.join("cards.html");
+        let document = (path.clone(), cards(count.into(), args.paper));
+        written::write(&[document], args.force)?;
+        return Ok(print_names([path.as_path()].into_iter())?);
+    }
     let code = code(args, options);
     let code = code.and_then(|code| code.with_own(&options.own())?.same_for_all());
     let round = Round::of(code.map_err(Failure::input)?);
-    let worksheet = Worksheet::new(&round, args.title.as_deref());
-    let files = files(&worksheet, args);
-    written::write(&files, args.force)?;
-    if args.force {
-        remove_others(&args.out, &files)?;
+    let is_own = matches!(round.course().kind, CourseKind::Own(_));
+    let concepts = if is_own {
+        options.concepts()
+    } else {
+        Vec::new()
+    };
+    let mut all = Vec::new();
+    for (number, letter) in (1..=args.versions).zip('A'..) {
+        let round = round.version(number.into());
+        let worksheet = Worksheet::new(&round, args.title.as_deref());
+        let worksheet = worksheet.concepts(concepts.clone()).paper(args.paper);
+        all.extend(match args.versions {
+            1 => files(&worksheet, args, ""),
+            _ => files(
+                &worksheet.version(letter),
+                args,
+                &format!("-{}", letter.to_ascii_lowercase()),
+            ),
+        });
     }
-    let paths = files.iter().map(|(path, _)| path.as_path());
+    written::write(&all, args.force)?;
+    if args.force {
+        remove_others(&args.out, &all)?;
+    }
+    let paths = all.iter().map(|(path, _)| path.as_path());
     Ok(print_names(paths.filter(|path| !is_picture(path)))?)
 }
 
@@ -78,11 +124,15 @@ fn code(args: &Args, options: &GlobalOptions) -> Result<Code, String> {
 }
 
 /// What is to be written.
-fn files(worksheet: &Worksheet, args: &Args) -> Vec<Document> {
+fn files(worksheet: &Worksheet, args: &Args, version: &str) -> Vec<Document> {
     let mut files = Vec::new();
-    let mut file = |name: &str, content: String| files.push((args.out.join(name), content));
-    let sheet = worksheet.sheet_markdown(PICTURES);
-    let key = worksheet.key_markdown(PICTURES);
+    let mut file = |name: &str, content: String| {
+        let named = name.replacen('.', &format!("{version}."), 1);
+        files.push((args.out.join(named), content));
+    };
+    let pictures = format!("{PICTURES}{version}");
+    let sheet = worksheet.sheet_markdown(&pictures);
+    let key = worksheet.key_markdown(&pictures);
     if args.with_key {
         file("worksheet.html", worksheet.html_with_key());
         file("worksheet.md", format!("{sheet}\n---\n\n{key}"));
@@ -93,8 +143,11 @@ fn files(worksheet: &Worksheet, args: &Args) -> Vec<Document> {
         file("key.md", key);
     }
     for picture in worksheet.pictures() {
-        let name = format!("{PICTURES}/{}.svg", picture.name);
-        file(&name, picture.svg.file());
+        let path = args
+            .out
+            .join(&pictures)
+            .join(format!("{}.svg", picture.name));
+        files.push((path, picture.svg.file()));
     }
     files
 }

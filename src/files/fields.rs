@@ -119,6 +119,9 @@ impl Source<'_> {
         if let Some(number) = with_a_point(value) {
             return format!("expected a number, found {value}; write {number} with a point");
         }
+        if let Some(number) = without_a_unit(line) {
+            return format!("expected a number, found one with a unit; write {number} alone");
+        }
         let message = message.trim();
         if line.contains(TYPOGRAPHIC_QUOTES) {
             return format!("{message}; use straight quotes: \"...\"");
@@ -132,6 +135,18 @@ fn with_a_point(text: &str) -> Option<String> {
     let number = text.replacen(',', ".", 1);
     let is_one = text.contains(',') && number.parse::<f64>().is_ok();
     is_one.then_some(number)
+}
+
+/// The number that a line gives with a unit behind it, which the field's name says: "40 g".
+fn without_a_unit(line: &str) -> Option<&str> {
+    let (_, value) = line.split_once('=')?;
+    let value = value.trim();
+    let unit = value.find(|c: char| !c.is_ascii_digit() && !matches!(c, '.' | '-' | '+'))?;
+    let (number, unit) = value.split_at(unit);
+    let is_unit = unit
+        .trim_start()
+        .starts_with(|c: char| c.is_alphabetic() || matches!(c, '°' | '%'));
+    (is_unit && number.parse::<f64>().is_ok()).then_some(number)
 }
 
 /// What is said of a file of a newer format than the one that is read.

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 
 use super::{HandIn, RoundTally, rounds};
+use crate::files::tidy_name;
 use crate::numbers::counted;
 use crate::progress::{Attempt, Tally, TopicStanding, topics};
 
@@ -119,6 +120,27 @@ impl Gradebook {
         });
         self.pupils
             .sort_by_key(|it| (it.name.to_lowercase(), it.class.to_lowercase()));
+    }
+
+    /// Notes who of these names has handed in nothing; case and blanks around them do not matter.
+    pub fn look_for<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
+        let known = |name: &str| {
+            let name = name.to_lowercase();
+            self.pupils
+                .iter()
+                .any(|it| it.own_name.to_lowercase() == name)
+        };
+        let names = names
+            .into_iter()
+            .map(tidy_name)
+            .filter(|name| !name.is_empty());
+        let missing: Vec<String> = names.filter(|name| !known(name)).collect();
+        if !missing.is_empty() {
+            let (count, names) = (missing.len(), missing.join(", "));
+            self.notes.push(format!(
+                "{count} of the class list handed in nothing: {names}"
+            ));
+        }
     }
 
     /// The rounds that anybody has begun, in the order of their codes.

@@ -34,7 +34,7 @@ pub mod worksheet;
 pub use clean::clean;
 pub use guide::guide_page;
 pub use markdown::Markdown;
-pub use page::HtmlPage;
+pub use page::{HtmlPage, Paper};
 
 use crate::widgets::picture::Picture;
 use crate::widgets::svg::Svg;

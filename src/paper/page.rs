@@ -1,6 +1,7 @@
 //! The frame of an HTML document.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use strum::{EnumString, VariantNames};
 
 use super::clean;
 
@@ -12,7 +13,30 @@ const TITLE: usize = 120;
 /// escaping.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
-/// An HTML document of one or several sheets of A4.
+/// The paper that is printed on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, EnumString, VariantNames)]
+#[strum(serialize_all = "kebab-case")]
+pub enum Paper {
+    /// 210 mm × 297 mm.
+    #[default]
+    A4,
+    /// 8.5 in × 11 in.
+    Letter,
+}
+
+impl Paper {
+    /// What a document has to say beyond the common rules, which are for A4.
+    const fn style(self) -> &'static str {
+        match self {
+            Self::A4 => "",
+            Self::Letter => {
+                "@page { size: letter } @media screen { .sheet { width: 8.5in; min-height: 11in } }"
+            }
+        }
+    }
+}
+
+/// An HTML document of one or several sheets of paper.
 ///
 /// It is self-contained: style and pictures are in it. On a screen the sheets lie below
 /// one another; printed, each begins on a new page. `h1` to `h3`, `p`, `table`, `figure`
@@ -21,6 +45,7 @@ const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src dat
 /// one's own.
 #[derive(Debug, Clone)]
 pub struct HtmlPage {
+    paper: Paper,
     title: String,
     style: &'static str,
     sheets: Vec<Markup>,
@@ -32,6 +57,7 @@ impl HtmlPage {
     #[must_use]
     pub fn new(title: &str) -> Self {
         Self {
+            paper: Paper::default(),
             title: clean(title, TITLE),
             style: "",
             sheets: Vec::new(),
@@ -43,6 +69,12 @@ impl HtmlPage {
     #[must_use]
     pub fn style(self, style: &'static str) -> Self {
         Self { style, ..self }
+    }
+
+    /// The same document for this paper.
+    #[must_use]
+    pub fn paper(self, paper: Paper) -> Self {
+        Self { paper, ..self }
     }
 
     /// The same document with another sheet.
@@ -64,7 +96,7 @@ impl HtmlPage {
                     meta http-equiv="Content-Security-Policy" content=(POLICY);
                     meta name="generator" content=(concat!("carrom ", env!("CARGO_PKG_VERSION")));
                     title { (self.title) }
-                    style { (PreEscaped(STYLE)) (PreEscaped(self.style)) }
+                    style { (PreEscaped(STYLE)) (PreEscaped(self.style)) (PreEscaped(self.paper.style())) }
                 }
                 body {
                     @for sheet in &self.sheets {

@@ -50,6 +50,39 @@ fn values(attempt: &Attempt) -> [Value; COLUMNS.len()] {
     ]
 }
 
+/// The heads of the columns that stand behind the [`COLUMNS`] in a table: what no one should have
+/// to read out of JSON.
+const IN_WORDS: [&str; 4] = ["round", "points", "answer_in_words", "truth_in_words"];
+
+/// What stands in each of [`IN_WORDS`].
+fn in_words(attempt: &Attempt) -> [String; IN_WORDS.len()] {
+    let figures = |text: &str| match serde_json::from_str(text) {
+        Ok(Value::Object(figures)) => figures,
+        _ => Default::default(),
+    };
+    let words = |text: &str| {
+        let each = figures(&tidied(text))
+            .into_iter()
+            .map(|(name, value)| match value {
+                Value::String(text) => text,
+                Value::Null => format!("{name} none"),
+                value => format!("{name} {value}"),
+            });
+        each.collect::<Vec<_>>().join(", ")
+    };
+    let round = figures(&attempt.question).remove("round");
+    let round = round.and_then(|it| Some(it.as_str()?.to_owned()));
+    let points = attempt
+        .confidence
+        .map(|it| numbers::points(it.points(attempt.credit)));
+    [
+        round.unwrap_or_default(),
+        points.unwrap_or_default(),
+        words(&attempt.answer),
+        words(&attempt.truth),
+    ]
+}
+
 /// The attempts as a [`table`], one a row.
 ///
 /// # Errors
@@ -67,12 +100,11 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
     };
     let row = |attempt: &Attempt| {
         let columns = COLUMNS.into_iter().zip(values(attempt));
-        columns
-            .map(|(column, value)| cell(attempt, column, value))
-            .collect()
+        let cells = columns.map(|(column, value)| cell(attempt, column, value));
+        cells.chain(in_words(attempt)).collect()
     };
     let rows: Vec<Vec<String>> = attempts.iter().map(row).collect();
-    table(&COLUMNS, &rows)
+    table(&[&COLUMNS[..], &IN_WORDS].concat(), &rows)
 }
 
 /// What was said, with its numbers as they were typed: a 30 is kept in radians and comes
@@ -272,7 +304,8 @@ mod tests {
         });
         let text = csv(&attempts).unwrap();
         let mut table = csv::Reader::from_reader(text.as_bytes());
-        assert_eq!(table.headers().unwrap(), COLUMNS.as_slice());
+        let heads = [&COLUMNS[..], &IN_WORDS].concat();
+        assert_eq!(table.headers().unwrap(), heads);
         let rows: Vec<_> = table.records().map(Result::unwrap).collect();
         assert_eq!(rows.len(), names.len());
         for (row, name) in rows.iter().zip(names) {

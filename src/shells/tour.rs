@@ -144,6 +144,11 @@ pub const TOUR: &[TourStop] = &[
         "<Enter><Enter><Enter><Enter>30<Enter>60<Enter><Home>",
     ),
     moment("class, a blank screen", CLASS, "<Enter>p"),
+    moment(
+        "class, counting cards",
+        "class from-angle2-7",
+        "<End><Up><Enter><Enter><Enter>",
+    ),
     moment("class, talking", CLASS, "<Enter><Enter><Enter><End><Enter>"),
     moment("class, the shot", CLASS, TO_THE_SHOT),
     moment("class, the scores", CLASS, TO_THE_SCORES),

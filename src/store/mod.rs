@@ -281,9 +281,11 @@ impl Store {
     /// Writes both tables of a class's round.
     fn export_class(&mut self, round: &ClassRound) -> Result<String, String> {
         let mut places = Vec::new();
+        let today = self.calendar().today().map(|day| day.to_string());
+        let today = today.unwrap_or_default();
         for (kind, text) in [
-            ("class-answers", answers_csv(round)?),
-            ("class-items", items_csv(round)?),
+            ("class-answers", answers_csv(round, &today)?),
+            ("class-items", items_csv(round, &today)?),
         ] {
             let name = self.tables.add(kind, &text)?;
             places.push(self.tables.place(&name));

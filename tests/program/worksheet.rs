@@ -24,7 +24,9 @@ fn rounds() -> impl Iterator<Item = Round> {
 fn select(page: &Html, selector: &str) -> Vec<String> {
     let selector = Selector::parse(selector).unwrap();
     let found = page.select(&selector);
-    found.map(|it| it.text().collect::<String>()).collect()
+    // Where a line may not break there is a blank of its own kind.
+    let text = found.map(|it| it.text().collect::<String>());
+    text.map(|it| it.replace('\u{a0}', " ")).collect()
 }
 
 /// Words in one line.

@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
-use carrom::class::{ClassRound, Vote, answers_csv, items, items_csv, standings, team_names};
+use carrom::class::{
+    ClassChange, ClassRound, DoorCode, SeatToken, Vote, answers_csv, items, items_csv, standings,
+    team_names,
+};
 use carrom::quiz::{Code, Form, Response};
 
 fn round(code: &str, teams: &[&str]) -> ClassRound {
@@ -40,8 +43,41 @@ fn the_second_vote_scores_and_the_first_is_kept() {
         assert!((first - 1.0 / 3.0).abs() < 1e-12 && (second - 2.0 / 3.0).abs() < 1e-12);
         let held = round.questions()[item.question].beliefs[0].misconception;
         assert_eq!(item.commonest, Some((held, 2)));
-        // Those who did well elsewhere did well here: two right, one wrong, every time.
+        // Of the two that were wrong one has gained all there was.
+        assert!((item.gain.unwrap() - 0.5).abs() < 1e-12);
+        assert_eq!(item.changed, Some([1, 0]));
+        let all = item.counts.iter().map(|(_, counts)| *counts);
+        let sum = all.fold([0, 0], |sum, it| [sum[0] + it[0], sum[1] + it[1]]);
+        assert_eq!(sum, [3, 3]);
+        // Three are too few to say what tells them apart.
+        assert_eq!(item.discrimination, None);
+    }
+}
+
+/// Ten on devices, half of them always right: what one question tells, the others tell too. Their
+/// number is what it takes to say so.
+#[test]
+fn ten_are_enough_to_tell_them_apart() {
+    let devices = |people: usize| {
+        let mut round = ClassRound::with_devices(Code::parse("mixed-7").unwrap());
+        round.open(DoorCode::of(7));
+        for person in 0..people {
+            let seat = SeatToken::of(person as u128 + 1);
+            let name = format!("Person {person}");
+            round.change(&ClassChange::Join { seat, name }).unwrap();
+            for i in 0..round.questions().len() {
+                let form = &round.questions()[i].form;
+                let held = round.questions()[i].beliefs[0].said;
+                let said = if person % 2 == 0 { form.truth() } else { held };
+                round.vote(i, person, Vote::First, Some(said));
+            }
+        }
+        items(&round, round.questions().len())
+    };
+    assert!(devices(9).iter().all(|it| it.discrimination.is_none()));
+    for item in devices(10) {
         assert!(item.discrimination.unwrap() > 0.99);
+        assert_eq!(item.gain, Some(0.0));
     }
 }
 
@@ -139,7 +175,7 @@ fn a_vote_of_another_kind_is_not_taken() {
 #[test]
 fn the_tables_can_be_read_back_and_hold_no_formula() {
     let round = played();
-    let answers = answers_csv(&round).unwrap();
+    let answers = answers_csv(&round, "2026-11-22").unwrap();
     let rows: Vec<csv::StringRecord> = csv::Reader::from_reader(answers.as_bytes())
         .records()
         .map(Result::unwrap)
@@ -153,14 +189,17 @@ fn the_tables_can_be_read_back_and_hold_no_formula() {
         round.questions()[0].beliefs[0].misconception.id()
     );
     assert_eq!(&rows[1][13], "yes");
-    let items = items_csv(&round).unwrap();
+    let items = items_csv(&round, "2026-11-22").unwrap();
     let rows: Vec<csv::StringRecord> = csv::Reader::from_reader(items.as_bytes())
         .records()
         .map(Result::unwrap)
         .collect();
     assert_eq!(rows.len(), round.questions().len());
     assert_eq!((&rows[0][7], &rows[0][11]), ("0.333", "0.667"));
-    for text in [&answers, &answers_csv(&self::round("7", &["A"])).unwrap()] {
+    for text in [
+        &answers,
+        &answers_csv(&self::round("7", &["A"]), "").unwrap(),
+    ] {
         assert!(!text.contains("NaN") && !text.contains("inf"));
     }
 }

@@ -349,7 +349,7 @@ fn hostile_names_break_neither_screen_nor_table() {
         look(&mut game);
         let rows = records(&exported(folder.path(), "class-answers-1.csv"));
         assert_eq!(rows.len(), 16);
-        assert!(rows.iter().all(|row| row.len() == 18));
+        assert!(rows.iter().all(|row| row.len() == 21));
         for row in &rows {
             assert!(
                 !row[6].starts_with(['=', '+', '-', '@', '\t', '\r']),
@@ -535,4 +535,83 @@ fn a_long_code_is_never_half_shown() {
     let screen = game.screen();
     let first = screen.lines().next().unwrap().trim_end();
     assert!(first.ends_with(".."), "{first}");
+}
+
+/// A class of 32 with cards: the teacher counts and types, nothing else; and its tables.
+#[test]
+fn a_class_of_32_votes_with_cards_by_keys_alone() {
+    let folder = Folder::new("class-cards");
+    let mut game = class(folder.path(), "mixed-1", &[]);
+    game.press("<End><Up><Enter>");
+    let round = ClassRound::with_tally(Code::parse("mixed-1").unwrap());
+    let asked = round.questions().len();
+    for (i, question) in round.questions().iter().enumerate() {
+        let choices = round.choices(i);
+        let truth = question.form.truth();
+        let right = choices.iter().position(|it| *it == truth).unwrap();
+        // Sixteen are right at first, and twenty-eight after talking.
+        let counts = |of_right: usize| -> String {
+            let others = choices.len() - 1;
+            let counts = (0..choices.len()).map(|choice| {
+                let wrong = 32 - of_right;
+                let first_wrong = usize::from(right == 0);
+                match choice {
+                    choice if choice == right => of_right,
+                    choice if choice == first_wrong => wrong - (others - 1),
+                    _ => 1,
+                }
+            });
+            counts
+                .map(|it| it.to_string())
+                .collect::<Vec<_>>()
+                .join(" ")
+        };
+        game.press("<Enter><Enter>");
+        assert!(game.screen().contains("Count A B"), "{}", game.screen());
+        // Too few numbers are not taken.
+        game.press("32<Enter>");
+        assert!(
+            game.screen().contains("a number for each of A to"),
+            "{}",
+            game.screen()
+        );
+        game.press("<Backspace><Backspace>");
+        game.press(&counts(16));
+        assert!(game.screen().contains("32 in all"), "{}", game.screen());
+        game.press("<Enter>");
+        let screen = game.screen();
+        assert!(screen.contains("talking helps most now"), "{screen}");
+        game.press("<Enter>");
+        game.press(&counts(28));
+        game.press("<Enter>");
+        assert!(game.settle(LONG));
+        if !game.screen().contains("after talking") {
+            game.press("<End>");
+        }
+        let screen = game.screen();
+        assert!(
+            screen.contains("at first: 16 of 32, after talking: 28 of 32"),
+            "{screen}"
+        );
+        game.press("<Enter><Enter>");
+    }
+    game.press("e");
+    let items = records(&exported(folder.path(), "class-items-1.csv"));
+    assert_eq!(items.len(), asked);
+    for row in &items {
+        assert_eq!(
+            (&row[6], &row[7], &row[10], &row[11]),
+            ("32", "0.500", "32", "0.875")
+        );
+        // Of what could be gained three quarters were; nobody knows who changed.
+        assert_eq!((&row[17], &row[18], &row[19]), ("0.750", "", ""));
+        assert!(
+            row[20].contains(": 16") && row[21].contains(": 28"),
+            "{row:?}"
+        );
+    }
+    // Counted hands have no names, and so no rows.
+    assert!(records(&exported(folder.path(), "class-answers-1.csv")).is_empty());
+    let kept = kept(folder.path());
+    assert_eq!((kept.len(), kept[0].voted(0, Vote::Second)), (1, 32));
 }

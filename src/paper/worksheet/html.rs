@@ -7,19 +7,24 @@ use crate::numbers;
 use crate::paper::HtmlPage;
 use crate::quiz::{Confidence, Form, Measure, Question, letter};
 use crate::widgets::svg::Svg;
+use crate::widgets::text::unbroken;
 
 /// The widest picture that stands beside its question: 96 mm.
 const BESIDE: f64 = 363.0;
 
 /// A document of these sheets.
-pub(super) fn document<const N: usize>(title: &str, sheets: [Markup; N]) -> String {
+pub(super) fn document<const N: usize>(
+    worksheet: &Worksheet,
+    title: &str,
+    sheets: [Markup; N],
+) -> String {
     let page = HtmlPage::new(title).style(include_str!("worksheet.css"));
+    let page = page.paper(worksheet.paper);
     sheets.into_iter().fold(page, HtmlPage::sheet).html()
 }
 
 /// The head of a sheet: what it is, and how to open it on a screen.
 pub(super) fn head(worksheet: &Worksheet, kind: &str, title: &str) -> Markup {
-    let code = worksheet.round.code();
     html! {
         header {
             div {
@@ -28,8 +33,10 @@ pub(super) fn head(worksheet: &Worksheet, kind: &str, title: &str) -> Markup {
             }
             div.code {
                 span.dim { "code" }
-                strong { (code) }
-                span.dim { "on screen: " code { (words::command(code)) } }
+                strong { (worksheet.code()) }
+                @if let Some(command) = worksheet.command() {
+                    span.dim { "on screen: " code { (command) } }
+                }
             }
         }
     }
@@ -46,7 +53,7 @@ pub(super) fn questions(worksheet: &Worksheet) -> Markup {
                     div class=(class) { span { (field) } }
                 }
             }
-            p.advice { (words::ADVICE) }
+            p.advice { (words::ADVICE) " " (words::worth(questions)) }
             @for (number, question) in (1..).zip(questions) {
                 (one(number, question))
             }
@@ -61,12 +68,13 @@ fn one(number: usize, question: &Question) -> Markup {
         article.question.wide[is_wide] {
             h2 { (number) }
             div.said {
-                p { (question.text) }
+                p { (unbroken(&question.text)) }
                 @if let Some(task) = words::task(question) { p.task { (task) } }
                 (room(&question.form))
                 p.sure {
                     span.dim { "How sure?" }
                     @for sure in Confidence::ALL { span.tick { (ticked(sure.name())) } }
+                    span.points { span.blank {} (words::of_points(question)) }
                 }
             }
             @if let Some(picture) = picture { (figure(&picture)) }
@@ -108,7 +116,7 @@ fn room(form: &Form) -> Markup {
         Form::Choice { options, .. } => html! {
             ol.choices {
                 @for (i, option) in options.iter().enumerate() {
-                    li { span.box {} strong { (letter(i)) } span { (option) } }
+                    li { span.box {} strong { (letter(i)) } span { (unbroken(option)) } }
                 }
             }
         },
@@ -126,5 +134,5 @@ fn work() -> Markup {
 
 /// A line to write on, with the unit behind it.
 fn blank(unit: &str) -> Markup {
-    html! { span.blank {} @if unit == "°" { (unit) } @else { " " (unit) } }
+    html! { span.blank {} @if unit == "°" { (unit) } @else { "\u{a0}" (unit) } }
 }

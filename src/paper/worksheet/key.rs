@@ -4,6 +4,7 @@ use maud::{Markup, html};
 
 use super::{Worksheet, html::figure, html::head, pictures, words};
 use crate::quiz::Question;
+use crate::widgets::text::unbroken;
 
 /// All answers: at a glance, and then each with its reasons.
 pub(super) fn answers(worksheet: &Worksheet) -> Markup {
@@ -30,9 +31,9 @@ fn one(number: usize, question: &Question) -> Markup {
             div.worked {
                 h2 { (number) " " span.dim { (question.topic) } }
                 div {
-                    p.asked { (question.text) }
+                    p.asked { (unbroken(&question.text)) }
                     p.truth { (words::truth(question)) }
-                    p { (question.why) }
+                    p { (unbroken(&question.why)) }
                 }
                 @if let Some(picture) = pictures::of_answer(question) { (figure(&picture)) }
             }
@@ -46,7 +47,7 @@ fn one(number: usize, question: &Question) -> Markup {
                                 td { (words::said(question, &said)) }
                                 td {
                                     @if let Some(it) = misconception { strong { (it.name()) } " " }
-                                    (says)
+                                    (unbroken(says))
                                 }
                             }
                         }

@@ -4,6 +4,7 @@ use super::{Worksheet, pictures, words};
 use crate::numbers;
 use crate::paper::Markdown;
 use crate::quiz::{Confidence, Form, Measure, letter};
+use crate::widgets::text::unbroken;
 
 /// A line to write on, a short one, and a box to be ticked.
 const BLANK: &str = "____________";
@@ -11,12 +12,12 @@ const LINE: &str = "________________________________";
 const BOX: char = '☐';
 
 fn head(document: &mut Markdown, worksheet: &Worksheet, kind: &str, title: &str) {
-    let code = worksheet.round.code();
-    document.heading(1, title).paragraph(&format!(
-        "carrom · {kind} · {} · code {code} · on screen: {}",
-        numbers::counted(worksheet.round.questions().len(), "question"),
-        words::command(code)
-    ));
+    let questions = numbers::counted(worksheet.round.questions().len(), "question");
+    let command = worksheet.command();
+    let command = command.map_or(String::new(), |it| format!(" · on screen: {it}"));
+    let code = worksheet.code();
+    let line = format!("carrom · {kind} · {questions} · code {code}{command}");
+    document.heading(1, title).paragraph(&line);
 }
 
 pub(super) fn questions(worksheet: &Worksheet, folder: &str) -> String {
@@ -24,11 +25,12 @@ pub(super) fn questions(worksheet: &Worksheet, folder: &str) -> String {
     head(&mut document, worksheet, "worksheet", &worksheet.title);
     document
         .paragraph(&format!("Name {LINE} Class {BLANK} Date {BLANK}"))
-        .paragraph(words::ADVICE);
+        .paragraph(words::ADVICE)
+        .paragraph(&words::worth(worksheet.round.questions()));
     for (number, question) in (1..).zip(worksheet.round.questions()) {
         document
             .heading(2, &number.to_string())
-            .paragraph(&question.text);
+            .paragraph(&unbroken(&question.text));
         if let Some(picture) = pictures::of_question(question) {
             let name = pictures::question_name(number);
             document.picture(picture.words(), &format!("{folder}/{name}.svg"));
@@ -38,7 +40,9 @@ pub(super) fn questions(worksheet: &Worksheet, folder: &str) -> String {
         }
         room(&mut document, &question.form);
         let sure = Confidence::ALL.map(|sure| format!("{BOX} {}", sure.name()));
-        document.paragraph(&format!("How sure? {}", sure.join(" ")));
+        let points = words::of_points(question);
+        let sure = sure.join(" ");
+        document.paragraph(&format!("How sure? {sure} · {BLANK}{points}"));
     }
     document.text().to_owned()
 }
@@ -55,13 +59,17 @@ fn room(document: &mut Markdown, form: &Form) {
                 Measure::Restitution => "Answer: e =",
                 _ => "Answer:",
             };
-            let gap = if *quantity == Measure::Angle { "" } else { " " };
+            let gap = if *quantity == Measure::Angle {
+                ""
+            } else {
+                "\u{a0}"
+            };
             document.paragraph(&format!("{name} {BLANK}{gap}{}", quantity.unit()))
         }
         Form::Choice { options, .. } => document.list(
             (0..)
                 .zip(options)
-                .map(|(i, option)| format!("{BOX} {}: {option}", letter(i))),
+                .map(|(i, option)| format!("{BOX} {}: {}", letter(i), unbroken(option))),
         ),
         Form::Shot(_) => document.paragraph(&format!("Offset: {BLANK} mm {BOX} left {BOX} right")),
     };
@@ -80,9 +88,9 @@ pub(super) fn answers(worksheet: &Worksheet, folder: &str) -> String {
     for (number, question) in (1..).zip(questions) {
         document
             .heading(2, &format!("{number} {}", question.topic))
-            .paragraph(&question.text)
+            .paragraph(&unbroken(&question.text))
             .strong(&words::truth(question))
-            .paragraph(&question.why);
+            .paragraph(&unbroken(&question.why));
         if let Some(picture) = pictures::of_answer(question) {
             let name = pictures::answer_name(number);
             document.picture(picture.words(), &format!("{folder}/{name}.svg"));

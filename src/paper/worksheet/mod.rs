@@ -3,6 +3,7 @@
 //! The two are documents of their own, so that the sheet can be printed or handed on
 //! without the key. Both have the code of the round on them, which opens it on a screen.
 
+mod cards;
 mod html;
 mod key;
 mod markdown;
@@ -11,9 +12,10 @@ mod words;
 
 use crate::quiz::Round;
 
+pub use cards::cards;
 pub use pictures::WorksheetPicture;
 
-use super::clean;
+use super::{Paper, clean};
 
 /// Columns of a heading.
 const TITLE: usize = 120;
@@ -22,11 +24,16 @@ const HEADING: &str = "Glancing collisions";
 
 /// A round of the quiz on paper.
 ///
-/// Everything follows from the round and the title: the same two give the same bytes.
+/// Everything follows from what it is made of: the same gives the same bytes.
 #[derive(Debug)]
 pub struct Worksheet<'a> {
     round: &'a Round,
     title: String,
+    /// The letter of the version, where there are several.
+    version: Option<char>,
+    /// The folders of own questions, as a shell takes them.
+    concepts: Vec<String>,
+    paper: Paper,
 }
 
 impl<'a> Worksheet<'a> {
@@ -40,25 +47,71 @@ impl<'a> Worksheet<'a> {
         } else {
             title
         };
-        Self { round, title }
+        Self {
+            round,
+            title,
+            version: None,
+            concepts: Vec::new(),
+            paper: Paper::default(),
+        }
+    }
+
+    /// The same as one of several versions, A, B and so on; A is what the code opens on a screen.
+    #[must_use]
+    pub fn version(self, letter: char) -> Self {
+        Self {
+            version: Some(letter),
+            ..self
+        }
+    }
+
+    /// The same with the folders of own questions that it takes to open it on a screen.
+    #[must_use]
+    pub fn concepts(self, folders: Vec<String>) -> Self {
+        Self {
+            concepts: folders,
+            ..self
+        }
+    }
+
+    /// The same for this paper.
+    #[must_use]
+    pub fn paper(self, paper: Paper) -> Self {
+        Self { paper, ..self }
+    }
+
+    /// What opens the same round on a screen; nothing where that is another version.
+    fn command(&self) -> Option<String> {
+        let is_first = self.version.is_none_or(|letter| letter == 'A');
+        is_first.then(|| words::command(self.round.code(), &self.concepts))
+    }
+
+    /// "mixed-7", "mixed-7, version B".
+    fn code(&self) -> String {
+        let code = self.round.code();
+        match self.version {
+            Some(letter) => format!("{code}, version {letter}"),
+            None => code.to_string(),
+        }
     }
 
     /// The questions as HTML.
     #[must_use]
     pub fn sheet_html(&self) -> String {
-        html::document(&self.title, [html::questions(self)])
+        html::document(self, &self.title, [html::questions(self)])
     }
 
     /// The answers as HTML.
     #[must_use]
     pub fn key_html(&self) -> String {
-        html::document(&self.key_title(), [key::answers(self)])
+        html::document(self, &self.key_title(), [key::answers(self)])
     }
 
     /// The questions as HTML, and the answers from a new page on.
     #[must_use]
     pub fn html_with_key(&self) -> String {
-        html::document(&self.title, [html::questions(self), key::answers(self)])
+        let sheets = [html::questions(self), key::answers(self)];
+        html::document(self, &self.title, sheets)
     }
 
     /// The questions in Markdown; the [pictures](Self::pictures) are looked for in

@@ -1,6 +1,9 @@
 //! What stands on sheet and key, whatever they are written in.
 
-use crate::quiz::{Code, Confidence, Form, Illustration, Measure, Question, RIGHT_DEG, letter};
+use crate::numbers;
+use crate::quiz::{
+    Code, Confidence, Difficulty, Form, Illustration, Measure, Question, RIGHT_DEG, letter,
+};
 
 /// What a student is to know before the first question.
 pub(super) const ADVICE: &str = "Say first, then check: answer every question before you look \
@@ -13,8 +16,34 @@ pub(super) const KEY_ADVICE: &str = "For the teacher. Each question with its tru
      is true, and the wrong answers to listen for: who gives one of these very likely thinks so.";
 
 /// What opens the same round on a screen.
-pub(super) fn command(code: &Code) -> String {
-    format!("carrom quiz --code {code}")
+pub(super) fn command(code: &Code, concepts: &[String]) -> String {
+    let folders = concepts
+        .iter()
+        .map(|folder| format!(" --concepts {folder}"));
+    format!("carrom quiz --code {code}{}", folders.collect::<String>())
+}
+
+/// Points that a question is worth on paper: one for an easy one, up to three.
+const fn worth_of(question: &Question) -> usize {
+    match question.difficulty {
+        Difficulty::Easy => 1,
+        Difficulty::Middle => 2,
+        Difficulty::Hard => 3,
+    }
+}
+
+/// What stands behind the room for the points of a question: " / 2".
+pub(super) fn of_points(question: &Question) -> String {
+    format!(
+        "\u{a0}/\u{a0}{}",
+        numbers::counted(worth_of(question), "point")
+    )
+}
+
+/// How many points there are in all.
+pub(super) fn worth(questions: &[Question]) -> String {
+    let all: usize = questions.iter().map(worth_of).sum();
+    format!("In all there are {}.", numbers::counted(all, "point"))
 }
 
 /// What counts as right.

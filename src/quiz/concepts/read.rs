@@ -129,7 +129,9 @@ fn wrong(fields: &Fields, hit: Option<CollisionSpec>) -> Option<Wrong> {
         fields.text_as(name, |id| {
             let unknown = || {
                 let found = escape_control(id, 40);
-                format!("expected the id of a misconception, found {found}")
+                format!(
+                    "expected the id of a misconception (carrom misconceptions prints all), found {found}"
+                )
             };
             Misconception::with_id(id).map(Some).ok_or_else(unknown)
         })

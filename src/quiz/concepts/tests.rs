@@ -282,7 +282,7 @@ fn faults_name_line_and_field() {
         (
             "copied-angle",
             "copied",
-            "my.toml:11: item.wrong.misconception: expected the id of a misconception, found copied",
+            "my.toml:11: item.wrong.misconception: expected the id of a misconception (carrom misconceptions prints all), found copied",
         ),
         (
             "\"one\"",

@@ -1,5 +1,7 @@
 //! A round: questions fixed by a code.
 
+use std::mem::discriminant;
+
 use super::{Code, Course, CourseKind, even, find_out, review};
 use crate::numbers::{FNV_START, fnv1a};
 use crate::quiz::concepts::{self, Concept};
@@ -31,6 +33,9 @@ const REDRAWS: usize = 50;
 /// How many questions of any family are looked through for one that can show a misconception;
 /// then come the written ones, of which some show each.
 const SHOWING_DRAWS: usize = 400;
+
+/// How many questions are looked through for one of another version.
+const VERSION_DRAWS: usize = 400;
 
 impl Round {
     /// The round of a course and a seed.
@@ -98,6 +103,47 @@ impl Round {
     /// The round of a code.
     pub fn of(code: Code) -> Self {
         Self::new(code.course, code.seed)
+    }
+
+    /// Another version of it, for who sits beside: for each question one of the same topic,
+    /// difficulty and form with other numbers, and for a written one another about the same, or
+    /// where there is none its choices in another order. The versions count from 1, which is the
+    /// round itself; the same number brings the same version.
+    #[must_use]
+    pub fn version(&self, number: u64) -> Self {
+        let Code { course, seed } = &self.code;
+        if number < 2 {
+            return self.clone();
+        }
+        let mut dice = Dice::new(salted(
+            &format!("{}, version {number}", course.kind.id()),
+            *seed,
+        ));
+        let mut questions: Vec<Question> = Vec::with_capacity(self.questions.len());
+        for asked in &self.questions {
+            let mut draws = (0..VERSION_DRAWS).filter_map(|_| self.like(asked, &mut dice));
+            let fresh = draws.find(|it| {
+                let old = |other: &Question| (&it.text, &it.form) == (&other.text, &other.form);
+                it.topic == asked.topic
+                    && discriminant(&it.form) == discriminant(&asked.form)
+                    && !self.questions.iter().chain(&questions).any(old)
+            });
+            questions.push(fresh.unwrap_or_else(|| asked.clone()));
+        }
+        Self {
+            code: self.code.clone(),
+            questions,
+        }
+    }
+
+    /// A question of the same kind as one of this round.
+    fn like(&self, asked: &Question, dice: &mut Dice) -> Option<Question> {
+        let CourseKind::Own(library) = &self.code.course.kind else {
+            return Some(asked.family.ask(asked.difficulty, dice)?.0);
+        };
+        let id = asked.figures.get("id")?.as_str()?;
+        let concept = library.concepts.iter().find(|it| it.id == id)?;
+        concept::question(concept, dice)
     }
 
     /// The code that fixes it; that of a review cannot be read back, for it is its

@@ -10,7 +10,7 @@ use super::view::{Text, column};
 use crate::class::{ClassRound, ItemAnalysis, Vote, items};
 use crate::numbers::fixed;
 use crate::physics::units::deg_from_rad;
-use crate::quiz::{Evidence, Misconception};
+use crate::quiz::{Evidence, Form, Misconception, Question, letter};
 use crate::widgets::{Lines, Role, text};
 
 /// The words of a page beside the scoreboard.
@@ -117,6 +117,7 @@ fn write_items(round: &ClassRound, lines: &mut Lines) {
     for item in items(round, asked.len()) {
         let about = text::clipped(&asked[item.question].topic.name(), topic);
         lines.line(&row(&item, &about, topic), Role::Title);
+        lines.hanging("     ", &told(&asked[item.question], &item), Role::Text);
         if let Some((misconception, count)) = item.commonest {
             let held = format!("{}: {count}", misconception.name());
             lines.hanging("     ", &held, Role::Text);
@@ -124,10 +125,36 @@ fn write_items(round: &ClassRound, lines: &mut Lines) {
     }
     lines.gap();
     lines.paragraph(
-        "\"right\": how many of the votes were. \"degrees off\": the mean error of angles; of two rays the one further off counts. \"tells apart\": how well a question tells the better teams from the others, -1 to 1; it needs three teams.",
+        "\"right\": how many of the votes were. \"degrees off\": the mean error of angles; of two rays the one further off counts. \"tells apart\": how well a question tells the better teams from the others, -1 to 1; it needs ten of them. \"gain\": the share of what could be gained by talking.",
         Role::Dim,
     );
 }
+
+/// "A 4 then 2, B 17 then 28; gain 60 %; to right 5, to wrong 1"
+fn told(question: &Question, item: &ItemAnalysis) -> String {
+    let is_choice = matches!(question.form, Form::Choice { .. });
+    let each = item.counts.iter().enumerate();
+    let counts = each.map(|(i, (said, [first, second]))| {
+        let words = match is_choice {
+            true => letter(i).to_string(),
+            false => question.form.words(said),
+        };
+        format!("{words}: {first} then {second}")
+    });
+    let counts: Vec<String> = counts.take(MOST_COUNTS).collect();
+    let mut told = vec![counts.join("; ")];
+    if let Some(gain) = item.gain {
+        told.push(format!("gain {:.0} %", 100.0 * gain));
+    }
+    if let Some([right, wrong]) = item.changed {
+        told.push(format!("changed to right {right}, to wrong {wrong}"));
+    }
+    told.retain(|it| !it.is_empty());
+    told.join(". ")
+}
+
+/// Most answers that are told with their counts.
+const MOST_COUNTS: usize = 5;
 
 fn row(item: &ItemAnalysis, about: &str, topic: usize) -> String {
     let percent =

@@ -16,6 +16,7 @@ mod shown;
 mod shown_view;
 mod spread_view;
 mod step_view;
+mod tally_entry;
 mod view;
 mod vote_entry;
 mod vote_view;
@@ -78,6 +79,12 @@ pub(crate) enum ClassAction {
     Pause,
     /// dark on light for a projector, or light on dark
     Light,
+    /// take what was counted
+    Count,
+    /// straight to the shot, where there is little to talk about
+    ToTheShot,
+    /// show a minute running down, or half a minute more
+    Countdown,
     /// the question's words alone, as large as they fit
     WordsAlone,
     /// write two tables for a spreadsheet: answers and questions
@@ -239,10 +246,7 @@ impl Screen for Class {
     fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {
         match &mut self.scene {
             ClassScene::SetUp(set_up) => set_up.typed(key),
-            ClassScene::Play(play) if !self.paused => {
-                let hosting = play.hosting.as_mut();
-                hosting.is_some_and(|hosting| hosting.typed(key))
-            }
+            ClassScene::Play(play) if !self.paused => play.typed(key),
             _ => false,
         }
     }

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use super::hosting::{Hosting, HostingAction, Scene};
 use super::shown::ClassReveal;
+use super::tally_entry::TallyEntry;
 use super::vote_entry::VoteEntry;
 use super::{ClassAction, view, vote_view};
 use crate::class::protocol::PupilStep;
@@ -23,6 +24,8 @@ pub(super) struct ClassPlay {
     pub(super) scroll: Scroll,
     /// The page of the words of a step, from 0.
     pub(super) page: usize,
+    /// The time that is left of a countdown, where one is shown.
+    pub(super) countdown: Option<Duration>,
     /// Whether the words of the question have the screen to themselves.
     pub(super) words_alone: bool,
     /// The step at which each question stands.
@@ -42,6 +45,7 @@ pub(super) struct ClassPlay {
 pub(super) enum ClassPhase {
     Look,
     Vote(VoteEntry),
+    Tally(TallyEntry),
     Shot(Box<ClassReveal>),
     End(EndPage),
 }
@@ -85,6 +89,7 @@ impl ClassPlay {
             phase: ClassPhase::Look,
             scroll: Scroll::default(),
             page: 0,
+            countdown: None,
             words_alone: false,
             furthest,
             ticket,
@@ -137,11 +142,14 @@ impl ClassPlay {
         if let Some(kept) = self.steps.get_mut(question) {
             *kept = step;
         }
-        let vote = |vote| ClassPhase::Vote(VoteEntry::new(&self.round, question, vote));
-        let at_keyboard = self.round.way() == WayOfVoting::Teams;
+        let vote = |vote| match self.round.way() {
+            WayOfVoting::Teams => ClassPhase::Vote(VoteEntry::new(&self.round, question, vote)),
+            WayOfVoting::Tally => ClassPhase::Tally(TallyEntry::new(&self.round, question, vote)),
+            WayOfVoting::Devices => ClassPhase::Look,
+        };
         self.phase = match step {
-            ClassStep::FirstVote if at_keyboard => vote(Vote::First),
-            ClassStep::SecondVote if at_keyboard => vote(Vote::Second),
+            ClassStep::FirstVote => vote(Vote::First),
+            ClassStep::SecondVote => vote(Vote::Second),
             ClassStep::Shot => {
                 let shown = ClassReveal::new(&self.round, question, cx.settings.pace());
                 shown.map_or(ClassPhase::Look, |it| ClassPhase::Shot(Box::new(it)))
@@ -150,6 +158,7 @@ impl ClassPlay {
         };
         self.scroll = Scroll::default();
         self.page = 0;
+        self.countdown = None;
         self.words_alone = false;
     }
 
@@ -322,8 +331,8 @@ impl ClassPlay {
     /// The keys of the step at hand.
     pub(super) fn keys(&self) -> KeyTable<ClassAction> {
         use ClassAction::{
-            Backward, Forward, Leap, Leave, Light, NotYet, Pause, ShowTyped, Tables, TakeBack,
-            Team, Teams, TurnPage, Vote, Watch, WordsAlone,
+            Backward, Count, Countdown, Forward, Leap, Leave, Light, NotYet, Pause, ShowTyped,
+            Tables, TakeBack, Team, Teams, ToTheShot, TurnPage, Vote, Watch, WordsAlone,
         };
         let keys = KeyTable::new("class");
         if let Some(page) = self.hosting.as_ref().and_then(|it| it.page_keys()) {
@@ -366,6 +375,7 @@ impl ClassPlay {
                             .when(entry.has_voted(&self.round))
                     }
                 },
+                (ClassPhase::Tally(_), _) => keys.on(Key::Enter, Count, "take it"),
                 (ClassPhase::Shot(shown), _) => {
                     // What is watched has the space bar, and Enter until all is told.
                     let keys = match shown.reveal.watch() {
@@ -383,7 +393,7 @@ impl ClassPlay {
                 (_, ClassStep::SecondVote) => read("the shot"),
                 (_, ClassStep::Describe) => read("predict"),
                 (_, ClassStep::Predict) => read("first vote"),
-                (_, ClassStep::Talk) => forward("second vote"),
+                (_, ClassStep::Talk) => forward("second vote").on('g', ToTheShot, "the shot"),
                 (_, ClassStep::Scores) if is_last => forward("the end"),
                 (_, ClassStep::Scores) => forward("next question"),
                 _ => forward("go on"),
@@ -401,6 +411,7 @@ impl ClassPlay {
             step.on('e', Tables, tables)
                 .on(Key::Backspace, Backward, "back")
                 .on('p', Pause, "pause")
+                .on('c', Countdown, "")
                 .on('l', Light, "dark or light")
                 .by(['[', ']'], Leap, [-1, 1], "questions")
                 .when([-1, 1].iter().any(|by| self.leads_to(*by).is_some()))
@@ -423,6 +434,19 @@ impl ClassPlay {
                 self.turn_page(page, by);
             }
             (ClassAction::Watch(action), ClassPhase::Shot(shown)) => shown.reveal.act(action),
+            (ClassAction::Count, ClassPhase::Tally(entry)) => {
+                let entry = entry.clone();
+                if entry.give(&mut self.round) {
+                    self.forward(cx);
+                }
+            }
+            (ClassAction::ToTheShot, _) => self.go(self.number(), ClassStep::Shot, cx),
+            (ClassAction::Countdown, _) => {
+                self.countdown = Some(match self.countdown {
+                    Some(left) if !left.is_zero() => left + Duration::from_secs(30),
+                    _ => Duration::from_secs(60),
+                });
+            }
             (ClassAction::WordsAlone, _) => self.words_alone = !self.words_alone,
             (ClassAction::Tables, _) => {
                 cx.ask(StoreRequest::ExportClass(Box::new(self.round.clone())));
@@ -448,6 +472,15 @@ impl ClassPlay {
             (ClassAction::ShowTyped, ClassPhase::Vote(entry)) => entry.is_open = !entry.is_open,
             (ClassAction::NotYet, ClassPhase::Vote(entry)) => entry.input = None,
             _ => {}
+        }
+    }
+
+    /// Takes a key of what is typed.
+    pub(super) fn typed(&mut self, key: Key) -> bool {
+        let hosting = self.hosting.as_mut();
+        match &mut self.phase {
+            ClassPhase::Tally(entry) => entry.typed(key),
+            _ => hosting.is_some_and(|hosting| hosting.typed(key)),
         }
     }
 
@@ -513,6 +546,7 @@ impl ClassPlay {
         if let Some(hosting) = &mut self.hosting {
             hosting.advance(passed);
         }
+        self.countdown = self.countdown.map(|left| left.saturating_sub(passed));
         if let ClassPhase::Shot(shown) = &mut self.phase {
             shown.reveal.advance(passed, pace);
         }
@@ -524,8 +558,14 @@ impl ClassPlay {
             ClassPhase::Shot(shown) => shown.reveal.wake(pace),
             _ => None,
         };
+        // To where the next lower second is shown.
+        let left = self.countdown.filter(|left| !left.is_zero());
+        let second = left.map(|left| match left.subsec_nanos() {
+            0 => Duration::from_secs(1),
+            nanos => Duration::from_nanos(nanos.into()),
+        });
         let door = self.hosting.as_ref().and_then(|hosting| hosting.wake());
-        shot.into_iter().chain(door).min()
+        shot.into_iter().chain(second).chain(door).min()
     }
 }
 

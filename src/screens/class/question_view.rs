@@ -1,16 +1,23 @@
 //! The words of a question, and where its picture stands.
 
+use super::play::ClassPlay;
 use super::words::{Beside, Paragraph};
+use crate::class::{Vote, WayOfVoting};
 use crate::quiz::{Form, Illustration, Question, Response, letter};
 use crate::widgets::Role;
 
-/// A question with its choices; with `votes`, how many are for each.
-pub(super) fn paragraphs(question: &Question, votes: Option<&[Response]>) -> Vec<Paragraph> {
+/// A question with its choices; with `vote`, how many were for each.
+pub(super) fn paragraphs(
+    play: &ClassPlay,
+    question: &Question,
+    vote: Option<Vote>,
+) -> Vec<Paragraph> {
+    let votes = vote.map(|vote| play.round.said(play.number(), vote).collect::<Vec<_>>());
     let mut paragraphs = vec![Paragraph::new(question.text.as_str(), Role::Title)];
-    for (i, option) in options(question).iter().enumerate() {
-        let words = format!("{}: {option}", letter(i));
-        let count = votes.map(|votes| {
-            let count = votes.iter().filter(|it| **it == Response::Choice(i));
+    for (i, choice) in choices(play, question).iter().enumerate() {
+        let words = format!("{}: {}", letter(i), question.form.words(choice));
+        let count = votes.as_ref().map(|votes| {
+            let count = votes.iter().filter(|it| *it == choice);
             (count.count(), votes.len().max(1))
         });
         let words = match count {
@@ -26,11 +33,13 @@ pub(super) fn paragraphs(question: &Question, votes: Option<&[Response]>) -> Vec
     paragraphs
 }
 
-/// The choices of a question that has any.
-fn options(question: &Question) -> &[String] {
-    match &question.form {
-        Form::Choice { options, .. } => options,
-        _ => &[],
+/// What there is to choose from: the choices of a question that has any; where hands or cards are
+/// counted, answers of every question.
+fn choices(play: &ClassPlay, question: &Question) -> Vec<Response> {
+    let has_any = matches!(question.form, Form::Choice { .. });
+    match has_any || play.round.way() == WayOfVoting::Tally {
+        true => play.round.choices(play.number()),
+        false => Vec::new(),
     }
 }
 

@@ -5,7 +5,7 @@ use ratatui::layout::{Margin, Rect};
 
 use super::heading::below;
 use super::view::{column, slot};
-use crate::class::{ClassRound, standings};
+use crate::class::{ClassRound, WayOfVoting, items, standings};
 use crate::numbers;
 use crate::quiz::Grade;
 use crate::widgets::bar::bar;
@@ -34,6 +34,19 @@ struct ScoreRow {
 /// Draws where the teams stand after the first `asked` questions.
 pub(super) fn draw(round: &ClassRound, asked: usize, area: Rect, buf: &mut Buffer, look: &Look) {
     let area = column(area);
+    let rows = match round.way() {
+        WayOfVoting::Tally => of_questions(round, asked),
+        WayOfVoting::Teams | WayOfVoting::Devices => of_teams(round, asked),
+    };
+    let high = area.height / (rows.len() as u16).max(1);
+    match large(&rows, high, area.width, look) {
+        Some(letters) => draw_large(&rows, &letters, high.min(LARGE[1]), area, buf, look),
+        None => draw_plain(&rows, high.clamp(1, 3), area, buf, look),
+    }
+}
+
+/// A row for each of the teams, the best first.
+fn of_teams(round: &ClassRound, asked: usize) -> Vec<ScoreRow> {
     let most = Grade::MOST * asked.max(1) as f64;
     let standings = standings(round, asked).into_iter().map(|it| ScoreRow {
         name: format!("{}. {}", it.place, round.teams()[it.team]),
@@ -41,12 +54,23 @@ pub(super) fn draw(round: &ClassRound, asked: usize, area: Rect, buf: &mut Buffe
         gain: format!("+{}", numbers::points(it.gain)),
         share: it.points / most,
     });
-    let rows: Vec<_> = standings.collect();
-    let high = area.height / (rows.len() as u16).max(1);
-    match large(&rows, high, area.width, look) {
-        Some(letters) => draw_large(&rows, &letters, high.min(LARGE[1]), area, buf, look),
-        None => draw_plain(&rows, high.clamp(1, 3), area, buf, look),
-    }
+    standings.collect()
+}
+
+/// Hands that were counted have no names: a row for each question, with the share that was right
+/// after talking, and by how much it rose.
+fn of_questions(round: &ClassRound, asked: usize) -> Vec<ScoreRow> {
+    let items = items(round, asked).into_iter();
+    let rows = items.map(|it| {
+        let [first, second] = it.right.map(|share| share.unwrap_or(0.0));
+        ScoreRow {
+            name: format!("Question {}", it.question + 1),
+            points: format!("{:.0} %", 100.0 * second),
+            gain: format!("{:+.0} %", 100.0 * (second - first)),
+            share: second,
+        }
+    });
+    rows.collect()
 }
 
 /// Names and points in large type, if there is room for all of them.

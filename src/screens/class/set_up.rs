@@ -48,6 +48,8 @@ pub(super) enum SetUpRow {
     Kind(RoundKind),
     /// Off we go.
     Start,
+    /// Off we go, with hands or cards that are counted.
+    Tally,
     /// Off we go, everyone on a device of their own.
     Devices,
     /// The list of earlier rounds.
@@ -100,7 +102,7 @@ impl SetUp {
             kind: code.map_or(RoundKind::Mixed, |_| RoundKind::Code),
             topic: 0,
             code: TextField::new(&code.map(ToString::to_string).unwrap_or_default(), LONGEST),
-            trouble: None,
+            trouble: left_out(&own),
             own,
         };
         set_up.put(at);
@@ -145,7 +147,12 @@ impl SetUp {
             rows.push(SetUpRow::Add);
         }
         rows.extend(self.kinds().into_iter().map(SetUpRow::Kind));
-        rows.extend([SetUpRow::Start, SetUpRow::Devices, SetUpRow::Earlier]);
+        rows.extend([
+            SetUpRow::Start,
+            SetUpRow::Tally,
+            SetUpRow::Devices,
+            SetUpRow::Earlier,
+        ]);
         rows
     }
 
@@ -165,7 +172,7 @@ impl SetUp {
         let enter = match at {
             SetUpRow::Team(_) | SetUpRow::Add => "next",
             SetUpRow::Kind(_) => "choose it",
-            SetUpRow::Start | SetUpRow::Devices => "start",
+            SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices => "start",
             SetUpRow::Earlier => "open the list",
         };
         // Where text is typed they lead to its ends.
@@ -185,10 +192,12 @@ impl SetUp {
     pub(super) fn typed(&mut self, key: Key) -> bool {
         if let (SetUpRow::Add, Key::Char(c)) = (self.at(), key)
             && !c.is_whitespace()
+            && c != '?'
         {
             self.add();
         }
-        let Some(field) = self.field() else {
+        // A question mark asks for help: it is in no code and in hardly a name.
+        let Some(field) = self.field().filter(|_| key != Key::Char('?')) else {
             return false;
         };
         // At the end of a name there is nothing to delete but the team.
@@ -303,7 +312,7 @@ impl SetUp {
                 self.kind = kind;
                 self.put(SetUpRow::Start);
             }
-            SetUpRow::Start | SetUpRow::Devices => return self.start(at, cx),
+            SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices => return self.start(at, cx),
             SetUpRow::Earlier => return Outcome::Done(SetUpEnd::Earlier),
         }
         Outcome::Used
@@ -312,8 +321,8 @@ impl SetUp {
     fn start(&mut self, at: SetUpRow, cx: &mut Context) -> Outcome<SetUpEnd> {
         let names = match team_names(self.teams.iter().map(TextField::text)) {
             Ok(names) => names,
-            // Who has a device says its name there.
-            Err(_) if at == SetUpRow::Devices => Vec::new(),
+            // Counted hands have no names, and who has a device says its name there.
+            Err(_) if at != SetUpRow::Start => Vec::new(),
             Err(trouble) => {
                 self.trouble = Some(format!("The teams: {trouble}."));
                 return Outcome::Used;
@@ -332,6 +341,7 @@ impl SetUp {
             Ok(code) => {
                 let round = match at {
                     SetUpRow::Devices => ClassRound::with_devices(code),
+                    SetUpRow::Tally => ClassRound::with_tally(code),
                     _ => ClassRound::new(code, names),
                 };
                 Outcome::Done(SetUpEnd::Start(Box::new(ClassPlay::new(round, cx))))
@@ -343,4 +353,16 @@ impl SetUp {
             }
         }
     }
+}
+
+/// What is wrong with files of own questions that were left out.
+fn left_out(own: &Library) -> Option<String> {
+    let first = own.problems.first()?;
+    let more = match own.problems.len() - 1 {
+        0 => String::new(),
+        more => format!(" (and {more} more faults)"),
+    };
+    Some(format!(
+        "Left out of your own questions: {first}{more}. carrom concept check tells all."
+    ))
 }

@@ -17,7 +17,7 @@ fn layout(set_up: &SetUp, area: Rect) -> [Rect; 3] {
     // Two rows a kind of round, and the frame.
     let panel = 2 * set_up.kinds().len() as u16 + 2;
     // The heading is the same height in both charsets at any size that it is shown at.
-    let head = area.height.saturating_sub(panel + 6).min(6);
+    let head = area.height.saturating_sub(panel + 7).min(6);
     let page = below(column(area), head);
     let half = page.width / 2;
     let top = slot(page, 0, panel);
@@ -46,8 +46,9 @@ pub(super) fn row_at(set_up: &SetUp, area: Rect, cell: (u16, u16)) -> Option<Set
     }
     match ListView::row_at(below, cell)? {
         0 => Some(SetUpRow::Start),
-        1 => Some(SetUpRow::Devices),
-        2 => Some(SetUpRow::Earlier),
+        1 => Some(SetUpRow::Tally),
+        2 => Some(SetUpRow::Devices),
+        3 => Some(SetUpRow::Earlier),
         _ => None,
     }
 }
@@ -92,7 +93,17 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
         lines.line(&format!("      {about}"), Role::Dim);
     }
     let mut lines = Lines::new(below, buf, *look);
-    line("Start", set_up.at() == SetUpRow::Start, &mut lines);
+    line(
+        "Start with these teams",
+        set_up.at() == SetUpRow::Start,
+        &mut lines,
+    );
+    let tally = set_up.at() == SetUpRow::Tally;
+    line(
+        "start with hands or cards that are counted",
+        tally,
+        &mut lines,
+    );
     let devices = set_up.at() == SetUpRow::Devices;
     line("start on devices of their own", devices, &mut lines);
     let earlier = set_up.at() == SetUpRow::Earlier;

@@ -11,7 +11,7 @@ use super::play::ClassPlay;
 use super::question_view;
 use super::view::teams;
 use super::words::{Beside, Paragraph};
-use crate::class::Vote;
+use crate::class::{Advice, Vote, WayOfVoting};
 use crate::physics::Collision;
 use crate::physics::units::mm_from_m;
 use crate::quiz::{Form, Question, Ray, Response};
@@ -25,13 +25,21 @@ const MOST_ANGLES: usize = 5;
 
 /// The question with how many are for each choice.
 pub(super) fn said(play: &ClassPlay, question: &Question) -> Vec<Paragraph> {
-    let votes: Vec<_> = play.round.said(play.number(), Vote::First).collect();
-    question_view::paragraphs(question, Some(&votes))
+    question_view::paragraphs(play, question, Some(Vote::First))
 }
 
-/// Writes the commonest of what was said of each ray, and how many have said nothing.
+/// Writes the commonest of what was said of each ray, how many have said nothing, and what the
+/// votes advise.
 pub(super) fn write_more(play: &ClassPlay, question: &Question, lines: &mut Lines) {
     let votes: Vec<_> = play.round.said(play.number(), Vote::First).collect();
+    let advice = Advice::of(&play.round, play.number());
+    if play.round.way() == WayOfVoting::Tally {
+        lines.line(
+            advice.map_or("Nobody has counted.", Advice::words),
+            Role::Key,
+        );
+        return;
+    }
     if let Form::Rays { target, .. } = &question.form {
         for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, target)] {
             let words = format!("{name}, degrees: {}", listed(question, &votes, ray));
@@ -39,14 +47,18 @@ pub(super) fn write_more(play: &ClassPlay, question: &Question, lines: &mut Line
         }
     }
     let missing = play.round.teams().len().saturating_sub(votes.len());
-    if missing > 0 {
-        lines.line(&format!("{} without a vote", teams(missing)), Role::Dim);
-    }
+    let missing = match missing {
+        0 => String::new(),
+        count => format!("{} without a vote", teams(count)),
+    };
+    let advice = advice.map_or("", Advice::words);
+    lines.pair(advice, &missing, Role::Key, Role::Dim);
 }
 
 /// The picture that shows the spread: that of the question with all rays, or numbers on a line.
-pub(super) fn beside(question: &Question) -> Beside {
+pub(super) fn beside(play: &ClassPlay, question: &Question) -> Beside {
     match question.form {
+        _ if play.round.way() == WayOfVoting::Tally => question_view::beside(question),
         Form::Choice { .. } => question_view::beside(question),
         Form::Rays { .. } | Form::Number { .. } | Form::Shot(_) => Beside::Needed,
     }
@@ -54,12 +66,15 @@ pub(super) fn beside(question: &Question) -> Beside {
 
 /// Draws the picture of a question with the votes in it, or above them.
 pub(super) fn draw(
+    play: &ClassPlay,
     question: &Question,
-    votes: &[Response],
     area: Rect,
     buf: &mut Buffer,
     look: &Look,
 ) {
+    let votes: Vec<_> = play.round.said(play.number(), Vote::First).collect();
+    let votes = votes.as_slice();
+    let is_tally = play.round.way() == WayOfVoting::Tally;
     let unit = match &question.form {
         Form::Choice { .. } => return draw_question(area, buf, look, question, None),
         Form::Rays { .. } => {
@@ -69,6 +84,7 @@ pub(super) fn draw(
             }
             return draw_question(area, buf, look, question, None);
         }
+        _ if is_tally => return draw_question(area, buf, look, question, None),
         Form::Number { quantity, .. } => quantity.unit(),
         Form::Shot(_) => "mm, a minus for the left",
     };

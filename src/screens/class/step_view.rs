@@ -8,7 +8,7 @@ use super::heading::{Heading, below};
 use super::play::{ClassPhase, ClassPlay};
 use super::view::column;
 use super::words::{Beside, Paragraph, PlacedWords, screen_rows};
-use super::{question_view, shown_view, spread_view, vote_view};
+use super::{question_view, shown_view, spread_view, tally_entry, vote_view};
 use crate::class::{ClassStep, Vote};
 use crate::quiz::Question;
 use crate::widgets::{Lines, Look, Role, areas, draw_question, rehearsed};
@@ -75,6 +75,7 @@ impl<'a> StepView<'a> {
         let rest = heading.as_ref().map_or(area, |it| it.rest(area, look));
         let foot = match &play.phase {
             ClassPhase::Vote(entry) => vote_view::foot_rows(play, question, entry, rest, look),
+            ClassPhase::Tally(_) => tally_entry::ROWS,
             _ if play.step() == ClassStep::Talk => rehearsed(rest, *look, |lines| {
                 spread_view::write_more(play, question, lines);
                 lines.written()
@@ -151,6 +152,13 @@ impl<'a> StepView<'a> {
         let Some((said, page)) = self.at() else {
             return;
         };
+        if let Some(left) = self.play.countdown {
+            let seconds = left.as_nanos().div_ceil(1_000_000_000);
+            let words = format!(" {}:{:02} ", seconds / 60, seconds % 60);
+            let column = self.area.right().saturating_sub(words.len() as u16);
+            let style = look.theme.style(Role::Selected);
+            buf.set_stringn(column, self.area.y, &words, words.len(), style);
+        }
         match &said.placed {
             Some(placed) => {
                 draw_picture(self.play, self.question, self.picture(), buf, look);
@@ -163,6 +171,7 @@ impl<'a> StepView<'a> {
             ClassPhase::Vote(entry) => {
                 vote_view::draw(self.play, self.question, entry, self.foot, buf, look);
             }
+            ClassPhase::Tally(entry) => entry.draw(self.play, self.foot, buf, look),
             ClassPhase::Look if self.play.step() == ClassStep::Talk => {
                 let mut lines = Lines::new(self.foot, buf, *look);
                 spread_view::write_more(self.play, self.question, &mut lines);
@@ -215,7 +224,12 @@ fn said(play: &ClassPlay, question: &Question) -> Vec<Vec<Paragraph>> {
     match (&play.phase, play.step()) {
         (ClassPhase::Shot(shown), _) => shown_view::said(question, shown),
         (ClassPhase::Look, ClassStep::Talk) => vec![spread_view::said(play, question)],
-        _ => vec![question_view::paragraphs(question, None)],
+        (ClassPhase::Tally(entry), _) => {
+            // Before the second vote is counted all see the first.
+            let shown = (entry.vote == Vote::Second).then_some(Vote::First);
+            vec![question_view::paragraphs(play, question, shown)]
+        }
+        _ => vec![question_view::paragraphs(play, question, None)],
     }
 }
 
@@ -224,7 +238,7 @@ fn beside(play: &ClassPlay, question: &Question) -> Beside {
     match (&play.phase, play.step()) {
         (ClassPhase::Look, _) if play.words_alone => Beside::Nothing,
         (ClassPhase::Shot(shown), _) if shown.reveal.watch().is_some() => Beside::Needed,
-        (ClassPhase::Look, ClassStep::Talk) => spread_view::beside(question),
+        (ClassPhase::Look, ClassStep::Talk) => spread_view::beside(play, question),
         _ => question_view::beside(question),
     }
 }
@@ -240,8 +254,7 @@ fn draw_picture(play: &ClassPlay, question: &Question, place: Rect, buf: &mut Bu
             None => draw_question(place, buf, look, question, None),
         },
         (ClassPhase::Look, ClassStep::Talk) => {
-            let votes: Vec<_> = play.round.said(play.number(), Vote::First).collect();
-            spread_view::draw(question, &votes, place, buf, look);
+            spread_view::draw(play, question, place, buf, look);
         }
         (ClassPhase::Vote(entry), _) => {
             let input = entry.input.as_ref().filter(|_| entry.is_open);

@@ -27,6 +27,16 @@ impl ClassPlay {
             ),
             (ClassPhase::End(EndPage::Held), _) => (&["What you held", "You held"], String::new()),
             (ClassPhase::End(EndPage::Items), _) => (&["Questions"], String::new()),
+            (ClassPhase::Tally(entry), _) => match entry.vote {
+                Vote::First => (
+                    &["First vote", "Vote 1"],
+                    "Show your card, or raise your hand.".into(),
+                ),
+                Vote::Second => (
+                    &["Second vote", "Vote 2"],
+                    "Who has changed their mind? Show your card once more.".into(),
+                ),
+            },
             (ClassPhase::Vote(_), step) => match step {
                 ClassStep::SecondVote => (
                     &["Second vote", "Vote 2"],

@@ -21,5 +21,5 @@ pub use lines::{Lines, Spare};
 pub use look::Look;
 pub(crate) use scroll::rehearsed;
 pub use scroll::{Scroll, overflow, scroll_keys};
-pub use terms::held;
+pub use terms::{held, unbroken};
 pub use wrap::{ago, clipped, equation, width, wrap};

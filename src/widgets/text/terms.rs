@@ -73,6 +73,17 @@ pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
     held
 }
 
+/// The text with blanks that do not break within what is held together: "5 g", "e = 1.00".
+pub fn unbroken(text: &str) -> String {
+    let words: Vec<&str> = text.split(' ').collect();
+    let parts = held(&words, UNBROKEN).into_iter();
+    let parts = parts.map(|range| words.get(range).unwrap_or_default().join("\u{a0}"));
+    parts.collect::<Vec<_>>().join(" ")
+}
+
+/// Most letters between two places where [`unbroken`] lets a line break.
+const UNBROKEN: usize = 24;
+
 /// Splits a range of words until each part fits, at the weakest blanks first.
 fn split(
     range: Range<usize>,
