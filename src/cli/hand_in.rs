@@ -116,23 +116,10 @@ pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), 
     let path = args
         .out
         .clone()
-        .unwrap_or_else(|| file_name(&hand_in.name).into());
+        .unwrap_or_else(|| hand_in.file_name().into());
     let text = hand_in.text().map_err(|reason| anyhow!(reason))?;
     written::write_beside(&path, &[(path.clone(), text)], args.force)?;
     Ok(print_names([path.as_path()].into_iter())?)
-}
-
-/// What a pupil's file is called: letters and digits that any system takes.
-fn file_name(name: &str) -> String {
-    let plain = |c: char| {
-        if c.is_alphanumeric() {
-            c.to_lowercase().to_string()
-        } else {
-            "-".into()
-        }
-    };
-    let name: String = name.chars().map(plain).collect();
-    format!("hand-in-{}.{ENDING}", name.trim_matches('-'))
 }
 
 pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), Failure> {

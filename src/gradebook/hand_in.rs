@@ -80,6 +80,19 @@ impl HandIn {
         }
     }
 
+    /// What the file is called: letters and digits that any system takes.
+    pub fn file_name(&self) -> String {
+        let plain = |c: char| match c.is_ascii_alphanumeric() {
+            true => c.to_ascii_lowercase(),
+            false => '-',
+        };
+        let name: String = self.name.chars().map(plain).collect();
+        match name.trim_matches('-') {
+            "" => "hand-in.json".into(),
+            name => format!("hand-in-{name}.json"),
+        }
+    }
+
     /// The text of the file.
     ///
     /// # Errors

@@ -42,6 +42,15 @@ fn the_order_laid_down_stays() {
 }
 
 #[test]
+fn the_guide_lists_every_misconception() {
+    let guide = include_str!("../../../docs/concepts.md");
+    for misconception in Misconception::ALL {
+        let row = format!("| `{}` | {} |", misconception.id(), misconception.name());
+        assert!(guide.contains(&row), "{row}");
+    }
+}
+
+#[test]
 fn every_misconception_is_met_twice() {
     let mut met: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for concept in all() {

@@ -16,6 +16,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::recall::Recall;
 use super::{Context, Next, Place, Screen, leads};
+use crate::gradebook::HandIn;
 use crate::lessons::Book;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
 use crate::numbers::counted;
@@ -37,6 +38,8 @@ pub enum ProgressAction {
     Scroll(i16),
     /// do what the page suggests: a review, the page of a chapter, a round of the quiz
     DoNext,
+    /// hand in every answer: one small file for a teacher
+    HandIn,
     /// go back
     Back,
 }
@@ -126,6 +129,18 @@ impl Progress {
             _ => None,
         });
         step.unwrap_or(NextStep::Choose)
+    }
+
+    /// Writes the file for a teacher.
+    fn hand_in(&self, cx: &mut Context) {
+        let Some(history) = self.history() else {
+            return;
+        };
+        let hand_in = HandIn::new(&cx.settings.player, "", history.attempts.clone());
+        match hand_in.text() {
+            Ok(text) => cx.export(hand_in.file_name(), text),
+            Err(reason) => cx.tell(format!("The file could not be written: {reason}")),
+        }
     }
 
     fn turn_to(&mut self, page: ProgressPage) {
@@ -236,7 +251,7 @@ impl Screen for Progress {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<ProgressAction> {
-        use ProgressAction::{Back, DoNext, Scroll, Turn, TurnTo};
+        use ProgressAction::{Back, DoNext, HandIn, Scroll, Turn, TurnTo};
         let pages = ('1'..).zip((0..ProgressPage::ALL.len()).map(TurnTo));
         let some = self.history().is_some();
         KeyTable::new("progress")
@@ -253,6 +268,8 @@ impl Screen for Progress {
             .or(scroll_keys(Scroll))
             .when(some)
             .on(Key::Enter, DoNext, self.next_step().name())
+            .on('h', HandIn, "hand in")
+            .when(some)
             .on(Key::Escape, Back, "back")
     }
 
@@ -272,6 +289,7 @@ impl Screen for Progress {
                 };
                 return Next::Replace(Place::Quiz { code });
             }
+            ProgressAction::HandIn => self.hand_in(cx),
             ProgressAction::Back => return Next::Back,
         }
         Next::Stay
@@ -282,6 +300,10 @@ impl Screen for Progress {
             Input::Mouse(mouse) => self.mouse(mouse, cx),
             Input::Kept(answer) => {
                 self.history.take(answer);
+                Next::Stay
+            }
+            Input::Exported(exported) => {
+                cx.tell_of_export("file to hand in", exported);
                 Next::Stay
             }
             _ => Next::Ignored,
@@ -306,7 +328,7 @@ impl Screen for Progress {
             "Every answer you give is kept on this computer, and nowhere else. Here is what it adds up to.",
             "Over time: each mark is an answer, the higher the further off; the line is the mean of the last five. Topics: how often you were right, and how it stands lately; then the chapters you have opened, as Learn has them. How sure: the honest range is the one in which that confidence brings most points; its page over time shows whether you come to judge yourself better. Beliefs: what your wrong answers had in common, of how many questions could have shown it, before the middle of all answers and since.",
             "What you know may rest for 1, 2, 4 … 32 days before it is asked again; what you missed is due at once. It feels harder to come back to something half forgotten, and that is just why it works.",
-            "Several people on one computer: carrom --player NAME. For a table: carrom progress --csv, or --json. For a page to print or hand in: --report FILE.html.",
+            "Several people on one computer: carrom --player NAME. For a table: carrom progress --csv, or --json. For a page to print: --report FILE.html. h writes one small file with every answer, for a teacher who puts those of a class together (carrom gather).",
         ]
     }
 }

@@ -161,7 +161,12 @@ pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
         let pen = Pen::new(Role::Incoming).bold();
         sketch.picture.arrow(from, from + length * direction, pen);
         let text = named(name, figures.then(|| format!("{:.2} m/s", v.length())));
-        let away = direction.perp() * stage.side();
+        let beside = direction.perp() * stage.side();
+        // Beside its own disc, away from the other.
+        let away = match body {
+            1 if beside.dot(places[1] - places[0]) < 0.0 => -beside,
+            _ => beside,
+        };
         let anchor = places[body] + stage.radius(body) * away;
         sketch.label(text, anchor, away, Role::Incoming);
     }
