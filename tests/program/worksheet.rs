@@ -173,7 +173,8 @@ fn read(document: &str) -> (String, Vec<String>, BTreeSet<String>) {
             }
         }
     }
-    (text, pictures, others)
+    // Where a line may not break there is a blank of its own kind.
+    (text.replace('\u{a0}', " "), pictures, others)
 }
 
 #[test]
@@ -449,4 +450,114 @@ fn pages(pdf: &str, questions: usize) {
     assert!(asked.iter().all(|count| *count > 0), "{asked:?}");
     assert!(key <= 1 + questions / 2, "{key} pages for {questions}");
     assert_eq!(pages[key..].iter().map(sure).sum::<usize>(), 0);
+}
+
+fn written(arguments: &[&str]) {
+    let done = worksheet(arguments);
+    assert!(done.status.success(), "{arguments:?}: {}", err(&done));
+}
+
+#[test]
+fn another_version_asks_the_same_with_other_numbers() {
+    for round in rounds() {
+        let other = round.version(2);
+        assert_eq!(
+            (round.version(1), round.version(2)),
+            (round.clone(), other.clone())
+        );
+        assert_eq!(other.questions().len(), round.questions().len());
+        let mut fresh = 0;
+        for (one, two) in round.questions().iter().zip(other.questions()) {
+            assert_eq!((one.family, &one.topic), (two.family, &two.topic));
+            assert_eq!(one.difficulty, two.difficulty);
+            let forms = [one, two].map(|it| std::mem::discriminant(&it.form));
+            assert_eq!(forms[0], forms[1]);
+            fresh += usize::from((&one.text, &one.form) != (&two.text, &two.form));
+        }
+        // A topic may have no other question; that is rare.
+        assert!(
+            10 * fresh >= 9 * round.questions().len(),
+            "{}: {fresh}",
+            round.code()
+        );
+    }
+}
+
+#[test]
+fn versions_are_sheets_with_keys_of_their_own() {
+    let folder = Folder::new("versions");
+    let out = folder.path().to_str().unwrap();
+    written(&[
+        "--seed",
+        "7",
+        "--versions",
+        "2",
+        "--paper",
+        "letter",
+        "--out",
+        out,
+    ]);
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+    for (letter, on_screen) in [("a", true), ("b", false)] {
+        let sheet = read(&format!("worksheet-{letter}.html"));
+        let upper = letter.to_uppercase();
+        assert!(sheet.contains(&format!("mixed-7, version {upper}")));
+        assert!(sheet.contains("size: letter"));
+        // Only the first is what the code opens.
+        assert_eq!(sheet.contains("carrom quiz --code mixed-7"), on_screen);
+        assert!(read(&format!("key-{letter}.md")).contains(&format!("version {upper}")));
+        assert!(read(&format!("worksheet-{letter}.md")).contains(&format!("pictures-{letter}/")));
+        assert!(folder.path().join(format!("pictures-{letter}")).is_dir());
+    }
+}
+
+#[test]
+fn cards_are_four_to_a_sheet() {
+    let folder = Folder::new("cards");
+    written(&["--cards", "3", "--out", folder.path().to_str().unwrap()]);
+    let page = fs::read_to_string(folder.path().join("cards.html")).unwrap();
+    let cards = select(&Html::parse_document(&page), ".card");
+    assert_eq!(cards, ["A", "B", "C", "D"].repeat(3));
+}
+
+/// The command on a sheet of own questions opens the round, wherever the folder is.
+#[test]
+fn the_command_on_a_sheet_of_own_questions_has_their_folder() {
+    let folder = Folder::new("own sheet");
+    let mine = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/own-concepts");
+    let copy = folder.path().join("my own");
+    fs::create_dir(&copy).unwrap();
+    let name = "our-marbles.toml";
+    fs::copy(Path::new(mine).join(name), copy.join(name)).unwrap();
+    let out = folder.path().join("sheet");
+    let concepts = copy.to_str().unwrap();
+    written(&[
+        "--concepts",
+        concepts,
+        "--code",
+        "own-7",
+        "--out",
+        out.to_str().unwrap(),
+    ]);
+    let page = fs::read_to_string(out.join("worksheet.html")).unwrap();
+    let command = select(&Html::parse_document(&page), ".code code").remove(0);
+    let words = shlex::split(&command).unwrap();
+    let at = words.iter().position(|word| word == "--concepts").unwrap();
+    assert_eq!(words[at + 1], concepts);
+}
+
+/// A number and its unit, or an equation, are on one line.
+#[test]
+fn no_line_breaks_before_a_unit() {
+    let round = Round::of(Code::parse("mixed12-7").unwrap());
+    let sheet = Worksheet::new(&round, None);
+    for html in [sheet.sheet_html(), sheet.key_html()] {
+        let page = Html::parse_document(&html);
+        let asked = Selector::parse(".said > p:first-child, .asked").unwrap();
+        for text in page.select(&asked).map(|it| it.text().collect::<String>()) {
+            for broken in ["0 g", "0 m/s", "e = 1", "0 mm"] {
+                assert!(!text.contains(broken), "{broken}: {text}");
+            }
+        }
+    }
 }

@@ -121,7 +121,7 @@ impl Round {
         ));
         let mut questions: Vec<Question> = Vec::with_capacity(self.questions.len());
         for asked in &self.questions {
-            let mut draws = (0..VERSION_DRAWS).filter_map(|_| self.like(asked, &mut dice));
+            let mut draws = (0..VERSION_DRAWS).filter_map(|draw| self.like(asked, draw, &mut dice));
             let fresh = draws.find(|it| {
                 let old = |other: &Question| (&it.text, &it.form) == (&other.text, &other.form);
                 it.topic == asked.topic
@@ -137,13 +137,22 @@ impl Round {
     }
 
     /// A question of the same kind as one of this round.
-    fn like(&self, asked: &Question, dice: &mut Dice) -> Option<Question> {
-        let CourseKind::Own(library) = &self.code.course.kind else {
-            return Some(asked.family.ask(asked.difficulty, dice)?.0);
+    fn like(&self, asked: &Question, draw: usize, dice: &mut Dice) -> Option<Question> {
+        if let CourseKind::Own(library) = &self.code.course.kind {
+            let id = asked.figures.get("id")?.as_str()?;
+            let concept = library.concepts.iter().find(|it| it.id == id)?;
+            return concept::question(concept, dice);
+        }
+        // In ten hits a kind may come where its family asks it as an easier one, or a harder.
+        let difficulty = match draw < VERSION_DRAWS / 2 {
+            true => asked.difficulty,
+            false => *dice.pick(&Difficulty::ALL)?,
         };
-        let id = asked.figures.get("id")?.as_str()?;
-        let concept = library.concepts.iter().find(|it| it.id == id)?;
-        concept::question(concept, dice)
+        let (question, _) = asked.family.ask(difficulty, dice)?;
+        Some(Question {
+            difficulty: asked.difficulty,
+            ..question
+        })
     }
 
     /// The code that fixes it; that of a review cannot be read back, for it is its

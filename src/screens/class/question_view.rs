@@ -4,7 +4,8 @@ use super::play::ClassPlay;
 use super::words::{Beside, Paragraph};
 use crate::class::{Vote, WayOfVoting};
 use crate::quiz::{Form, Illustration, Question, Response, letter};
-use crate::widgets::Role;
+use crate::widgets::hit::degrees;
+use crate::widgets::{Role, brief};
 
 /// A question with its choices; with `vote`, how many were for each.
 pub(super) fn paragraphs(
@@ -15,7 +16,7 @@ pub(super) fn paragraphs(
     let votes = vote.map(|vote| play.round.said(play.number(), vote).collect::<Vec<_>>());
     let mut paragraphs = vec![Paragraph::new(question.text.as_str(), Role::Title)];
     for (i, choice) in choices(play, question).iter().enumerate() {
-        let words = format!("{}: {}", letter(i), question.form.words(choice));
+        let words = format!("{}: {}", letter(i), in_short(question, choice));
         let count = votes.as_ref().map(|votes| {
             let count = votes.iter().filter(|it| *it == choice);
             (count.count(), votes.len().max(1))
@@ -31,6 +32,20 @@ pub(super) fn paragraphs(
         });
     }
     paragraphs
+}
+
+/// A choice as short as it can be: of rays their degrees, with the letters of the discs.
+fn in_short(question: &Question, choice: &Response) -> String {
+    match (choice, question.picture.collision()) {
+        (Response::Rays(rays), Some(collision)) => {
+            let [striker, target] = degrees(collision, rays).map(|angle| match angle {
+                Some(_) => format!("{}°", brief(angle)),
+                None => brief(angle),
+            });
+            format!("S {striker}, C {target}")
+        }
+        _ => question.form.words(choice),
+    }
 }
 
 /// What there is to choose from: the choices of a question that has any; where hands or cards are
