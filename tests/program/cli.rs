@@ -404,6 +404,7 @@ fn the_code_of_own_questions_needs_their_folder() {
     ]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
     let sheet = fs::read_to_string(format!("{to}/worksheet.md")).unwrap();
+    let sheet = sheet.replace('\u{a0}', " ");
     assert!(
         sheet.contains("own-7") && sheet.contains("A marble of 40 g"),
         "{sheet}"
