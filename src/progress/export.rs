@@ -9,7 +9,7 @@ use unicode_width::UnicodeWidthChar;
 
 use super::{Attempt, Calendar, Tally, advice, beliefs, calibration, topics};
 use crate::numbers;
-use crate::quiz::Confidence;
+use crate::quiz::{Confidence, Grade};
 
 /// The heads of the columns.
 const COLUMNS: [&str; 14] = [
@@ -72,12 +72,9 @@ fn in_words(attempt: &Attempt) -> [String; IN_WORDS.len()] {
     };
     let round = figures(&attempt.question).remove("round");
     let round = round.and_then(|it| Some(it.as_str()?.to_owned()));
-    let points = attempt
-        .confidence
-        .map(|it| numbers::points(it.points(attempt.credit)));
     [
         round.unwrap_or_default(),
-        points.unwrap_or_default(),
+        numbers::points(Grade::MOST * attempt.credit),
         words(&attempt.answer),
         words(&attempt.truth),
     ]

@@ -218,7 +218,7 @@ fn no_name_breaks_the_table_or_the_json() {
         for row in &rows {
             assert_eq!(
                 (row.len(), &row[11]),
-                (14, if &row[9] <= "4" { "yes" } else { "no" })
+                (18, if &row[9] <= "4" { "yes" } else { "no" })
             );
             assert_eq!(row[1].replace('\'', ""), name.replace('\'', ""));
         }
