@@ -147,7 +147,7 @@ pub const TOUR: &[TourStop] = &[
     moment(
         "class, counting cards",
         "class from-angle2-7",
-        "<End><Up><Enter><Enter><Enter>",
+        "<End><Up><Up><Enter><Enter><Enter>",
     ),
     moment("class, talking", CLASS, "<Enter><Enter><Enter><End><Enter>"),
     moment("class, the shot", CLASS, TO_THE_SHOT),

@@ -297,7 +297,7 @@ fn a_damaged_file_is_told_and_left_alone() {
     game.press("<End><Enter>");
     let screen = game.screen();
     assert!(screen.contains("It cannot be read"), "{screen}");
-    game.press("<Enter><Escape><End><Up><Enter><Enter><Enter><Enter>1<Enter>1<Enter>");
+    game.press("<Enter><Escape><End><Up><Up><Up><Enter><Enter><Enter><Enter>1<Enter>1<Enter>");
     assert!(fs::read_to_string(&file).unwrap().ends_with("teams = []\n"));
     assert!(folder.path().join("classes/class-2.toml").exists());
 }
@@ -542,7 +542,7 @@ fn a_long_code_is_never_half_shown() {
 fn a_class_of_32_votes_with_cards_by_keys_alone() {
     let folder = Folder::new("class-cards");
     let mut game = class(folder.path(), "mixed-1", &[]);
-    game.press("<End><Up><Enter>");
+    game.press("<End><Up><Up><Enter>");
     let round = ClassRound::with_tally(Code::parse("mixed-1").unwrap());
     let asked = round.questions().len();
     for (i, question) in round.questions().iter().enumerate() {
