@@ -374,9 +374,9 @@ fn teams_are_added_changed_and_removed() {
     game.press("<Home><Delete>K<End>");
     assert!(game.screen().contains("2 Kats"), "{}", game.screen());
     // Two of the same name are refused, and so is a code that is none.
-    game.press("<Down>ants<PageDown><PageDown><Up><Up><Enter>");
+    game.press("<Down>ants<PageDown><PageDown><Up><Up><Up><Enter>");
     assert!(game.screen().contains("twice"), "{}", game.screen());
-    game.press("<Home><Down><Down>2<PageDown><PageDown><Up><Up><Up>seven<Enter><Enter>");
+    game.press("<Home><Down><Down>2<PageDown><PageDown><Up><Up><Up><Up>seven<Enter><Enter>");
     assert!(
         game.screen().contains("expected the code"),
         "{}",
