@@ -190,6 +190,17 @@ fn two_thousand_seeds_bring_the_same_questions_for_ever() {
     insta::assert_snapshot!("two-thousand", families(2_000));
 }
 
+/// The rounds of these codes, one a line.
+fn rounds(codes: &[&str]) -> String {
+    let mut text = String::new();
+    for code in codes {
+        let round = Round::of(Code::parse(code).unwrap());
+        let questions: Vec<Value> = round.questions().iter().map(written).collect();
+        let _ = writeln!(text, "{}", json!({ "code": code, "questions": questions }));
+    }
+    text
+}
+
 #[test]
 fn a_code_brings_the_same_round_for_ever() {
     let codes = [
@@ -206,22 +217,18 @@ fn a_code_brings_the_same_round_for_ever() {
         "speeds3-5",
         "frames-mixed-7",
     ];
-    let mut text = String::new();
-    for code in codes {
-        let round = Round::of(Code::parse(code).unwrap());
-        let questions: Vec<Value> = round.questions().iter().map(written).collect();
-        let _ = writeln!(text, "{}", json!({ "code": code, "questions": questions }));
-    }
+    let text = rounds(&codes);
     insta::assert_snapshot!("codes", kept("codes", &text));
 }
 
 #[test]
 fn a_code_of_what_was_read_brings_the_same_round_for_ever() {
-    let mut text = String::new();
-    for code in ["read-a-7", "read-abc-7", "read-bdfghijkl-42", "read-l5-3"] {
-        let round = Round::of(Code::parse(code).unwrap());
-        let questions: Vec<Value> = round.questions().iter().map(written).collect();
-        let _ = writeln!(text, "{}", json!({ "code": code, "questions": questions }));
-    }
+    let text = rounds(&["read-a-7", "read-abc-7", "read-bdfghijkl-42", "read-l5-3"]);
     insta::assert_snapshot!("codes-read", kept("codes-read", &text));
+}
+
+#[test]
+fn a_code_of_the_even_course_brings_the_same_round_for_ever() {
+    let text = rounds(&["even-7", "even-1234", "even20-42"]);
+    insta::assert_snapshot!("codes-even", kept("codes-even", &text));
 }

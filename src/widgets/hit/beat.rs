@@ -113,8 +113,8 @@ impl<'a> BeatWords<'a> {
                 "Only just: the rims brush past each other, and nothing is pushed.".into()
             }
             Beat::Contact => "The rims touch at one point. For this instant each disc pushes the other, equally hard and in opposite directions.".into(),
-            Beat::Line if sticks => "The line of impact n joins the two centres; the tangent t is square to it. Smooth rims push along n only. These stick, so they also pull along t.".into(),
-            Beat::Line => "The line of impact n joins the two centres: only along it do they push. The tangent t is square to it.".into(),
+            Beat::Line if sticks => "The line of impact n joins the two centres; the tangent t is at right angles to it. Smooth rims push along n only. These stick, so they also pull along t.".into(),
+            Beat::Line => "The line of impact n joins the two centres: only along it do they push. The tangent t is at right angles to it.".into(),
             Beat::Split => self.split(sticks),
             Beat::Coin => self.coin(),
             Beat::Striker => self.striker(),
