@@ -144,7 +144,12 @@ enum OpenCommand {
         plain: bool,
     },
     /// Open the lab: set up a glancing hit, say where both will go, watch why
-    Lab,
+    Lab {
+        /// Set and play shots in plain lines, with no screen control: for screen readers,
+        /// Braille displays and scripts
+        #[arg(long)]
+        plain: bool,
+    },
     /// Open the foil: beams of particles, from the carrom board to the atom
     Foil,
     /// Open the quiz and choose a round (with --seed N at once the ten hits of that seed)
@@ -216,15 +221,15 @@ impl OpenCommand {
     /// Whether it really opens a screen, rather than talking in lines or printing.
     fn opens(&self) -> bool {
         match self {
-            Self::Learn { plain, .. } | Self::Quiz { plain, .. } => !plain,
+            Self::Learn { plain, .. } | Self::Quiz { plain, .. } | Self::Lab { plain } => !plain,
             Self::Progress(args) => !args.prints(),
             _ => true,
         }
     }
 
     /// What `carrom` alone has for use without a terminal.
-    const WITHOUT_TERMINAL: &'static str = "carrom learn --plain, carrom quiz --plain, carrom \
-        solve, carrom worksheet, carrom figure, carrom progress --csv, carrom tape";
+    const WITHOUT_TERMINAL: &'static str = "carrom learn --plain, carrom lab --plain, carrom quiz \
+        --plain, carrom solve, carrom worksheet, carrom figure, carrom progress --csv, carrom tape";
 
     /// What serves in its place without a terminal.
     fn without_terminal(&self) -> &'static str {
@@ -235,7 +240,7 @@ impl OpenCommand {
             }
             Self::Class { .. } => "carrom worksheet puts a round on paper",
             Self::Join { .. } => "the page at the same address, in a browser, joins the class",
-            Self::Lab => {
+            Self::Lab { .. } => {
                 "carrom solve works a hit out (with --plain in plain lines), carrom figure lab \
                  --svg FILE draws it"
             }
@@ -269,7 +274,7 @@ impl OpenCommand {
             } => Place::Chapter {
                 number: find_chapter(data.book.library(), name)?,
             },
-            Self::Lab => Place::Lab,
+            Self::Lab { .. } => Place::Lab,
             Self::Quiz { code, .. } => Place::Quiz {
                 code: round(code.as_ref(), options, &data.own)?,
             },
@@ -427,6 +432,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Open(OpenCommand::Quiz { code, plain: true })) => {
             plain::quiz(code.as_ref(), &cli.options)
         }
+        Some(Command::Open(OpenCommand::Lab { plain: true })) => plain::lab(),
         Some(Command::Open(OpenCommand::Learn {
             chapter,
             plain: true,

@@ -30,6 +30,11 @@ pub(super) fn learn(chapter: Option<&str>, options: &GlobalOptions) -> Result<()
     with_recorder(options, |recorder| plain::learn(recorder, library, chapter))
 }
 
+/// The lab.
+pub(super) fn lab() -> Result<(), Failure> {
+    talk(plain::lab)
+}
+
 /// A worked solution; where it is not said where the two meet, the hit is asked for.
 pub(super) fn solve(args: &solve::Args) -> Result<(), Failure> {
     let steps = args.is_complete().then(|| args.steps()).transpose()?;
@@ -45,8 +50,8 @@ pub(super) fn advise(message: &mut clap::Error) {
         message.remove(ContextKind::SuggestedArg);
         // It would be the usage of what was suggested.
         message.remove(ContextKind::Usage);
-        let known = "plain lines are known to: carrom learn --plain, carrom quiz --plain, carrom \
-                     solve --plain";
+        let known = "plain lines are known to: carrom learn --plain, carrom lab --plain, carrom quiz \
+                     --plain, carrom solve --plain";
         message.insert(
             ContextKind::Suggested,
             ContextValue::StyledStrs(vec![known.into()]),

@@ -374,3 +374,51 @@ fn a_chapter_gives_nothing_away_that_it_asks_later() {
         "{said}"
     );
 }
+
+#[test]
+fn a_shot_of_ones_own_is_set_said_and_played() {
+    let folder = Folder::new("plain");
+    let heard = b"set angle 30\nset target 15\nset wind 3\nshoot\n60\n30\nset offset 0\nshoot\n\
+        skip\nquit\n";
+    let said = talk("lab --plain", folder.path(), heard);
+    assert!(said.contains("The shot: a disc comes at"), "{said}");
+    assert!(said.contains("set offset 12 in millimetres"), "{said}");
+    assert!(
+        said.contains("Right.\nYou said: striker 60.0 degrees"),
+        "{said}"
+    );
+    assert!(said.contains("head-on"), "{said}");
+    let read = talk(
+        "learn 4 --plain",
+        folder.path(),
+        b"set angle 40\nshoot\n1\n2\nquit\n",
+    );
+    assert!(read.contains("Not quite.\nYou said:"), "{read}");
+}
+
+/// What only hands and eyes can do is asked of nobody.
+#[test]
+fn all_chapters_are_read_by_words_alone() {
+    let folder = Folder::new("plain");
+    for chapter in 1..=12 {
+        let heard = "skip\n\n".repeat(30) + "quit\n";
+        let said = talk(
+            &format!("learn {chapter} --plain"),
+            folder.path(),
+            heard.as_bytes(),
+        );
+        assert!(said.contains("That is the end of the chapter."), "{said}");
+        for line in said.lines() {
+            let by_hand = [
+                "Drag ",
+                "Press ",
+                "Click ",
+                "press ",
+                "look at the",
+                "Look ",
+            ];
+            assert!(!by_hand.iter().any(|it| line.contains(it)), "{line}");
+            assert!(!line.starts_with("equals"), "{line}");
+        }
+    }
+}

@@ -1,7 +1,9 @@
 //! What a position is worth to a team, in coins.
 
+use glam::DVec2;
+
 use super::hand::Hand;
-use super::shots::{strikes, to_the_pockets};
+use super::shots::{PocketPath, Unchecked, allowance, ghost, most_allowed, strike, to_the_pockets};
 use super::sight::Sight;
 use super::strength::Skill;
 use super::wants::wants_from;
@@ -18,6 +20,8 @@ const TO_STRIKE: f64 = 1.6;
 const TO_WAIT: f64 = 0.5;
 /// Places from which the position is looked over.
 const PLACES: u16 = 7;
+/// More than rounding can make of an allowance.
+const ROUNDING: f64 = 1.0 + 1e-9;
 
 /// How a position is looked at.
 #[derive(Debug, Clone, Copy)]
@@ -72,26 +76,51 @@ impl Judge {
         }
         let sight = Sight::of(game);
         let places = BaseLines::new(sight.set, seat, sight.coins).candidates(PLACES);
+        let first = places.first().copied().unwrap_or_default();
+        let across = seat.turn(DVec2::Y);
         let wanted = game.coins().iter().enumerate();
-        let courses = wanted
-            .filter(|(_, coin)| wants_from(game, seat, coin.piece))
-            .flat_map(|(i, _)| to_the_pockets(&sight, i));
+        let wanted = wanted.filter(|(_, coin)| wants_from(game, seat, coin.piece));
         let mut easiest = 0.0;
-        for course in courses {
-            // Looked along only if a stroke would be easier than all before.
-            let mut open = None;
-            for aim in strikes(&sight, &course.link, &places) {
-                let easier = aim.link.allowance > easiest;
-                if easier
-                    && *open.get_or_insert_with(|| course.is_clear(&sight))
-                    && aim.is_clear(&sight)
-                {
-                    easiest = aim.link.allowance;
+        for (coin, _) in wanted {
+            for course in to_the_pockets(&sight, coin) {
+                // All places lie on one line. Most courses are too hard from anywhere there.
+                let near = |ghost: DVec2| (ghost - first).dot(across).abs();
+                let ghost = ghost(&sight, &course.link).filter(|ghost| {
+                    ROUNDING * most_allowed(&sight, &course.link, near(*ghost)) > easiest
+                });
+                if let Some(ghost) = ghost {
+                    easiest = easiest_of(&sight, &course, ghost, &places, easiest);
                 }
             }
         }
         likelihood(easiest, self.skill.hand)
     }
+}
+
+/// The allowance of the easiest stroke that gives a coin this course from `ghost`, if one is
+/// easier than `easiest`. A way is looked along only then.
+fn easiest_of(
+    sight: &Sight,
+    course: &Unchecked<PocketPath>,
+    ghost: DVec2,
+    places: &[DVec2],
+    easiest: f64,
+) -> f64 {
+    let mut easiest = easiest;
+    let mut open = None;
+    for &from in places {
+        if ROUNDING * allowance(sight, &course.link, from, ghost) <= easiest {
+            continue;
+        }
+        let aim = strike(sight, &course.link, from, ghost);
+        if let Some(aim) = aim.filter(|aim| aim.link.allowance > easiest)
+            && *open.get_or_insert_with(|| course.is_clear(sight))
+            && aim.is_clear(sight)
+        {
+            easiest = aim.link.allowance;
+        }
+    }
+    easiest
 }
 
 /// How likely a normal error stays within `allowance`, near enough: at one, two

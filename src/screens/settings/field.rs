@@ -3,6 +3,7 @@
 use crate::screens::Settings;
 use crate::screens::lab::ENOUGH_FORETOLD;
 use crate::widgets::input::{Field, FieldValue, FormFields};
+use crate::widgets::replay::WatchRate;
 use crate::widgets::{Charset, Depth, Palette};
 
 /// A setting with a few values.
@@ -14,6 +15,8 @@ pub(super) enum SettingField {
     Motion,
     /// Whether the steps at the contact wait for a key.
     Steps,
+    /// How fast shots are watched.
+    Speed,
     Predict,
     /// How often both ways were said rightly in the lab; it is kept, but not set by hand.
     Foretold,
@@ -21,18 +24,19 @@ pub(super) enum SettingField {
 
 impl SettingField {
     /// All of them; those on the screen first.
-    pub(super) const ALL: [Self; 7] = [
+    pub(super) const ALL: [Self; 8] = [
         Self::Charset,
         Self::Palette,
         Self::Colours,
         Self::Motion,
         Self::Steps,
+        Self::Speed,
         Self::Predict,
         Self::Foretold,
     ];
 
     /// Those on the screen.
-    pub(super) const SHOWN: &[Self] = Self::ALL.split_at(6).0;
+    pub(super) const SHOWN: &[Self] = Self::ALL.split_at(7).0;
 
     /// Its name in the file.
     pub(super) const fn id(self) -> &'static str {
@@ -42,6 +46,7 @@ impl SettingField {
             Self::Colours => "colours",
             Self::Motion => "motion",
             Self::Steps => "steps",
+            Self::Speed => "speed",
             Self::Predict => "predict_first",
             Self::Foretold => "foretold",
         }
@@ -55,6 +60,9 @@ impl SettingField {
             Self::Colours => &["none", "16", "256", "truecolor"],
             Self::Motion => &["full", "reduced"],
             Self::Steps => &["go on", "wait"],
+            Self::Speed => &[
+                "usual", "1/16", "1/8", "1/4", "1/2", "real", "double", "fourfold",
+            ],
             Self::Predict => &["no", "yes"],
             Self::Foretold => &["0", "1", "2", "3"],
         }
@@ -68,6 +76,10 @@ impl SettingField {
             Self::Colours => settings.depth as usize,
             Self::Motion => settings.reduced_motion.into(),
             Self::Steps => settings.wait_at_beats.into(),
+            Self::Speed => {
+                let chosen = |rate| WatchRate::ALL.iter().position(|it| *it == rate);
+                settings.watch_rate.and_then(chosen).map_or(0, |at| at + 1)
+            }
             Self::Predict => settings.predict.into(),
             Self::Foretold => settings.foretold.into(),
         }
@@ -83,6 +95,10 @@ impl SettingField {
             Self::Colours => settings.depth = [None, Ansi16, Indexed256, True][at.min(3)],
             Self::Motion => settings.reduced_motion = at > 0,
             Self::Steps => settings.wait_at_beats = at > 0,
+            Self::Speed => {
+                let rate = at.checked_sub(1).and_then(|at| WatchRate::ALL.get(at));
+                settings.watch_rate = rate.copied();
+            }
             Self::Predict => settings.predict = at > 0,
             Self::Foretold => settings.foretold = ENOUGH_FORETOLD.min(at as u8),
         }
@@ -110,6 +126,10 @@ impl SettingField {
             Self::Steps => (
                 "steps of a hit",
                 "At the contact a hit explains itself step by step. Go on: each step stands long enough to be read. Wait: each stays until you press Enter.",
+            ),
+            Self::Speed => (
+                "speed of shots",
+                "How fast shots on the board are watched, at the table and in the levels. Usual is real speed at the table and a quarter of it in the levels. Plus and minus change it while a shot runs.",
             ),
             Self::Predict => (
                 "predict first",

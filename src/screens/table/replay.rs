@@ -1,5 +1,7 @@
 //! Watching a stroke: the one just made or an earlier one.
 
+use std::time::Duration;
+
 use glam::DVec2;
 
 use super::game_history::Past;
@@ -11,6 +13,9 @@ use crate::widgets::replay::{ShotClock, ShotPlayer, WatchRate};
 
 /// Seconds for which a piece that has fallen is seen on its way to its tray.
 pub(super) const FALL: f64 = 0.6;
+
+/// Seconds for which the end of a stroke is seen, at real speed, before computers play on.
+const END_SEEN: f64 = 4.0;
 
 /// A piece that falls.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,6 +35,8 @@ pub(super) struct StrokeReplay {
     /// Whether it was made just now: then the game waits, and there is nothing to go back
     /// to but the question whether to leave it.
     pub(super) live: bool,
+    /// How long its end has been seen while nobody had to press a key.
+    pub(super) end_seen: Duration,
     /// What each disc of the shot is.
     pub(super) pieces: Vec<Piece>,
     /// What falls in it, in order.
@@ -69,10 +76,20 @@ impl StrokeReplay {
         Self {
             number,
             live: false,
+            end_seen: Duration::ZERO,
             pieces,
             falls,
             player: player.with_said(called).with_list(),
         }
+    }
+
+    /// For how long the end of a stroke that was made just now is still to be seen; `None`
+    /// while it is not.
+    pub(super) fn end_left(&self) -> Option<Duration> {
+        let clock = self.player.clock();
+        let ended = self.live && clock.is_over() && self.player.chosen().is_none();
+        let all = Duration::from_secs_f64(END_SEEN / clock.rate().seconds());
+        ended.then(|| all.saturating_sub(self.end_seen))
     }
 
     /// The discs on the board now, with where they are.

@@ -70,11 +70,13 @@ pub(super) fn rays(
             .map(|angle| Some(side * rad_from_deg(angle)))
             .map_err(|_| "Please type an angle from minus 180 to 180, or still.".to_owned()),
     };
-    let asked = format!("The striker's angle in degrees, to the side away from the {target}?");
+    let asked = format!(
+        "The striker's angle in degrees? Plus is away from the {target}, minus to its side."
+    );
     let Some(striker) = talk.ask_or_skip(question, &asked, &help, read)? else {
         return Ok(None);
     };
-    let asked = format!("The {target}'s angle in degrees, to its own side?");
+    let asked = format!("The {target}'s angle in degrees? Plus is to its own side, minus across.");
     let target = talk.ask_or_skip(&[], &asked, &help, read)?;
     Ok(target.map(|target| Response::Rays(Rays { striker, target })))
 }

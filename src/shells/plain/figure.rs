@@ -44,7 +44,7 @@ pub(super) fn describe(chapter: &Chapter, at: usize, answered: bool) -> Vec<Stri
         }
         FigureKind::Solve => working(&collision, figure).concat(),
         kind => {
-            let mut lines = vec![format!("Figure: {}", set_up(figure, &collision))];
+            let mut lines = vec![format!("Figure: {}", set_up(&figure.shot, &collision))];
             if told {
                 lines.push(weighed(&collision));
                 lines.extend(outcome(kind, &collision, is_asked(later, &figure.shot)));
@@ -146,11 +146,18 @@ fn shots(space: bool, beyond_deg: f64, told: bool) -> Vec<String> {
     lines
 }
 
+/// How a hit is set up, and what the two weigh.
+pub(super) fn whole_set_up(spec: &CollisionSpec) -> [String; 2] {
+    let collision = spec.collision();
+    let set_up = format!("The shot: {}", set_up(spec, &collision));
+    [set_up, weighed(&collision)]
+}
+
 /// How the hit is set up, as far as the picture before it shows.
-fn set_up(figure: &Figure, collision: &Collision) -> String {
+fn set_up(spec: &CollisionSpec, collision: &Collision) -> String {
     let place = match collision.alpha() {
         _ if collision.offset.abs() <= 0.0 => "head-on".to_owned(),
-        Some(alpha) if !figure.shot.is_by_offset() => {
+        Some(alpha) if !spec.is_by_offset() => {
             let alpha = degrees(alpha.abs());
             format!("with the line of impact at {alpha} to its path")
         }
@@ -184,7 +191,7 @@ fn weighed(collision: &Collision) -> String {
 }
 
 /// What becomes of it, as the worked solution sums it up.
-fn result(collision: &Collision) -> Vec<String> {
+pub(super) fn result(collision: &Collision) -> Vec<String> {
     let last = worked::steps(collision, false).pop();
     last.map(|step| step.why).into_iter().collect()
 }

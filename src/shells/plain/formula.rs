@@ -50,7 +50,18 @@ fn of_node(node: &Node) -> String {
         Node::Word(word) if word.chars().count() > 1 => unit_name(word),
         Node::Word(word) => word.clone(),
         Node::Group(inside) => format!("({})", linear(inside)),
-        Node::Fraction(over, under) => format!(" {} over {} ", tight(over), tight(under)),
+        // Brackets are passed over by many who read aloud.
+        Node::Fraction(over, under) if over.0.len() > 1 || under.0.len() > 1 => {
+            let (all, over) = match over.0.len() {
+                1 => ("", linear(over)),
+                _ => (", all that,", linear(over)),
+            };
+            format!(
+                " the fraction {over}{all} over {}, end of the fraction, ",
+                linear(under)
+            )
+        }
+        Node::Fraction(over, under) => format!(" {} over {} ", linear(over), linear(under)),
         Node::Root(inside) => format!(" the square root of {} ", tight(inside)),
         Node::Vector(inside) => format!(" vector {} ", linear(inside)),
         Node::Scripts { base, below, above } => {

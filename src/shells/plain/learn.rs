@@ -2,25 +2,30 @@
 
 use std::collections::BTreeMap;
 
+use super::by_words::{KEY, by_words};
 use super::number::number;
+use super::own_shot::{HELP, ShotWish};
 use super::recorder::Recorder;
 use super::spoken::{sentence, unit_name, verbatim};
 use super::talk::{Leave, Talk};
-use super::{answering, figure, formula};
+use super::{answering, figure, formula, own_shot};
 use crate::lessons::{
-    Bookmark, Chapter, ChapterLibrary, ChapterPage, Checkpoint, CheckpointKind, Inline, TextBlock,
-    Tone,
+    Bookmark, Chapter, ChapterLibrary, ChapterPage, Checkpoint, CheckpointKind, Figure, FigureKind,
+    Inline, TextBlock, Tone,
 };
 use crate::messages::{StoreReply, StoreRequest};
 use crate::numbers::with_unit;
-use crate::physics::{Collision, worked};
-use crate::quiz::{Rays, Response, why};
+use crate::physics::{Collision, CollisionSpec, worked};
+use crate::quiz::Response;
 use crate::screens::learn::attempt;
 use crate::widgets::hit::side;
 
 /// What may be said between two pages.
 const MOVES: &str = "Enter or next for the next page, back for the one before, contents for the \
                      chapters, quit to leave.";
+
+/// What is said of a page whose figure can be set.
+const OWN: &str = "You can set a shot of your own here: help says how.";
 
 /// Reads the chapters to the player, from `chapter` (from 0) on, or from the contents.
 ///
@@ -107,13 +112,7 @@ fn read(recorder: &mut Recorder, chapter: &Chapter) -> Result<bool, Leave> {
         {
             shown.add(recorder.talk, figure::describe(chapter, at, true))?;
         }
-        let moved = |heard: &str| match heard.to_lowercase().as_str() {
-            "" | "next" | "n" => Ok(Some(at + 1)),
-            "back" | "b" => Ok(Some(at.saturating_sub(1))),
-            "contents" | "c" => Ok(None),
-            _ => Err(MOVES.to_owned()),
-        };
-        let Some(next) = recorder.talk.ask_for(&[], "Next?", MOVES, moved)? else {
+        let Some(next) = turn(recorder.talk, at, page)? else {
             return Ok(false);
         };
         if next <= at {
@@ -127,6 +126,46 @@ fn read(recorder: &mut Recorder, chapter: &Chapter) -> Result<bool, Leave> {
         mark(recorder, chapter, Bookmark::at(first))?;
     }
     Ok(true)
+}
+
+/// Asks where to go from a page, and plays shots of one's own until then; `None` is to the
+/// contents.
+fn turn(talk: &mut Talk, at: usize, page: &ChapterPage) -> Result<Option<usize>, Leave> {
+    enum Wish {
+        Turn(Option<usize>),
+        Shot(ShotWish),
+    }
+    let is_hit = |figure: &Figure| {
+        !matches!(
+            figure.kind,
+            FigureKind::Foil { .. } | FigureKind::Shots { .. }
+        )
+    };
+    let settable = page.figure.filter(is_hit);
+    let mut shot = settable.map_or_else(CollisionSpec::default, |figure| figure.shot);
+    if settable.is_some() {
+        talk.say(OWN)?;
+    }
+    let help = format!("{MOVES} {HELP}");
+    loop {
+        let read = |heard: &str| match heard.to_lowercase().as_str() {
+            "" | "next" | "n" => Ok(Wish::Turn(Some(at + 1))),
+            "back" | "b" => Ok(Wish::Turn(Some(at.saturating_sub(1)))),
+            "contents" | "c" => Ok(Wish::Turn(None)),
+            _ => match ShotWish::read(heard, &shot) {
+                Some(wish) => wish.map(Wish::Shot),
+                None => Err(MOVES.to_owned()),
+            },
+        };
+        match talk.ask_for(&[], "Next?", &help, read)? {
+            Wish::Turn(to) => return Ok(to),
+            Wish::Shot(ShotWish::Set(new)) => {
+                shot = new;
+                own_shot::say_set(talk, &shot)?;
+            }
+            Wish::Shot(ShotWish::Shoot) => own_shot::shoot(talk, &shot)?,
+        }
+    }
 }
 
 /// What the figures of a chapter have shown, so that it is said once rather than on every
@@ -257,14 +296,7 @@ fn tell(
             let Some(collision) = figure else {
                 return Ok(());
             };
-            let truth = Rays::from(&collision.outcome());
-            talk.say(&format!("You said: {}.", rays.words("coin")))?;
-            talk.say(&format!("It is: {}.", truth.words("coin")))?;
-            let (title, text) = why(collision, Some(*rays));
-            if !right && !title.is_empty() {
-                talk.say(&format!("It looks like this: {}", sentence(title)))?;
-            }
-            talk.say(&text)
+            own_shot::tell_rays(talk, (*rays, right), collision, "coin")
         }
         (Response::Number(_), CheckpointKind::Number { expected, .. }) => {
             let (_, unit) = expected.sign_and_unit();
@@ -299,12 +331,12 @@ fn texts(blocks: &[TextBlock], figure: Option<&Collision>) -> Vec<String> {
 
 fn pieces(pieces: &[Inline], figure: Option<&Collision>) -> String {
     let words = |piece: &Inline| match piece {
-        Inline::Text(key, Tone::Key) => verbatim(key),
+        Inline::Text(key, Tone::Key) => format!("{KEY}{key}"),
         Inline::Text(text, _) => text.clone(),
         Inline::Formula(written) => formula::aloud(written),
         Inline::Live(quantity) => figure.map(|it| quantity.shown(it)).unwrap_or_default(),
     };
-    pieces.iter().map(words).collect()
+    by_words(&pieces.iter().map(words).collect::<String>())
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::answering::{answer, confidence};
+use super::by_words::by_words;
 use super::picture::describe;
 use super::recorder::Recorder;
 use super::spoken::{sentence, verbatim};
@@ -129,7 +130,7 @@ fn play(recorder: &mut Recorder, mut round: Round) -> Result<Option<Misconceptio
     // Whoever leaves an exam hears of what was answered, too.
     if at_end && !matches!(outcome, Err(Leave::Failed(_))) {
         for (number, (question, answer)) in (1..).zip(&answered) {
-            talk.say(&format!("Answer {number}. {}", question.text))?;
+            talk.say(&format!("Answer {number}. {}", by_words(&question.text)))?;
             tell(talk, question, answer)?;
         }
     }
@@ -203,7 +204,7 @@ fn asking(round: &Round, number: u32, question: &Question) -> Vec<String> {
             "Question {number} of {count}: {}",
             sentence(question.family.name())
         ),
-        question.text.clone(),
+        by_words(&question.text),
     ];
     lines.extend(Some(describe(question)).filter(|seen| !seen.is_empty()));
     lines

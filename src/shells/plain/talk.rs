@@ -51,6 +51,11 @@ impl<'a> Talk<'a> {
     pub fn say(&mut self, text: &str) -> Result<(), Leave> {
         for line in text.lines() {
             let line = spoken(line);
+            // A line of a working that goes on from the one before.
+            let line = match line.strip_prefix("equals ") {
+                Some(rest) => format!("This equals {rest}"),
+                None => line,
+            };
             if !line.is_empty() {
                 writeln!(self.output, "{line}")?;
             }

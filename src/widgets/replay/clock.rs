@@ -10,6 +10,16 @@ pub struct WatchRate(i32);
 impl WatchRate {
     /// As it was.
     pub const REAL: Self = Self(0);
+    /// All there are, the slowest first.
+    pub const ALL: [Self; 7] = [
+        Self(-4),
+        Self(-3),
+        Self(-2),
+        Self(-1),
+        Self(0),
+        Self(1),
+        Self(2),
+    ];
     /// Four times slower.
     pub const QUARTER: Self = Self(-2);
 

@@ -33,10 +33,8 @@ pub(in super::super) fn to_the_pockets<'a>(
     coin: usize,
 ) -> impl Iterator<Item = Unchecked<PocketPath>> + 'a {
     let from = sight.coins.get(coin).map(|coin| coin.at);
-    let ways = from.into_iter().flat_map(move |from| {
-        let pockets = sight.board.pockets();
-        pockets.filter_map(move |pocket| Way::straight(from, pocket))
-    });
+    let pockets = sight.board.pockets();
+    let ways = pockets.filter_map(move |pocket| Way::straight(from?, pocket));
     ways.map(move |way| into_pocket(sight, coin, way))
 }
 

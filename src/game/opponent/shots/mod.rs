@@ -19,7 +19,7 @@ use super::sight::{Sight, Way};
 
 pub(super) use course::{PocketPath, combinations, off_a_cushion, straight, to_the_pockets};
 pub(super) use knock::knocks;
-pub(super) use strike::{ProposedStroke, kicks, strikes};
+pub(super) use strike::{ProposedStroke, allowance, ghost, kicks, most_allowed, strike, strikes};
 
 /// The thinnest hit that is looked at, as the cosine of the impact angle: 78°.
 const THINNEST: f64 = 0.2;

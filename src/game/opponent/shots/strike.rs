@@ -41,11 +41,40 @@ pub(in super::super) fn strikes<'a>(
     course: &'a PocketPath,
     places: &'a [DVec2],
 ) -> impl Iterator<Item = Unchecked<ProposedStroke>> + 'a {
-    let ways = ghost(sight, course).into_iter().flat_map(move |ghost| {
+    let ghost = ghost(sight, course).into_iter();
+    ghost.flat_map(move |ghost| {
         let places = places.iter();
-        places.filter_map(move |&from| Way::straight(from, ghost))
-    });
-    ways.filter_map(move |way| stroke(sight, course, way))
+        places.filter_map(move |&from| strike(sight, course, from, ghost))
+    })
+}
+
+/// The straight stroke from a place by which the striker gives a coin its course from
+/// `ghost`, if it does.
+pub(in super::super) fn strike(
+    sight: &Sight,
+    course: &PocketPath,
+    from: DVec2,
+    ghost: DVec2,
+) -> Option<Unchecked<ProposedStroke>> {
+    stroke(sight, course, Way::straight(from, ghost)?)
+}
+
+/// The allowance of that stroke, but for rounding, without a root: most strokes are worked
+/// out no further.
+pub(in super::super) fn allowance(
+    sight: &Sight,
+    course: &PocketPath,
+    from: DVec2,
+    ghost: DVec2,
+) -> f64 {
+    let way = ghost - from;
+    most_allowed(sight, course, way.length_squared() / way.dot(course.toward))
+}
+
+/// The largest allowance of a straight stroke that gives a coin its course from so many
+/// metres away, a full hit.
+pub(in super::super) fn most_allowed(sight: &Sight, course: &PocketPath, away: f64) -> f64 {
+    course.allowance * (sight.striker() + sight.coin()) / away
 }
 
 /// The strokes from these places that come off a cushion first.

@@ -88,7 +88,7 @@ fn a_straight_pot_aims_through_the_ghost_and_a_cut_by_its_angle() {
         assert!((course.toward - diagonal).length() < 1e-15);
 
         let reach = set.striker_radius() + set.coin_radius();
-        let ghost = strike::ghost(&sight, &course).unwrap();
+        let ghost = ghost(&sight, &course).unwrap();
         assert!((ghost - (coins[0].at - diagonal * reach)).length() < 1e-15);
 
         for turn_deg in [0.0_f64, 31.0, -50.0] {
@@ -230,7 +230,7 @@ fn no_ghost_in_the_frame_and_no_hit_from_the_wrong_side() {
     let coins = [coin(-0.354, 0.1), coin(0.1, 0.1)];
     let sight = sight(&board, PieceSet::Tournament, &coins);
     let upper_right = into_the_corner(&sight, 0);
-    assert_eq!(strike::ghost(&sight, &upper_right), None);
+    assert_eq!(ghost(&sight, &upper_right), None);
 
     let cut = into_the_corner(&sight, 1);
     let behind = [DVec2::new(0.0, -0.25)];

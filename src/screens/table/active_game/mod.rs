@@ -315,13 +315,17 @@ impl ActiveGame {
         if let TablePhase::Watch(replay) = &mut self.phase {
             replay.player.advance(passed, cx.settings.pace());
         }
+        self.advance_end(passed, cx);
         self.advance_shown(passed, cx);
     }
 
     /// When it next needs time.
     pub(super) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.phase {
-            TablePhase::Watch(replay) => replay.player.wake(pace),
+            TablePhase::Watch(replay) => {
+                let running = replay.player.wake(pace);
+                running.or_else(|| self.end_left(pace))
+            }
             TablePhase::Show(shown) => shown.wake(),
             TablePhase::Aim if self.is_computers_turn() => Some(Duration::ZERO),
             _ => None,
@@ -544,6 +548,35 @@ mod tests {
         assert_eq!(asked(&mut cx), vec![]);
         press(&mut failing, " ", &mut cx);
         assert_eq!(failing.history.len(), 1);
+    }
+
+    #[test]
+    fn computers_play_on_by_themselves_unless_all_waits() {
+        let mut cx = Context::new(Settings::default(), 1);
+        let options = Options {
+            players: [super::super::options::Player::Computer; 4],
+            ..Options::default()
+        };
+        let mut active = ActiveGame::new(options, 4);
+        active.play(Move::Strike(active.aim.strike(active.seat())), &cx);
+        let mut waits = active.clone();
+        let mut passed = 0;
+        while matches!(active.phase, TablePhase::Watch(_)) {
+            let wake = active.wake(HitPace::Flowing);
+            assert!(wake.is_some() && passed < 100_000);
+            active.advance(wake.unwrap(), &mut cx);
+            passed += 1;
+        }
+        assert!(matches!(
+            active.phase,
+            TablePhase::Aim | TablePhase::Think { .. }
+        ));
+        // Whoever wants to press a key for each step is waited for here, too.
+        cx.settings.wait_at_beats = true;
+        waits.advance(Duration::from_secs(60), &mut cx);
+        waits.advance(Duration::from_secs(60), &mut cx);
+        assert!(matches!(waits.phase, TablePhase::Watch(_)));
+        assert_eq!(waits.wake(HitPace::Waiting), None);
     }
 
     #[test]

@@ -1,10 +1,14 @@
 //! Watching strokes, and looking into their impacts.
 
+use std::time::Duration;
+
 use super::{ActiveGame, TablePhase};
 use crate::messages::{Mouse, MouseKind};
 use crate::screens::Context;
+use crate::screens::table::options::Player;
 use crate::screens::table::replay::StrokeReplay;
 use crate::screens::table::{panel, view};
+use crate::widgets::hit::HitPace;
 use crate::widgets::replay::ShotAction;
 
 impl ActiveGame {
@@ -41,6 +45,30 @@ impl ActiveGame {
         match self.history.stroke_from(self.watched() + 1) {
             None => self.go_on(),
             next => self.look_at(next, cx.settings.reduced_motion, cx),
+        }
+    }
+
+    /// When a game of computers alone goes on from the end of a stroke: by itself, unless
+    /// all is to wait for a key.
+    pub(super) fn end_left(&self, pace: HitPace) -> Option<Duration> {
+        let alone = self.options.count(Player::Person) == 0 && pace == HitPace::Flowing;
+        match &self.phase {
+            TablePhase::Watch(replay) if alone => replay.end_left(),
+            _ => None,
+        }
+    }
+
+    /// Lets time pass over the end of a stroke.
+    pub(super) fn advance_end(&mut self, passed: Duration, cx: &Context) {
+        let pace = cx.settings.pace();
+        if self.end_left(pace).is_none() {
+            return;
+        }
+        if let TablePhase::Watch(replay) = &mut self.phase {
+            replay.end_seen += passed;
+        }
+        if self.end_left(pace) == Some(Duration::ZERO) {
+            self.go_on_from_stroke(cx);
         }
     }
 

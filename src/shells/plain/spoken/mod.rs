@@ -70,6 +70,11 @@ fn tidy(text: &str) -> String {
     for (apart, together) in [("( ", "("), (" )", ")"), (" ,", ",")] {
         line = line.replace(apart, together);
     }
+    // "Forward is +."
+    line = line.replace(" . ", ". ");
+    if let Some(stopped) = line.strip_suffix(" .") {
+        line = format!("{stopped}.");
+    }
     let blank = |is_there: bool| if is_there { " " } else { "" };
     let (before, after) = match words.is_empty() {
         true => (!text.is_empty(), false),
@@ -97,6 +102,12 @@ mod tests {
                 "15.0 grams at 4.00 metres per second.",
             ),
             ("60.0 g m/s", "60.0 gram metres per second"),
+            ("(60, 0) g m/s", "(60, 0) gram metres per second"),
+            ("Forward is +.", "Forward is plus."),
+            (
+                "v₁ = v₁ₙ n + v₁ₜ t",
+                "v 1 equals v 1 n times n plus v 1 t times t",
+            ),
             (
                 "1 m/s, 1 g m/s, −1 mm, 1°, 21°, (1 g)",
                 "1 metre per second, 1 gram metre per second, minus 1 millimetre, 1 degree, \

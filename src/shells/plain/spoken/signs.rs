@@ -25,6 +25,10 @@ pub(super) fn spell(text: &str) -> String {
             if ends_quantity || begins_sign {
                 separate(&mut plain, after.first());
             }
+            // A part times the direction along which it lies: "v₁ₙ n".
+            if matches!(letter, 'ₙ' | 'ₜ') && is_direction(after) {
+                plain += " times";
+            }
         }
     }
     plain
@@ -92,6 +96,14 @@ fn one(letter: char, before: &[char], after: &[char]) -> String {
 
 fn is_greek(letter: char) -> bool {
     spelling(letter).is_none() && greek(letter).is_some()
+}
+
+/// Whether a direction by its letter alone comes next.
+fn is_direction(letters: &[char]) -> bool {
+    match letters {
+        [' ', 'n' | 't', after @ ..] => !after.first().is_some_and(|c| c.is_alphanumeric()),
+        _ => false,
+    }
 }
 
 /// Whether two letters of the alphabet come first: a word rather than a quantity.

@@ -92,7 +92,10 @@ pub(in crate::shells::plain) fn means_unit(typed: &str, unit: &str) -> bool {
 
 /// Whether a token is a number, so that a unit may follow, and which.
 fn counted(token: &str) -> Option<Count> {
-    let number = token.trim_start_matches(['(', '"', '“']);
+    // Also the last of a pair: "(60, 0) g m/s".
+    let number = token
+        .trim_start_matches(['(', '"', '“'])
+        .trim_end_matches(')');
     let part = |c: char| c.is_ascii_digit() || "+-−±√×·/.,≈=⁰¹²³⁴⁵⁶⁷⁸⁹⁻e".contains(c);
     let is_number = number.chars().all(part)
         && number.contains(|c: char| c.is_ascii_digit())

@@ -1,0 +1,81 @@
+//! What a text says to hands and eyes, left out where it is read aloud.
+
+/// Stands before the name of a key in a text that is still to be read by words.
+pub(super) const KEY: char = '\u{e0f0}';
+
+/// What leads to the words behind it, and is for hands and eyes alone.
+const LEADS: [&str; 3] = [
+    "Drag the point: ",
+    "Look at the picture: ",
+    "Find the line of impact in the picture, where the two will touch: ",
+];
+
+/// A text without its sentences that name a key or say what is to be dragged.
+pub(super) fn by_words(text: &str) -> String {
+    let mut kept: Vec<String> = Vec::new();
+    for sentence in sentences(text) {
+        let lead = LEADS.iter().find_map(|lead| sentence.strip_prefix(lead));
+        let said = lead.map_or_else(|| sentence.to_owned(), crate::numbers::capital);
+        if !said.contains(KEY) && !said.starts_with("Drag ") {
+            kept.push(said);
+        }
+    }
+    kept.join(" ")
+}
+
+/// A text cut behind the stops of its sentences.
+fn sentences(text: &str) -> Vec<&str> {
+    let mut cut = Vec::new();
+    let mut rest = text;
+    while let Some(at) = rest.find([' ', '\n']) {
+        let mut end = at;
+        while let Some(next) = rest[end + 1..].find([' ', '\n'])
+            && !rest[..end].ends_with(['.', '?', '!'])
+        {
+            end += 1 + next;
+        }
+        if !rest[..end].ends_with(['.', '?', '!']) {
+            break;
+        }
+        cut.push(&rest[..end]);
+        rest = &rest[end + 1..];
+    }
+    cut.push(rest);
+    cut
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_for_hands_is_left_out() {
+        for (text, read) in [
+            ("Drag the point along it.", ""),
+            (
+                "Drag the point once more. At 30° it is 4.",
+                "At 30° it is 4.",
+            ),
+            (
+                "Drag the point: for 20 g it goes on.",
+                "For 20 g it goes on.",
+            ),
+            (
+                "No figures. Look at the picture: where will they go?",
+                "No figures. Where will they go?",
+            ),
+            (
+                "v₁ = 3.46 m/s. So it is. Yes?",
+                "v₁ = 3.46 m/s. So it is. Yes?",
+            ),
+            ("One", "One"),
+            ("", ""),
+        ] {
+            assert_eq!(by_words(text), read, "{text}");
+        }
+        assert_eq!(
+            by_words(&format!("First. Press {KEY}o to go. Last.")),
+            "First. Last."
+        );
+    }
+}
