@@ -57,7 +57,7 @@ fn of_node(node: &Node) -> String {
                 _ => (", all that,", linear(over)),
             };
             format!(
-                " the fraction {over}{all} over {}, end of the fraction, ",
+                " the fraction {over}{all} over {}, end of fraction ",
                 linear(under)
             )
         }
@@ -103,11 +103,13 @@ mod tests {
             ),
             (
                 "v_1n = (m_1 - m_2)/(m_1 + m_2) u_1n",
-                "v 1 n equals (m 1 minus m 2) over (m 1 plus m 2) times u 1 n",
+                "v 1 n equals the fraction m 1 minus m 2, all that, over m 1 plus m 2, end of fraction \
+                 times u 1 n",
             ),
             (
                 "v_2n = (2 m_1)/(m_1 + m_2) u_1n",
-                "v 2 n equals (2 m 1) over (m 1 plus m 2) times u 1 n",
+                "v 2 n equals the fraction 2 m 1, all that, over m 1 plus m 2, end of fraction times \
+                 u 1 n",
             ),
             ("p = 2 m v", "p equals 2 m v"),
             (
@@ -121,7 +123,7 @@ mod tests {
             ),
             (
                 "cot x = 1/(tan x)",
-                "the cotangent of x equals 1 over (the tangent of x)",
+                "the cotangent of x equals the fraction 1 over the tangent of x, end of fraction",
             ),
             (
                 "d/2 (1 + 1/sin(Theta/2))",
@@ -129,12 +131,13 @@ mod tests {
             ),
             (
                 "theta_1 = 90 deg - arcsin(b/(2 r))",
-                "theta 1 equals 90 degrees minus the arc sine of (b over (2 r))",
+                "theta 1 equals 90 degrees minus the arc sine of (the fraction b over 2 r, end of \
+                 fraction)",
             ),
             (
                 "dσ/dΩ = (d^2)/(16 sin^4 (Theta / 2))",
-                "d sigma over d omega equals d squared over (16 times the sine to the power 4 of \
-                 (capital theta over 2))",
+                "d sigma over d omega equals the fraction d squared over 16 times the sine to the \
+                 power 4 of (capital theta over 2), end of fraction",
             ),
             (
                 "E_1 : E_2 = sin^2 alpha : cos^2 alpha",
