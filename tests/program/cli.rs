@@ -69,7 +69,7 @@ fn without_a_terminal_it_says_so() {
 #[test]
 fn who_asks_for_plain_lines_is_told_where_they_are() {
     for arguments in [
-        &["lab", "--plain"][..],
+        &["foil", "--plain"][..],
         &["--plain"],
         &["worksheet", "--plain"],
     ] {

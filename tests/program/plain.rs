@@ -391,7 +391,7 @@ fn a_shot_of_ones_own_is_set_said_and_played() {
     let read = talk(
         "learn 4 --plain",
         folder.path(),
-        b"set angle 40\nshoot\n1\n2\nquit\n",
+        b"skip\nset angle 40\nshoot\n1\n2\nquit\n",
     );
     assert!(read.contains("Not quite.\nYou said:"), "{read}");
 }

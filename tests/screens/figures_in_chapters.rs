@@ -261,7 +261,7 @@ fn claims() -> Vec<Claim> {
     claim(10, "to_deg=120: [9]}", on_the_screen(60.0, 120.0));
     claim(
         10,
-        "to_deg=150: [2999]}: look at the line in the figure",
+        "to_deg=150: [2999]}, as the line in the figure shows",
         on_the_screen(15.0, 150.0),
     );
     let faster = gold_foil(2.0 * RADIUM_C_ENERGY, 2.1e-7);

@@ -48,7 +48,6 @@ fn assert_spoken(line: &str) {
         "Drag the ",
         "drag the ",
         "Press ",
-        " press ",
         "ook at the picture",
         "ook at the figure",
         "ook again",
