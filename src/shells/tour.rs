@@ -177,14 +177,14 @@ pub const TOUR: &[TourStop] = &[
         "60<Enter>30<Enter>",
     ),
     moment(
-        "joining, a vote given",
-        "pupil <Enter><Enter>",
-        "60<Enter>30<Enter>2",
-    ),
-    moment(
         "joining, the shot",
         "pupil <Enter><Enter><Enter><Enter><Enter>",
         "",
+    ),
+    moment(
+        "joining, the shot told",
+        "pupil <Enter><Enter><Enter><Enter><Enter>",
+        "<End>",
     ),
     moment("levels", "levels", ""),
     moment("a level, aiming", "level 4", ""),

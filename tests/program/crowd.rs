@@ -303,7 +303,7 @@ fn play(devices: u64, bad: bool) {
     }
     over.store(true, Ordering::SeqCst);
     pty.press("\r");
-    pty.wait_for("The end");
+    pty.wait_for("tables for a spreadsheet");
     for pupil in pupils {
         pupil.join().unwrap();
     }

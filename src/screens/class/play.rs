@@ -486,12 +486,12 @@ impl ClassPlay {
 
     /// Takes the mouse: it chooses a team or makes its vote; the wheel scrolls what is long.
     pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        if self
-            .hosting
-            .as_ref()
-            .is_some_and(|it| it.page_keys().is_some())
-        {
-            return Next::Ignored;
+        let hosting = self.hosting.as_deref_mut();
+        if let Some(hosting) = hosting.filter(|it| it.page_keys().is_some()) {
+            if let Some(action) = hosting.mouse(mouse, cx.body) {
+                self.host(action, cx);
+            }
+            return Next::Stay;
         }
         let (cell, look) = (mouse.cell(), cx.settings.look());
         let Some(step) = self.step_view(cx.body, &look) else {

@@ -19,7 +19,7 @@ use crate::class::protocol::{PupilState, PupilStep, Refusal, VERSION};
 use crate::class::{
     AskedQuestion, Ballot, ClassChange, ClassRound, Said, ToldTruth, Vote, standings,
 };
-use crate::messages::{HostCall, HostNews, Key, LineId, OpenDoor, StoreRequest};
+use crate::messages::{HostCall, HostNews, Key, LineId, Mouse, OpenDoor, StoreRequest};
 use crate::quiz::{Answer, Confidence, Form, Response, explain};
 use crate::screens::Context;
 use crate::widgets::Look;
@@ -407,6 +407,20 @@ impl Hosting {
         match &mut self.page {
             Some(HostPage::People(people)) => people.typed(key),
             _ => false,
+        }
+    }
+
+    /// Takes the mouse, if a page is open; gives what is to be done.
+    pub(in crate::screens::class) fn mouse(
+        &mut self,
+        mouse: &Mouse,
+        area: Rect,
+    ) -> Option<HostingAction> {
+        match &mut self.page {
+            Some(HostPage::People(people)) if people.mouse(mouse, area) => {
+                Some(HostingAction::List(ListAction::Open))
+            }
+            _ => None,
         }
     }
 

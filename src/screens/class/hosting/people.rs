@@ -1,15 +1,18 @@
 //! Who is in, and who has voted: names that are shown when the teacher asks for them.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Margin, Rect};
 
 use super::{Hosting, HostingAction};
 use crate::class::{ClassChange, ClassRound, LONGEST_NAME, Vote};
-use crate::messages::Key;
+use crate::messages::{Key, Mouse};
 use crate::screens::class::view::column;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 use crate::widgets::panels::draw_panel;
 use crate::widgets::{Lines, Look, Outcome, Role, areas, text};
+
+/// Rows below the names.
+const FOOT: u16 = 3;
 
 /// The page of names.
 #[derive(Debug, Clone)]
@@ -71,10 +74,7 @@ impl People {
                 keys.with(list, List).on(Key::Escape, NotYet, "as it was")
             }
             Doing::Nothing => keys
-                .with(
-                    ListView::keys("rename").without_keys(&[Key::Char(' ')]),
-                    List,
-                )
+                .with(ListView::keys("rename"), List)
                 .on('m', Merge, "is somebody else")
                 .when(self.order.len() > 1)
                 .on(Key::Delete, Remove, "remove")
@@ -147,6 +147,23 @@ impl People {
         }
     }
 
+    /// Where the names stand in an area, and what is said below them.
+    fn places(area: Rect) -> [Rect; 2] {
+        let inside = column(area).inner(Margin::new(1, 1));
+        areas::upper(inside, inside.height - FOOT.min(inside.height))
+    }
+
+    /// Takes the mouse: it chooses somebody, and a second click opens the name. Says whether
+    /// that was done.
+    pub(super) fn mouse(&mut self, mouse: &Mouse, area: Rect) -> bool {
+        let [place, _] = Self::places(area);
+        let (at, count) = (self.list.chosen(self.order.len()), self.order.len());
+        let row = ListView::line_at(place, mouse.cell(), at, count);
+        let outcome = self.list.mouse(mouse, count, row);
+        // Whom somebody really is, is asked once more.
+        matches!((outcome, &self.doing), (Outcome::Done(_), Doing::Nothing))
+    }
+
     /// Draws the list.
     pub(super) fn draw(
         &self,
@@ -162,9 +179,8 @@ impl People {
             hosting.present(),
             round.teams().len()
         );
-        let inside = draw_panel(buf, frame, &title, look.charset, &look.theme);
-        let foot = 3.min(inside.height);
-        let [above, below] = areas::upper(inside, inside.height - foot);
+        draw_panel(buf, frame, &title, look.charset, &look.theme);
+        let [above, below] = Self::places(area);
         let question = round.place().question;
         let at = self.list.chosen(self.order.len());
         let first = ListView::first_shown(at, self.order.len(), above.height);
