@@ -55,10 +55,12 @@ enum AskedPicture {
         /// Whether the offset, the angle and figures are drawn in.
         shown: [bool; 3],
     },
-    /// Both angles in radians, and both radii: a hit with these has many masses and losses.
+    /// Both angles in radians, both radii, and the way the striker came: a hit with these has
+    /// many masses and losses.
     After {
         angles: [f64; 2],
         radii: [f64; 2],
+        along: [f64; 2],
     },
     /// Two angles, and how near the nucleus lets come what meets it head-on.
     Tracks {
@@ -146,6 +148,7 @@ impl AskedQuestion {
                         (Some(theta1), Some(theta2)) => AskedPicture::After {
                             angles: [theta1, theta2],
                             radii: [collision.striker.radius, collision.target.radius],
+                            along: collision.u1.normalize_or_zero().into(),
                         },
                         _ => AskedPicture::Nothing,
                     }
@@ -221,8 +224,12 @@ impl AskedPicture {
                     figures: shown[2],
                 },
             },
-            Self::After { angles, radii } => Illustration::After {
-                collision: hit_of_angles(*angles, *radii)?,
+            Self::After {
+                angles,
+                radii,
+                along,
+            } => Illustration::After {
+                collision: hit_of_angles(*angles, *radii, (*along).into())?,
             },
             Self::Tracks { angles, nearest } => Illustration::Tracks {
                 rutherford: Rutherford {
@@ -235,12 +242,12 @@ impl AskedPicture {
 }
 
 /// A hit without loss that goes these ways: one of the many that look alike.
-fn hit_of_angles([theta1, theta2]: [f64; 2], radii: [f64; 2]) -> Option<Collision> {
-    let is_good = radii.iter().all(|it| it.is_finite() && *it > 0.0);
+fn hit_of_angles([theta1, theta2]: [f64; 2], radii: [f64; 2], along: DVec2) -> Option<Collision> {
+    let is_good = radii.iter().all(|it| it.is_finite() && *it > 0.0) && along.is_normalized();
     let ratio = mass_ratio_from_angles(theta1, theta2, 1.0).filter(|_| is_good)?;
     let [striker, target] =
         [(ratio, radii[0]), (1.0, radii[1])].map(|(mass, radius)| Disc { mass, radius });
-    Some(Collision::at_angle(striker, target, DVec2::X, theta2))
+    Some(Collision::at_angle(striker, target, along, theta2))
 }
 
 /// The truth, once it is told: the true answer and why it is true, in words for this pupil.

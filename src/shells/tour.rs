@@ -148,7 +148,8 @@ pub const TOUR: &[TourStop] = &[
         "class, counting cards",
         "class from-angle2-7",
         "<End><Up><Up><Enter><Enter><Enter>",
-    ),
+    )
+    .taking_any(),
     moment("class, talking", CLASS, "<Enter><Enter><Enter><End><Enter>"),
     moment("class, the shot", CLASS, TO_THE_SHOT),
     moment("class, the scores", CLASS, TO_THE_SCORES),

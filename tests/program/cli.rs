@@ -342,7 +342,7 @@ fn written_questions_of_ones_own_are_checked() {
     );
     let message = err(&output);
     assert!(
-        message.contains("wrong-belief.toml:12: item.wrong.misconception: expected the id of a misconception, found flat-earth"),
+        message.contains("wrong-belief.toml:12: item.wrong.misconception: expected the id of a misconception (carrom misconceptions prints all), found flat-earth"),
         "{message}"
     );
     let good = format!("{OWN_CONCEPTS}/our-marbles.toml");

@@ -256,21 +256,23 @@ fn a_round_in_a_terminal_is_killed_in_the_midst_of_votes_and_loses_none() {
         };
         let voted = safe.iter().flatten().count();
         pty.wait_until("the votes so far", |screen| {
-            screen.contains("Each team in turn") && screen.matches("has voted").count() >= voted
+            !in_booth(screen)
+                && screen.contains("Each team in turn")
+                && screen.matches("has voted").count() >= voted
         });
         let mut last = None;
         for vote in 0..=chance.random_range(1..4) {
             let team = chance.random_range(0..TEAMS);
             angle += 1;
             pty.press(&(team + 1).to_string());
-            pty.wait_until("a booth", |screen| !screen.contains("Each team in turn"));
+            pty.wait_until("a booth", in_booth);
             pty.press(&format!("{angle}\r30\r"));
             if vote > 0 && kill % 3 > 0 && chance.random_bool(0.3) {
                 // In the middle of this one.
                 last = Some((team, angle));
                 break;
             }
-            pty.wait_for("Each team in turn");
+            pty.wait_until("the teams", |screen| !in_booth(screen));
             safe[team] = Some(angle);
         }
         if last.is_some() {
@@ -288,4 +290,9 @@ fn a_round_in_a_terminal_is_killed_in_the_midst_of_votes_and_loses_none() {
         assert_eq!(now, safe, "kill {kill}");
     }
     assert!(angle > 40);
+}
+
+/// Whether a team is in the booth, where nobody sees what it types.
+fn in_booth(screen: &str) -> bool {
+    screen.contains("what is typed is hidden")
 }

@@ -417,9 +417,9 @@ impl Hosting {
         area: Rect,
     ) -> Option<HostingAction> {
         match &mut self.page {
-            Some(HostPage::People(people)) if people.mouse(mouse, area) => {
-                Some(HostingAction::List(ListAction::Open))
-            }
+            Some(HostPage::People(people)) => people
+                .mouse(mouse, area)
+                .then_some(HostingAction::List(ListAction::Open)),
             _ => None,
         }
     }
