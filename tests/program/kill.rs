@@ -258,7 +258,7 @@ fn a_round_in_a_terminal_is_killed_in_the_midst_of_votes_and_loses_none() {
         pty.wait_until("the votes so far", |screen| {
             !in_booth(screen)
                 && screen.contains("Each team in turn")
-                && screen.matches("has voted").count() >= voted
+                && screen.matches("[x]").count() >= voted
         });
         let mut last = None;
         for vote in 0..=chance.random_range(1..4) {

@@ -326,7 +326,9 @@ mod tests {
             cx.settings.charset
         );
         for said in &step.said {
-            let placed = said.placed.as_ref().expect(&told);
+            let words: Vec<_> = { said.paragraphs.iter() }.map(|it| &it.text).collect();
+            let placed = said.placed.as_ref();
+            let placed = placed.unwrap_or_else(|| panic!("{told}: {words:?}"));
             assert!(placed.size.is_legible(rows), "{told}");
             let letters: usize = { said.paragraphs.iter() }
                 .map(|it| it.text.chars().count())

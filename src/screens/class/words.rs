@@ -8,7 +8,7 @@ use ratatui::layout::Rect;
 
 use crate::widgets::bar::bar;
 use crate::widgets::big::{BigPages, LetterSize};
-use crate::widgets::{Look, Role, areas};
+use crate::widgets::{Charset, Look, Role, areas};
 
 /// Rows between two paragraphs.
 const GAP: u16 = 1;
@@ -83,8 +83,9 @@ struct Layout {
 
 impl PlacedWords {
     /// Words on as few pages as can be, then in the largest letters, then with the largest
-    /// picture; `more` says that there are other pages too. `None` if a letter is not to be had in
-    /// large type.
+    /// picture; `more` says that there are other pages too. What is not to be had in large type
+    /// is spelt out, and a word too long for the room beside a picture stands alone; `None` if
+    /// that does not help.
     pub(super) fn new(
         paragraphs: &[Paragraph],
         beside: Beside,
@@ -93,8 +94,33 @@ impl PlacedWords {
         screen_rows: u16,
         look: &Look,
     ) -> Option<Self> {
-        let texts = paragraphs.iter().map(|it| (it.text.as_str(), it.whole));
-        let texts: Vec<_> = texts.collect();
+        let spelt = |charset: Charset| -> Vec<_> {
+            let each = paragraphs.iter();
+            each.map(|it| (charset.text(&it.text), it.whole)).collect()
+        };
+        [beside, Beside::Nothing].into_iter().find_map(|beside| {
+            [look.charset, Charset::Ascii]
+                .into_iter()
+                .find_map(|charset| {
+                    let texts = spelt(charset);
+                    let texts: Vec<_> = texts
+                        .iter()
+                        .map(|(text, whole)| (&**text, *whole))
+                        .collect();
+                    Self::of(&texts, paragraphs, beside, more, area, screen_rows, look)
+                })
+        })
+    }
+
+    fn of(
+        texts: &[(&str, bool)],
+        paragraphs: &[Paragraph],
+        beside: Beside,
+        more: bool,
+        area: Rect,
+        screen_rows: u16,
+        look: &Look,
+    ) -> Option<Self> {
         // A bar below the last paragraph has its row too.
         let last = u16::from(paragraphs.last().is_some_and(|it| it.share.is_some()));
         let alone = Layout::new(area, Beside::Nothing, 0);
@@ -106,7 +132,7 @@ impl PlacedWords {
                     let set = |foot: u16| {
                         let rows = |it: Layout| it.words.height.saturating_sub(last + foot);
                         let rooms = layouts.map(|it| (it.words.width, rows(it)));
-                        BigPages::set(&texts, GAP, size, rooms, look.charset)
+                        BigPages::set(texts, GAP, size, rooms, look.charset)
                     };
                     // The last row of several pages says which one it is.
                     let one = set(u16::from(more)).filter(|pages| pages.count() == 1);
