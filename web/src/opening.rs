@@ -13,7 +13,7 @@ use crate::message::Opening;
 /// The app that an opening asks for. What it asks for and is not there is told on the first
 /// screen.
 pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
-    let mut wanted = Wanted {
+    let mut wanted = LinkTarget {
         place: Place::Home,
         settings: kept.over(Settings {
             charset: Charset::Unicode,
@@ -53,14 +53,14 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
     app
 }
 
-struct Wanted {
+struct LinkTarget {
     place: Place,
     settings: Settings,
     seed: u64,
     seeded: bool,
 }
 
-impl Wanted {
+impl LinkTarget {
     fn take(&mut self, name: &str, value: &str, data: &Data) -> Result<(), String> {
         let number = data.book.library();
         match name {
