@@ -34,7 +34,7 @@ pub enum NameTrouble {
     Twice(String),
 }
 
-/// Names of teams as they are shown and kept: [tidied](tidy), empty ones left out.
+/// Names of teams as they are shown and kept: tidied, empty ones left out.
 ///
 /// # Errors
 /// If no team is left, if there are more than [`MOST_TEAMS`], or if two are alike but
