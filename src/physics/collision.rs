@@ -80,8 +80,7 @@ pub struct CollisionOutcome {
     /// Scattering angle θ₁ from u₁ to v₁ in radians, positive anticlockwise, in
     /// (−π, π]; `None` where either is zero.
     pub theta1: Option<f64>,
-    /// Recoil angle θ₂ from u₁ to v₂ in radians, positive clockwise, in
-    /// (−π, π];
+    /// Recoil angle θ₂ from u₁ to v₂ in radians, positive clockwise, in (−π, π];
     /// `None` where either is zero.
     pub theta2: Option<f64>,
     /// Angle between v₁ and v₂ in radians, in [0, π]; `None` where either is zero.

@@ -29,6 +29,17 @@ pub fn stopping_distance(speed: f64, deceleration: f64) -> f64 {
     }
 }
 
+/// The part of its speed that a disc of this speed loses a second at first, a/v; 0 for one at
+/// rest.
+#[inline]
+pub(super) fn relative_deceleration(speed: f64, deceleration: f64) -> f64 {
+    if speed > 0.0 {
+        deceleration / speed
+    } else {
+        0.0
+    }
+}
+
 /// Seconds a disc takes for a way it would cover in `time` seconds at its first
 /// speed, if it loses the part `relative_deceleration` = a/v of that speed a second; `None` if
 /// it stops before. This form of the root of s = v t − ½ a t² loses no digits however
@@ -73,16 +84,10 @@ pub struct Slide {
 impl Slide {
     /// The slide that begins with `start` under a deceleration in m/s², at least 0.
     pub fn new(start: Motion, deceleration: f64) -> Self {
-        let DVec2 { x, y } = start.velocity;
-        let speed = (x * x + y * y).sqrt();
-        let change = if speed > 0.0 {
-            -deceleration / speed
-        } else {
-            0.0
-        };
+        let speed = start.velocity.length();
         Self {
             start,
-            acceleration: DVec2::new(change * x, change * y),
+            acceleration: -relative_deceleration(speed, deceleration) * start.velocity,
             stopping_time: stopping_time(speed, deceleration),
         }
     }

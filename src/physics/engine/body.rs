@@ -2,14 +2,14 @@
 
 use glam::DVec2;
 
-use super::super::slide::parabola;
+use super::super::slide::{parabola, relative_deceleration};
 use super::super::{Disc, Motion};
 
 /// What the engine holds of a disc.
 ///
 /// Its place is kept as the start of its present slide and is never stepped: only an event
 /// of its own gives it a new start.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Body {
     /// How its slide began.
     pub(super) start: Motion,
@@ -29,14 +29,9 @@ impl Body {
     /// A disc that sets off at time 0.
     pub(super) fn new(disc: &Disc, start: Motion, deceleration: f64) -> Self {
         let mut body = Self {
-            start,
-            acceleration: DVec2::ZERO,
-            since: 0.0,
             radius: disc.radius,
             mass: disc.mass,
-            relative_deceleration: 0.0,
-            version: 0,
-            moving: false,
+            ..Self::default()
         };
         body.launch(0.0, start, deceleration);
         body
@@ -45,11 +40,7 @@ impl Body {
     /// Sends it on a new slide.
     pub(super) fn launch(&mut self, now: f64, start: Motion, deceleration: f64) {
         let speed = start.velocity.length();
-        self.relative_deceleration = if speed > 0.0 {
-            deceleration / speed
-        } else {
-            0.0
-        };
+        self.relative_deceleration = relative_deceleration(speed, deceleration);
         self.start = start;
         self.acceleration = -self.relative_deceleration * start.velocity;
         self.since = now;

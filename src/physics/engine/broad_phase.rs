@@ -1,44 +1,53 @@
 //! Which discs could meet a given one at all: a quick look at every pair that never
 //! turns away one that meets, and turns away nearly all others.
 //!
-//! It looks twice: at the boxes of all discs, and then, at those whose boxes overlap, by
-//! how they move.
+//! It looks twice, at two discs at a time: at the boxes of all discs, and then, at those whose
+//! boxes overlap, by how they move.
 
 use glam::DVec2;
+use wide::f64x2;
 
 use super::super::Motion;
 use super::body::Body;
 use super::grid::Grid;
+use super::lanes::{TwoVectors, of_both};
 use super::schedule::SAME_TIME;
 use super::work::Work;
 
 /// How much wider than a disc its box is, in metres: far more than rounding takes away.
 const MARGIN: f64 = 1e-9;
 
+/// How far ahead a seeker without an end looks, in seconds: 0 · ∞ would be no number.
+const FOREVER: f64 = 1e100;
+
+/// How many boxes are looked at before the discs in them: one a bit.
+const AT_ONCE: usize = u64::BITS as usize;
+
 /// The boxes of all discs, and the working memory of the search for partners.
 #[derive(Debug, Default, Clone)]
 pub(super) struct BroadPhase {
-    boxes: Vec<SweptBox>,
+    boxes: Vec<TwoBoxes>,
     around: Vec<usize>,
-    overlapping: Vec<usize>,
     partners: Vec<usize>,
 }
 
 impl BroadPhase {
     pub(super) fn begin(&mut self, discs: usize) {
-        self.boxes.resize(discs, SweptBox::default());
-        self.overlapping.resize(discs, 0);
-        self.partners.resize(discs, 0);
+        self.boxes.clear();
+        self.boxes.resize(discs.div_ceil(2), TwoBoxes::NOWHERE);
+        // Two more, as the last ones are written down whether they count or not.
+        self.partners.resize(discs + 2, 0);
     }
 
     /// Takes down where a disc can be from a time until its slide ends by itself. A meeting
     /// may end it before: the box stays as it is, as a new one costs more than it saves.
     pub(super) fn expect(&mut self, i: usize, body: &Body, from: f64, until: f64) {
-        self.boxes[i] = SweptBox::new(body, from, until);
+        self.boxes[i / 2].set(i % 2, sides(body, from, until));
     }
 
     /// Finds the discs that disc `i`, the seeker, could meet before either's forecast, of
-    /// which `times` are the times, and returns how many: see [`Self::partner`].
+    /// which `times` are the times, and returns how many: see [`Self::partner`]. They come in
+    /// the order of their numbers, or of the cells of the grid.
     pub(super) fn search(
         &mut self,
         i: usize,
@@ -48,20 +57,39 @@ impl BroadPhase {
         grid: &Grid,
         work: &mut Work,
     ) -> usize {
-        let own = self.boxes[i];
-        let boxes = &self.boxes[..bodies.len()];
-        let overlaps = |k: usize| (k != i) & boxes[k].overlaps(&own);
-        let overlapping = if grid.is_laid() {
+        let times = &times[..bodies.len()];
+        let limits = self.boxes[i / 2].limits(i % 2);
+        let mut count = 0;
+        if grid.is_laid() {
             grid.near(i, &mut self.around);
             work.add(self.around.len());
-            sift(&mut self.overlapping, self.around.iter().copied(), overlaps)
+            for near in self.around.chunks(AT_ONCE) {
+                let mut overlapping = 0;
+                for (bit, &k) in near.iter().enumerate() {
+                    let overlaps = self.boxes[k / 2].overlap(&limits) >> (k % 2) & 1;
+                    overlapping |= (overlaps & u64::from(k != i)) << bit;
+                }
+                let candidates = Candidates(overlapping);
+                let partners = &mut self.partners[count..];
+                count += candidates.sift(|bit| near[bit], seeker, bodies, times, partners);
+            }
         } else {
             work.add(bodies.len());
-            sift(&mut self.overlapping, 0..bodies.len(), overlaps)
-        };
-        let overlapping = self.overlapping[..overlapping].iter().copied();
-        let can_meet = |k: usize| seeker.clearance(&bodies[k], times[k]) <= 0.0;
-        sift(&mut self.partners, overlapping, can_meet)
+            for (n, boxes) in self.boxes.chunks(AT_ONCE / 2).enumerate() {
+                let mut overlapping = 0;
+                for (pair, boxes) in boxes.iter().enumerate() {
+                    overlapping |= boxes.overlap(&limits) << (2 * pair);
+                }
+                if i / AT_ONCE == n {
+                    overlapping &= !(1 << (i % AT_ONCE));
+                }
+                let first = n * AT_ONCE;
+                let candidates = Candidates(overlapping);
+                let partners = &mut self.partners[count..];
+                count += candidates.sift(|bit| first + bit, seeker, bodies, times, partners);
+            }
+        }
+        count
     }
 
     /// One of the discs found by the latest search.
@@ -70,53 +98,99 @@ impl BroadPhase {
     }
 }
 
-/// Writes down the candidates that pass and returns how many.
-///
-/// Each is written in any case, and the next one over it unless it passes: which of them
-/// pass a processor cannot guess, and so there is no branch at which to guess.
-#[inline(always)]
-fn sift(
-    passed: &mut [usize],
-    candidates: impl Iterator<Item = usize>,
-    passes: impl Fn(usize) -> bool,
-) -> usize {
-    let mut count = 0;
-    for k in candidates {
-        passed[count] = k;
-        count += usize::from(passes(k));
+/// Discs whose boxes overlap the seeker's: a bit each.
+struct Candidates(u64);
+
+impl Candidates {
+    /// Writes down those that can meet the seeker and returns how many.
+    ///
+    /// Each is written in any case, and the next one over it unless it passes: which of them
+    /// pass a processor cannot guess, and so there is no branch at which to guess.
+    #[inline(always)]
+    fn sift(
+        mut self,
+        disc: impl Fn(usize) -> usize,
+        seeker: &Seeker,
+        bodies: &[Body],
+        times: &[f64],
+        partners: &mut [usize],
+    ) -> usize {
+        let mut count = 0;
+        while let Some((one, other)) = self.next_two() {
+            let two = [disc(one), disc(other)];
+            let missed = seeker.misses(two.map(|k| &bodies[k]), two.map(|k| times[k]));
+            partners[count] = two[0];
+            count += usize::from(missed & 1 == 0);
+            partners[count] = two[1];
+            count += usize::from((missed & 2 == 0) & (one != other));
+        }
+        count
     }
-    count
+
+    /// Takes the next two away, or the last one twice.
+    #[inline(always)]
+    fn next_two(&mut self) -> Option<(usize, usize)> {
+        if self.0 == 0 {
+            return None;
+        }
+        let one = self.0.trailing_zeros() as usize;
+        self.0 &= self.0 - 1;
+        let next = self.0.trailing_zeros() as usize;
+        let other = if self.0 == 0 { one } else { next };
+        self.0 &= self.0.wrapping_sub(1);
+        Some((one, other))
+    }
 }
 
-/// A box, with its sides along the axes, around all that a disc can touch from one time of
-/// its slide to another.
-#[derive(Debug, Clone, Copy, Default)]
-struct SweptBox {
-    least: DVec2,
-    greatest: DVec2,
-}
+/// The boxes of two discs. A box, with its sides along the axes, is around all that a disc can
+/// touch from one time of its slide to another.
+///
+/// Four numbers each: the least x and y, and the greatest with the other sign, so that all
+/// four compare alike.
+#[derive(Debug, Clone, Copy)]
+struct TwoBoxes([f64x2; 4]);
 
-impl SweptBox {
-    /// As a disc goes straight, the two ends of its way span the box.
-    fn new(body: &Body, from: f64, until: f64) -> Self {
-        // Contacts are sought a little beyond the forecast. A way without end is followed
-        // for the longest finite time: 0 · ∞ would be no place.
-        let until = (until + SAME_TIME).min(f64::MAX);
-        let (a, b) = (body.at(from).position, body.at(until).position);
-        let margin = body.radius + MARGIN;
-        Self {
-            least: a.min(b) - margin,
-            greatest: a.max(b) + margin,
+impl TwoBoxes {
+    /// No boxes: they overlap none.
+    const NOWHERE: Self = Self([f64x2::new([f64::NAN; 2]); 4]);
+
+    fn set(&mut self, lane: usize, sides: [f64; 4]) {
+        // Both lanes are written as they will be read: a processor waits for what it has
+        // written in parts.
+        let is_it = f64x2::splat(lane as f64).simd_eq(f64x2::new([0.0, 1.0]));
+        for (both, side) in self.0.iter_mut().zip(sides) {
+            *both = is_it.select(f64x2::splat(side), *both);
         }
     }
 
-    #[inline(always)]
-    fn overlaps(&self, other: &Self) -> bool {
-        (self.least.x <= other.greatest.x)
-            & (self.least.y <= other.greatest.y)
-            & (self.greatest.x >= other.least.x)
-            & (self.greatest.y >= other.least.y)
+    /// How far the sides of other boxes may go to overlap this one.
+    fn limits(&self, lane: usize) -> [f64x2; 4] {
+        let [left, bottom, right, top] = self.0.map(|side| f64x2::splat(-side.to_array()[lane]));
+        [right, top, left, bottom]
     }
+
+    /// Which of the two overlap the box with these limits, a bit each.
+    #[inline(always)]
+    fn overlap(&self, limits: &[f64x2; 4]) -> u64 {
+        let [left, bottom, right, top] = self.0;
+        let within = left.simd_le(limits[0])
+            & bottom.simd_le(limits[1])
+            & right.simd_le(limits[2])
+            & top.simd_le(limits[3]);
+        u64::from(within.to_bitmask())
+    }
+}
+
+/// The box of a disc from one time of its slide to another: as it goes straight, the two ends
+/// of its way span it.
+fn sides(body: &Body, from: f64, until: f64) -> [f64; 4] {
+    // Contacts are sought a little beyond the forecast. A way without end is followed for the
+    // longest finite time.
+    let until = (until + SAME_TIME).min(f64::MAX);
+    let (a, b) = (body.at(from).position, body.at(until).position);
+    let margin = body.radius + MARGIN;
+    let (least, greatest) = (a.min(b) - margin, a.max(b) + margin);
+    [least.x, least.y, -greatest.x, -greatest.y]
 }
 
 /// The disc whose partners are sought, as it is now.
@@ -136,7 +210,7 @@ impl Seeker {
     pub(super) fn new(body: &Body, now: f64, until: f64) -> Self {
         Self {
             now,
-            until,
+            until: until.min(FOREVER),
             here: body.at(now),
             acceleration: body.acceleration,
             radius: body.radius,
@@ -144,8 +218,8 @@ impl Seeker {
         }
     }
 
-    /// A number that is positive only if another disc, with a forecast for `time`, cannot be
-    /// met before the earlier of both forecasts.
+    /// Which of two others cannot be met before the earlier of both forecasts, theirs being for
+    /// `times`: a bit each.
     ///
     /// Seen from the seeker the other moves by Δ(τ) = d + w τ + ½ a τ² for τ up to h.
     /// There is no contact if
@@ -155,34 +229,99 @@ impl Seeker {
     /// - it stays to one side of w by more than R: Δ × w goes one way from its value
     ///   at 0 to its value at h.
     #[inline(always)]
-    fn clearance(&self, other: &Body, time: f64) -> f64 {
-        let Motion { position, velocity } = other.at(self.now);
-        let d = position - self.here.position;
-        let w = velocity - self.here.velocity;
-        let a = other.acceleration - self.acceleration;
-        let contact_distance = other.radius + self.radius;
-        let h = least(time, self.until) - self.now + SAME_TIME;
-        let half_h2 = 0.5 * h * h;
+    fn misses(&self, others: [&Body; 2], times: [f64; 2]) -> u32 {
+        let half = f64x2::splat(0.5);
+        let elapsed = f64x2::splat(self.now) - of_both(others, |body| body.since);
+        let position = TwoVectors::of_both(others, |body| body.start.position);
+        let velocity = TwoVectors::of_both(others, |body| body.start.velocity);
+        let acceleration = TwoVectors::of_both(others, |body| body.acceleration);
+
+        let way = (velocity + acceleration * (half * elapsed)) * elapsed;
+        let d = position + way - self.here.position;
+        let w = velocity + acceleration * elapsed - self.here.velocity;
+        let a = acceleration - self.acceleration;
+        let contact_distance = of_both(others, |body| body.radius) + f64x2::splat(self.radius);
+        let until = f64x2::new(times).fast_min(f64x2::splat(self.until));
+        let h = until - f64x2::splat(self.now) + f64x2::splat(SAME_TIME);
+        let half_h2 = half * h * h;
         let distance2 = contact_distance * contact_distance;
 
-        let gap = 0.5 * (d.length_squared() - distance2);
+        let gap = half * (d.dot(d) - distance2);
         let closing = d.dot(w) * h;
         let bend = d.dot(a) * half_h2;
-        let along = least(least(gap + closing + bend, gap + 0.5 * closing), gap);
+        let at_end = gap + closing + bend;
+        let along = at_end.fast_min(gap + half * closing).fast_min(gap);
 
         let offset = d.perp_dot(w);
         let offset_end = offset + a.perp_dot(w) * half_h2;
-        let one_side = least(offset * offset_end, offset_end * offset_end);
-        let aside = least(one_side, offset * offset) - distance2 * w.length_squared();
+        let one_side = (offset * offset_end).fast_min(offset_end * offset_end);
+        let aside = one_side.fast_min(offset * offset) - distance2 * w.dot(w);
 
-        if along > aside { along } else { aside }
+        along.fast_max(aside).simd_gt(f64x2::ZERO).to_bitmask()
     }
 }
 
-/// The lesser of two; `b` if `a` is no number. Without friction and horizon h is
-/// infinite and the terms that bend the path come out as 0 · ∞: they must not count,
-/// and standing first they do not.
-#[inline(always)]
-fn least(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64;
+
+    use super::super::contact::contact;
+    use super::*;
+    use crate::physics::Disc;
+
+    /// Discs strewn over a board, every other one at rest; odd counts and more than there are
+    /// bits among them.
+    #[test]
+    fn no_disc_that_meets_the_seeker_is_turned_away() {
+        let mut rng = Pcg64::seed_from_u64(7);
+        let (mut found, mut meetings) = (0, 0);
+        for round in 0..400 {
+            let count = [2, 5, 20, 63, 64, 65, 131][round % 7];
+            let deceleration = [0.0, 1.2][round % 2];
+            let disc = Disc::from_g_mm(5.5, 15.9);
+            let side = 0.05 * f64::from(count).sqrt();
+            let bodies: Vec<Body> = (0..count)
+                .map(|k| {
+                    let mut number = |most: f64| rng.random_range(-most..most);
+                    let position = DVec2::new(number(side), number(side));
+                    let speed = if k % 2 == 0 { number(3.0) } else { 0.0 };
+                    let velocity = speed * DVec2::from_angle(number(3.0));
+                    Body::new(&disc, Motion::new(position, velocity), deceleration)
+                })
+                .collect();
+            let times: Vec<f64> = bodies
+                .iter()
+                .map(|body| {
+                    let stops = 1.0 / body.relative_deceleration;
+                    rng.random_range(0.01..0.3_f64).min(stops)
+                })
+                .collect();
+            let mut broad_phase = BroadPhase::default();
+            broad_phase.begin(bodies.len());
+            for (k, body) in bodies.iter().enumerate() {
+                broad_phase.expect(k, body, 0.0, times[k]);
+            }
+            for i in (0..bodies.len()).step_by(2) {
+                let seeker = Seeker::new(&bodies[i], 0.0, times[i]);
+                let mut work = Work::up_to(0);
+                let grid = Grid::default();
+                let partners = broad_phase.search(i, &seeker, &bodies, &times, &grid, &mut work);
+                let partners = &broad_phase.partners[..partners];
+                assert!(partners.is_sorted() && !partners.contains(&i));
+                found += partners.len();
+                for k in (0..bodies.len()).filter(|&k| k != i) {
+                    let until = times[i].min(times[k]) + SAME_TIME;
+                    if contact(&seeker, &bodies[k], until).is_some() {
+                        meetings += 1;
+                        assert!(partners.contains(&k), "{i} meets {k} of {count}");
+                    }
+                }
+            }
+        }
+        assert!(
+            meetings > 10_000 && found < 3 * meetings,
+            "{found} for {meetings}"
+        );
+    }
 }

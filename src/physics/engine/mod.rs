@@ -18,6 +18,7 @@ mod frame;
 mod grid;
 mod impacts;
 mod impulse;
+mod lanes;
 mod play;
 mod quartic;
 mod schedule;

@@ -103,10 +103,11 @@ impl ShotInPlay<'_> {
             since,
             radius,
             relative_deceleration,
+            moving,
             ..
         } = self.bodies[i];
         let (mut time, mut end) = end(self.board, radius, start, relative_deceleration);
-        if self.bodies[i].moving && self.grid.is_laid() {
+        if moving && self.grid.is_laid() {
             let (leaves, side) = self.grid.leaves(i, start);
             if let Some(leaves) = slowed(leaves, relative_deceleration).filter(|&t| t < time) {
                 (time, end) = (leaves, SlideEnd::Cell(side));

@@ -1,5 +1,7 @@
 //! What comes next: one forecast a disc.
 
+use wide::f64x2;
+
 use super::frame::SlideEnd;
 
 /// Contacts on shared discs within this many seconds are one event: a symmetric
@@ -8,7 +10,7 @@ pub(super) const SAME_TIME: f64 = 1e-12;
 
 /// How many discs share a remembered earliest time. A board of carrom has one such
 /// block; the search for the first of thousands of discs looks at few.
-const BLOCK: usize = 32;
+const BLOCK: usize = 24;
 
 /// What a disc is forecast to do next.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,8 +73,7 @@ impl Schedule {
             }
         }
         let b = first?;
-        let within = blocks[b].iter().position(|&time| time <= least)?;
-        Some((b * BLOCK + within, least))
+        Some((b * BLOCK + first_up_to(&blocks[b], least), least))
     }
 
     /// How many discs have a forecast up to a time.
@@ -85,13 +86,24 @@ impl Schedule {
     }
 }
 
-/// The least of a block, four lanes at a time.
+/// The least of a block, four at a time.
 fn minimum(block: &[f64; BLOCK]) -> f64 {
-    let mut least = [f64::INFINITY; 4];
-    for four in block.as_chunks::<4>().0 {
-        for (least, &time) in least.iter_mut().zip(four) {
-            *least = if time < *least { time } else { *least };
-        }
+    let mut least = [f64x2::splat(f64::INFINITY); 2];
+    for &[a, b, c, d] in block.as_chunks().0 {
+        least[0] = least[0].fast_min(f64x2::new([a, b]));
+        least[1] = least[1].fast_min(f64x2::new([c, d]));
     }
-    least.into_iter().fold(f64::INFINITY, f64::min)
+    let [a, b] = least[0].fast_min(least[1]).to_array();
+    a.min(b)
+}
+
+/// The place of the first time in a block that is not beyond `time`: without a branch, as a
+/// processor cannot guess where it is.
+fn first_up_to(block: &[f64; BLOCK], time: f64) -> usize {
+    let mut found = 0;
+    for (n, &two) in block.as_chunks().0.iter().enumerate() {
+        let up_to = f64x2::new(two).simd_le(f64x2::splat(time));
+        found |= up_to.to_bitmask() << (2 * n);
+    }
+    found.trailing_zeros() as usize
 }
