@@ -203,45 +203,19 @@ pub struct PupilState {
 pub enum PupilStep {
     /// The class gathers, or has paused.
     Lobby,
-    /// The question is read out.
-    Describe,
-    /// Everyone predicts in silence.
-    Predict,
-    /// They vote.
-    FirstVote,
-    /// They talk.
-    Talk,
-    /// They may vote otherwise.
-    SecondVote,
-    /// The truth.
-    Shot,
-    /// The scores.
-    Scores,
     /// The round is over.
     End,
+    /// At a step of a question.
+    #[serde(untagged)]
+    Asked(ClassStep),
 }
 
 impl PupilStep {
-    /// The vote that is open at a step.
+    /// The vote that is open.
     pub const fn vote(self) -> Option<Vote> {
         match self {
-            Self::FirstVote => Some(Vote::First),
-            Self::SecondVote => Some(Vote::Second),
-            _ => None,
-        }
-    }
-}
-
-impl From<ClassStep> for PupilStep {
-    fn from(step: ClassStep) -> Self {
-        match step {
-            ClassStep::Describe => Self::Describe,
-            ClassStep::Predict => Self::Predict,
-            ClassStep::FirstVote => Self::FirstVote,
-            ClassStep::Talk => Self::Talk,
-            ClassStep::SecondVote => Self::SecondVote,
-            ClassStep::Shot => Self::Shot,
-            ClassStep::Scores => Self::Scores,
+            Self::Asked(step) => step.vote(),
+            Self::Lobby | Self::End => None,
         }
     }
 }

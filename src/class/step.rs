@@ -1,9 +1,25 @@
 //! The steps in which a class goes through a question.
 
+use serde::{Deserialize, Serialize};
 use strum::{FromRepr, IntoStaticStr, VariantArray};
 
+use super::Vote;
+
 /// A step of a question, in their order; its name in files is "first-vote".
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, FromRepr, IntoStaticStr, VariantArray)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    Default,
+    FromRepr,
+    IntoStaticStr,
+    VariantArray,
+    Serialize,
+    Deserialize,
+)]
+#[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum ClassStep {
     /// The question is read out.
@@ -27,6 +43,15 @@ impl ClassStep {
     /// The step after it; `None` after the last.
     pub fn next(self) -> Option<Self> {
         Self::from_repr(self as usize + 1)
+    }
+
+    /// The vote that is open at it.
+    pub const fn vote(self) -> Option<Vote> {
+        match self {
+            Self::FirstVote => Some(Vote::First),
+            Self::SecondVote => Some(Vote::Second),
+            _ => None,
+        }
     }
 
     /// The step before it; `None` before the first.

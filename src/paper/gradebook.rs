@@ -11,8 +11,8 @@ use crate::progress::{Mastery, beliefs as beliefs_of};
 /// Most letters of a name, and of a round or a topic at the head of a column.
 const NAME: usize = 44;
 const HEAD: usize = 40;
-/// Most letters of a question in a table.
-const QUESTION: usize = 110;
+/// Most letters of a question in a table: all of them, but for what a file may hold.
+const QUESTION: usize = 400;
 /// Columns of rounds or topics beside each other; more go into a table of their own.
 const COLUMNS: usize = 6;
 

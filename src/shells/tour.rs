@@ -47,6 +47,8 @@ impl TourStop {
 const CLASS: &str = "class from-angle2-7 Ants Bees Cats Dogs Elks Fish Gnus Hens";
 /// The same on devices of their own.
 const DEVICES: &str = "host";
+/// The round there, unless another code follows a colon.
+const ON_DEVICES: &str = "from-angle2-7";
 /// Two strokes of practice.
 const TWO_STROKES: &str = "<Right><Right><Enter><Space><End><Space><Space><End>";
 const STROKE_BEFORE: &str = "<Right><Right><Enter><Space><End><Space><Space><End>p";
@@ -169,9 +171,19 @@ pub const TOUR: &[TourStop] = &[
         DEVICES,
         "<Enter><Enter><Enter><Enter><Enter>",
     ),
+    moment(
+        "class, the scores on devices",
+        DEVICES,
+        "<Enter><Enter><Enter><Enter><Enter><End><Enter>",
+    ),
     moment("joining", "join", "").taking_any(),
     moment("joining, in", "pupil", ""),
     moment("joining, the vote", "pupil <Enter><Enter>", ""),
+    moment(
+        "joining, a choice",
+        "pupil:both-moving1-7 <Enter><Enter>",
+        "",
+    ),
     moment(
         "joining, how sure",
         "pupil <Enter><Enter>",
@@ -230,10 +242,11 @@ impl TourStop {
     pub fn game(&self, settings: Settings) -> Headless {
         let (place, rest) = self.place.split_once(' ').unwrap_or((self.place, ""));
         let number = || rest.parse::<usize>().unwrap_or(1).saturating_sub(1);
+        let (place, code) = place.split_once(':').unwrap_or((place, ON_DEVICES));
         match place {
-            "host" => return self.devices(self.keys, &settings, |_| Who::Host),
+            "host" => return devices(code, self.keys, &settings, |_| Who::Host),
             "pupil" => {
-                let mut pupil = self.devices(rest, &settings, |ada| ada);
+                let mut pupil = devices(code, rest, &settings, |ada| ada);
                 pupil.press(self.keys);
                 return pupil;
             }
@@ -271,43 +284,43 @@ impl TourStop {
         game
     }
 
-    /// A class of two on devices of their own, after the teacher has pressed these keys; the
-    /// device of whoever is chosen, the first pupil being given.
-    fn devices(
-        &self,
-        teachers: &str,
-        settings: &Settings,
-        choose: impl FnOnce(Who) -> Who,
-    ) -> Headless {
-        let opened = |place, player: &str| {
-            let settings = Settings {
-                player: player.to_owned(),
-                ..settings.clone()
-            };
-            App::new(place, settings, 7)
-        };
-        let code = Code::parse("from-angle2-7");
-        let mut class = Classroom::new(opened(Place::Host { code }, "teacher").into());
-        let [ada, _] = ["Ada", "Bo"].map(|name| {
-            let place = Place::Join {
-                address: None,
-                code: class.code(),
-                again: false,
-            };
-            let pupil = class.add(name, opened(place, name), 80, 24);
-            class.game(pupil).press("<Enter>");
-            class.settle();
-            pupil
-        });
-        class.game(Who::Host).press(teachers);
-        class.settle();
-        class.into_game(choose(ada))
-    }
-
     /// The keys that mean something at this moment, as the player has them.
     pub fn keys(&self, settings: Settings) -> KeyTable<()> {
         self.game(settings).app().keys()
     }
+}
+
+/// A class of two on devices of their own, after the teacher has pressed these keys; the
+/// device of whoever is chosen, the first pupil being given.
+fn devices(
+    code: &str,
+    teachers: &str,
+    settings: &Settings,
+    choose: impl FnOnce(Who) -> Who,
+) -> Headless {
+    let opened = |place, player: &str| {
+        let settings = Settings {
+            player: player.to_owned(),
+            ..settings.clone()
+        };
+        App::new(place, settings, 7)
+    };
+    let code = Code::parse(code);
+    let mut class = Classroom::new(opened(Place::Host { code }, "teacher").into());
+    let [ada, _] = ["Ada", "Bo"].map(|name| {
+        let place = Place::Join {
+            address: None,
+            code: class.code(),
+            again: false,
+        };
+        let pupil = class.add(name, opened(place, name), 80, 24);
+        class.game(pupil).press("<Enter>");
+        class.settle();
+        pupil
+    });
+    class.game(Who::Host).press(teachers);
+    class.settle();
+    class.into_game(choose(ada))
 }
 
 /// Keys by their rows' names, each row with what it does.

@@ -165,6 +165,39 @@ fn the_gradebook_has_a_page_for_every_pupil() {
     assert!(!again.status.success() && String::from_utf8_lossy(&again.stderr).contains("--force"));
 }
 
+/// Whoever is on the list of the class and has handed in nothing is named, and nobody else.
+#[test]
+fn who_of_the_class_list_is_missing_is_told() {
+    let folder = Folder::new("gather-list");
+    let handed_in = folder.path().join("handed-in");
+    fs::create_dir(&handed_in).unwrap();
+    for (file, name) in [("1.json", "Ada"), ("2.json", "Zoë Söhne")] {
+        let text = hand_in(1, name, 2, 1).text().unwrap();
+        fs::write(handed_in.join(file), text).unwrap();
+    }
+    // As a spreadsheet saves it: a mark at its beginning, line ends of Windows, rows without a name.
+    let list = folder.file("list.txt", "\u{feff}ADA\r\nBo\r\n\r\n zoë söhne \r\nCy\r\n");
+    let out = folder.path().join("class.html");
+    let gather = |list: &str| {
+        let [from, out] = [&handed_in, &out].map(|path| path.to_str().unwrap());
+        let arguments = ["gather", from, "--out", out, "--force", "--class-list"];
+        let done = carrom(&[&arguments[..], &[list]].concat());
+        let told = String::from_utf8(done.stderr).unwrap();
+        (done.status.code(), told)
+    };
+    let (status, told) = gather(&list);
+    assert_eq!(status, Some(0), "{told}");
+    assert!(
+        told.contains("2 of the class list handed in nothing: Bo, Cy"),
+        "{told}"
+    );
+    assert!(fs::read_to_string(&out).unwrap().contains("Bo, Cy"));
+    // A list that is not there is said, and nothing is written in its place.
+    let (status, told) = gather("no-such-list.txt");
+    assert_eq!(status, Some(2), "{told}");
+    assert!(told.contains("no-such-list.txt"), "{told}");
+}
+
 #[test]
 fn what_a_player_hands_in_is_read_back() {
     let folder = Folder::new("hand-in");

@@ -29,6 +29,8 @@ mod report;
 mod safe;
 mod salvage;
 mod saves;
+#[cfg(target_os = "linux")]
+mod seen_devices;
 mod simulate;
 mod solve;
 mod start;
@@ -37,6 +39,14 @@ mod terminal;
 mod worksheet;
 mod written;
 
+#[cfg(target_os = "linux")]
+#[allow(dead_code, reason = "the tests of the page use the rest")]
+#[path = "../page/browser.rs"]
+mod browser;
+#[cfg(target_os = "linux")]
+#[allow(dead_code, reason = "the tests of the page use the rest")]
+#[path = "../page/chromium.rs"]
+mod chromium;
 #[path = "../common/folder.rs"]
 mod folder;
 #[path = "../common/keys.rs"]

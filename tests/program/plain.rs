@@ -396,6 +396,18 @@ fn a_shot_of_ones_own_is_set_said_and_played() {
     assert!(read.contains("Not quite.\nYou said:"), "{read}");
 }
 
+/// What cancels is 0, whatever is left of it in the last digit.
+#[test]
+fn the_truth_is_told_without_what_is_lost_in_rounding() {
+    let folder = Folder::new("plain");
+    let heard = b"skip\nnext\nskip\nnext\n1\n1\nquit\n";
+    let said = talk("learn 5 --plain", folder.path(), heard);
+    assert!(
+        said.contains("Not quite.\nIt is 0 metres per second.\n"),
+        "{said}"
+    );
+}
+
 /// What only hands and eyes can do is asked of nobody.
 #[test]
 fn all_chapters_are_read_by_words_alone() {

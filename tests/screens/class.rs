@@ -610,6 +610,13 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
             "{row:?}"
         );
     }
+    // What the class held is told of all votes, for nobody knows whose they were.
+    game.press("<Enter><Enter>");
+    let screen = game.screen();
+    assert!(
+        screen.contains("How many of all votes fitted it") && screen.contains("votes: "),
+        "{screen}"
+    );
     // Counted hands have no names, and so no rows.
     assert!(records(&exported(folder.path(), "class-answers-1.csv")).is_empty());
     let kept = kept(folder.path());

@@ -136,8 +136,6 @@ fn each_key_of_each_table_does_something() {
     assert!(idle.is_empty(), "{idle:#?}");
     let hint = changes(a_hint_told(), (60, 20), None, Key::PageDown);
     scrolls.insert("table.scroll".to_owned(), hint);
-    // What a device of the tour shows fits, even on so small a screen.
-    scrolls.remove("join.scroll");
     assert!(scrolls.values().all(|any| *any), "{scrolls:?}");
 }
 

@@ -14,13 +14,13 @@ mod words;
 // The command line alone has use for it.
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use ascii::ascii;
-pub(crate) use number::number;
+pub(crate) use number::{beside, number};
 
 use glam::DVec2;
 
 use super::units::{g_from_kg, mm_from_m};
 use super::{Bond, Collision, CollisionOutcome, Meeting};
-use number::{beside, degrees, vector};
+use number::{degrees, vector};
 
 /// One step of a worked solution.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -13,7 +13,7 @@ pub(crate) fn number(x: f64) -> String {
 }
 
 /// A number that is 0 where it is rounding noise beside `scale`.
-pub(super) fn beside(x: f64, scale: f64) -> String {
+pub(crate) fn beside(x: f64, scale: f64) -> String {
     number(if x.abs() <= NOISE * scale { 0.0 } else { x })
 }
 

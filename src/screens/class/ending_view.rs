@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 
 use super::play::{ClassPlay, EndPage};
 use super::view::{Text, column};
-use crate::class::{ClassRound, ItemAnalysis, Vote, items};
+use crate::class::{ClassRound, ItemAnalysis, Vote, WayOfVoting, items};
 use crate::numbers::fixed;
 use crate::physics::units::deg_from_rad;
 use crate::quiz::{Evidence, Form, Misconception, Question, letter};
@@ -38,11 +38,17 @@ struct ClassBelief {
 /// What the class believed: first what most teams hold, then that for which there is most
 /// evidence.
 fn held(round: &ClassRound) -> Vec<ClassBelief> {
+    // Of counted hands nobody knows whose they were: they are weighed question by question.
+    let all = match round.way() {
+        WayOfVoting::Tally => round.questions().len(),
+        WayOfVoting::Teams | WayOfVoting::Devices => round.teams().len(),
+    };
     let clues = Vote::BOTH.map(|vote| {
-        let teams = 0..round.teams().len();
-        teams
-            .map(|team| round.clues_of(team, vote))
-            .collect::<Vec<_>>()
+        let each = (0..all).map(|number| match round.way() {
+            WayOfVoting::Tally => round.clues(number, vote),
+            WayOfVoting::Teams | WayOfVoting::Devices => round.clues_of(number, vote),
+        });
+        each.collect::<Vec<_>>()
     });
     let of = |misconception| {
         let [first, second] = clues.each_ref().map(|teams| {
@@ -73,11 +79,18 @@ fn write_held(round: &ClassRound, lines: &mut Lines) {
         );
         return;
     }
-    lines.paragraph(
-        "Teams whose votes show that they hold it: at first, and after talking. It takes two \
-         questions to say so of a team. Below: how many votes fitted it.",
-        Role::Dim,
-    );
+    let about = match round.way() {
+        WayOfVoting::Teams => {
+            "Teams whose votes show that they hold it: at first, and after talking. It takes two \
+             questions to say so of a team. Below: how many votes fitted it."
+        }
+        WayOfVoting::Devices => {
+            "How many of you show by their votes that they hold it: at first, and after talking. \
+             It takes two questions to say so of anybody. Below: how many votes fitted it."
+        }
+        WayOfVoting::Tally => "How many of all votes fitted it: at first, and after talking.",
+    };
+    lines.paragraph(about, Role::Dim);
     for it in held {
         lines.gap();
         let [first, second] = it.teams;

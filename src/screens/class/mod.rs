@@ -32,7 +32,6 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::kept_files::KeptAction;
 use super::{Confirmation, Context, Next, Screen};
 use crate::class::ClassRound;
-use crate::class::protocol::PupilStep;
 use crate::messages::{Input, Key, Mouse};
 use crate::quiz::Code;
 use crate::widgets::hit::WatchAction;
@@ -87,6 +86,8 @@ pub(crate) enum ClassAction {
     Countdown,
     /// the question's words alone, as large as they fit
     WordsAlone,
+    /// pupils' names on the scoreboard, or what each question showed
+    BoardNames,
     /// write two tables for a spreadsheet: answers and questions
     Tables,
     /// turn the page, or scroll
@@ -204,7 +205,7 @@ impl Screen for Class {
                 let place = format!("question {} of {of}", play.number() + 1);
                 match &play.hosting {
                     // Whoever has the code could play the round first.
-                    Some(hosting) => match PupilStep::from(play.step()).vote() {
+                    Some(hosting) => match play.step().vote() {
                         Some(vote) if !play.is_over() => {
                             format!("{place}  {}", hosting.turnout(&play.round, vote))
                         }

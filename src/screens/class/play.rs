@@ -28,6 +28,8 @@ pub(super) struct ClassPlay {
     pub(super) countdown: Option<Duration>,
     /// Whether the words of the question have the screen to themselves.
     pub(super) words_alone: bool,
+    /// Whether the names of pupils on devices may stand on the scoreboard.
+    pub(super) names_shown: bool,
     /// The step at which each question stands.
     steps: Vec<ClassStep>,
     /// The last question that has been reached; their number if the end was.
@@ -91,6 +93,7 @@ impl ClassPlay {
             page: 0,
             countdown: None,
             words_alone: false,
+            names_shown: false,
             furthest,
             ticket,
             unsaved: false,
@@ -178,7 +181,7 @@ impl ClassPlay {
             step: match () {
                 () if gathers => PupilStep::Lobby,
                 () if self.is_over() => PupilStep::End,
-                () => self.step().into(),
+                () => PupilStep::Asked(self.step()),
             },
         }
     }
@@ -331,8 +334,8 @@ impl ClassPlay {
     /// The keys of the step at hand.
     pub(super) fn keys(&self) -> KeyTable<ClassAction> {
         use ClassAction::{
-            Backward, Count, Countdown, Forward, Leap, Leave, Light, NotYet, Pause, ShowTyped,
-            Tables, TakeBack, Team, Teams, ToTheShot, TurnPage, Vote, Watch, WordsAlone,
+            Backward, BoardNames, Count, Countdown, Forward, Leap, Leave, Light, NotYet, Pause,
+            ShowTyped, Tables, TakeBack, Team, Teams, ToTheShot, TurnPage, Vote, Watch, WordsAlone,
         };
         let keys = KeyTable::new("class");
         if let Some(page) = self.hosting.as_ref().and_then(|it| it.page_keys()) {
@@ -402,9 +405,20 @@ impl ClassPlay {
             true => "tables",
             false => "",
         };
-        let pupils = self.hosting.as_ref().map(|hosting| hosting.keys());
-        let step = match pupils {
-            Some(pupils) => step.with(pupils, ClassAction::Hosting),
+        let is_board = matches!(
+            (&self.phase, self.step()),
+            (ClassPhase::End(EndPage::Board), _) | (ClassPhase::Look, ClassStep::Scores)
+        );
+        let names = if self.names_shown {
+            "no names"
+        } else {
+            "names"
+        };
+        let step = match &self.hosting {
+            Some(hosting) => step
+                .with(hosting.keys(), ClassAction::Hosting)
+                .on('n', BoardNames, names)
+                .when(is_board),
             None => step,
         };
         scrolled(
@@ -448,6 +462,10 @@ impl ClassPlay {
                 });
             }
             (ClassAction::WordsAlone, _) => self.words_alone = !self.words_alone,
+            (ClassAction::BoardNames, _) => {
+                self.names_shown = !self.names_shown;
+                self.scroll = Scroll::default();
+            }
             (ClassAction::Tables, _) => {
                 cx.ask(StoreRequest::ExportClass(Box::new(self.round.clone())));
             }

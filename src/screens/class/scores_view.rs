@@ -4,7 +4,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 
 use super::heading::below;
-use super::view::{column, slot};
+use super::play::ClassPlay;
+use super::view::{Text, column, slot};
 use crate::class::{ClassRound, WayOfVoting, items, standings};
 use crate::numbers;
 use crate::quiz::Grade;
@@ -31,17 +32,55 @@ struct ScoreRow {
     share: f64,
 }
 
-/// Draws where the teams stand after the first `asked` questions.
-pub(super) fn draw(round: &ClassRound, asked: usize, area: Rect, buf: &mut Buffer, look: &Look) {
+/// Draws where the class stands.
+pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) {
+    if let Some((place, write)) = text(play, area) {
+        return play.scroll.draw(place, buf, *look, write);
+    }
     let area = column(area);
-    let rows = match round.way() {
-        WayOfVoting::Tally => of_questions(round, asked),
-        WayOfVoting::Teams | WayOfVoting::Devices => of_teams(round, asked),
-    };
+    let rows = rows(play);
     let high = area.height / (rows.len() as u16).max(1);
     match large(&rows, high, area.width, look) {
         Some(letters) => draw_large(&rows, &letters, high.min(LARGE[1]), area, buf, look),
         None => draw_plain(&rows, high.clamp(1, 3), area, buf, look),
+    }
+}
+
+/// The scoreboard as a text, where it is too long for its place.
+pub(super) fn text(play: &ClassPlay, area: Rect) -> Option<Text<'_>> {
+    let rows = rows(play);
+    let mut place = column(area);
+    if rows.len() <= place.height.into() {
+        return None;
+    }
+    // The last row is for the word that there is more.
+    place.height = place.height.saturating_sub(1);
+    let write = move |lines: &mut Lines| rows.iter().for_each(|row| row.write(lines));
+    Some((place, Box::new(write)))
+}
+
+/// A row for each of the teams; for each of the questions where there are no names, or none that
+/// all may see.
+fn rows(play: &ClassPlay) -> Vec<ScoreRow> {
+    let has_names = match play.round.way() {
+        WayOfVoting::Tally => false,
+        WayOfVoting::Teams => true,
+        WayOfVoting::Devices => play.names_shown,
+    };
+    let asked = play.asked();
+    match has_names {
+        true => of_teams(&play.round, asked),
+        false => of_questions(&play.round, asked),
+    }
+}
+
+impl ScoreRow {
+    /// Writes it in one line.
+    fn write(&self, lines: &mut Lines) {
+        let room = usize::from(lines.width().saturating_sub(20));
+        let name = text::clipped(&self.name, room);
+        let numbers = format!("{:>6}  {:>6}", self.points, self.gain);
+        lines.pair(&name, &numbers, Role::Title, Role::Title);
     }
 }
 
@@ -57,8 +96,8 @@ fn of_teams(round: &ClassRound, asked: usize) -> Vec<ScoreRow> {
     standings.collect()
 }
 
-/// Hands that were counted have no names: a row for each question, with the share that was right
-/// after talking, and by how much it rose.
+/// A row for each question, with the share that was right after talking, and by how much it
+/// rose.
 fn of_questions(round: &ClassRound, asked: usize) -> Vec<ScoreRow> {
     let items = items(round, asked).into_iter();
     let rows = items.map(|it| {
@@ -112,13 +151,52 @@ fn draw_large(
 fn draw_plain(rows: &[ScoreRow], high: u16, area: Rect, buf: &mut Buffer, look: &Look) {
     for (i, row) in rows.iter().enumerate() {
         let mut lines = Lines::new(slot(area, i, high), buf, *look);
-        let room = usize::from(lines.width().saturating_sub(20));
-        let name = text::clipped(&row.name, room);
-        let numbers = format!("{:>6}  {:>6}", row.points, row.gain);
-        lines.pair(&name, &numbers, Role::Title, Role::Title);
+        row.write(&mut lines);
         if high > 1 {
             let width = lines.width().saturating_sub(1);
             lines.line(&bar(row.share, width, look.charset), Role::Predicted);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::class::{ClassPlace, ClassStep, Vote};
+    use crate::quiz::Code;
+    use crate::screens::{Context, Settings};
+    use crate::widgets::cells;
+
+    /// Of thirty-two pupils each can be brought into sight.
+    #[test]
+    fn a_long_board_is_scrolled_to_its_end() {
+        let names = (0..32).map(|pupil| format!("Pupil {pupil:02}"));
+        let code = Code::parse("from-angle2-7").unwrap();
+        let mut round = ClassRound::new(code, names.collect());
+        let truth = round.questions()[0].form.truth();
+        round.vote(0, 0, Vote::First, Some(truth));
+        round.go(ClassPlace {
+            question: 0,
+            step: ClassStep::Scores,
+        });
+        let mut cx = Context::new(Settings::default(), 1);
+        let area = Rect::new(0, 0, 80, 18);
+        let look = cx.settings.look();
+        let mut play = ClassPlay::new(round, &mut cx);
+        let shown = |play: &ClassPlay| {
+            let mut buf = Buffer::empty(Rect::new(0, 0, 80, 20));
+            draw(play, area, &mut buf, &look);
+            cells::text(&buf)
+        };
+        let mut seen = shown(&play);
+        assert!(seen.contains("PageDown: more"), "{seen}");
+        for _ in 0..4 {
+            let (place, write) = text(&play, area).unwrap();
+            play.scroll = { play.scroll }.by(8, place, look, write);
+            seen += &shown(&play);
+        }
+        for pupil in 0..32 {
+            assert!(seen.contains(&format!("Pupil {pupil:02}")), "{pupil}");
         }
     }
 }

@@ -358,11 +358,11 @@ impl SetUp {
 /// What is wrong with files of own questions that were left out.
 fn left_out(own: &Library) -> Option<String> {
     let first = own.problems.first()?;
-    let more = match own.problems.len() - 1 {
-        0 => String::new(),
-        more => format!(" (and {more} more faults)"),
-    };
-    Some(format!(
-        "Left out of your own questions: {first}{more}. carrom concept check tells all."
-    ))
+    Some(match own.problems.len() {
+        1 => format!("Left out of your own questions: {first}"),
+        all => format!(
+            "{all} faults in your own questions, which are left out; carrom concept check tells \
+             all. The first: {first}"
+        ),
+    })
 }

@@ -12,12 +12,19 @@ use crate::widgets::input::{ListView, TextField};
 use crate::widgets::panels::draw_panel;
 use crate::widgets::{Charset, Lines, Look, Role, text};
 
+/// Rows below the frames: the ways to start, and the list of earlier rounds.
+const BELOW: u16 = 4;
+/// Rows of what is wrong.
+const TROUBLE: u16 = 3;
+
 /// The frames of the teams and of the round, and the rows below them.
 fn layout(set_up: &SetUp, area: Rect) -> [Rect; 3] {
     // Two rows a kind of round, and the frame.
     let panel = 2 * set_up.kinds().len() as u16 + 2;
-    // The heading is the same height in both charsets at any size that it is shown at.
-    let head = area.height.saturating_sub(panel + 7).min(6);
+    // The heading is the same height in both charsets at any size that it is shown at. It makes
+    // room for what is wrong.
+    let trouble = if set_up.trouble.is_some() { TROUBLE } else { 0 };
+    let head = area.height.saturating_sub(panel + BELOW + trouble).min(6);
     let page = below(column(area), head);
     let half = page.width / 2;
     let top = slot(page, 0, panel);

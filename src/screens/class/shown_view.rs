@@ -1,14 +1,19 @@
 //! How the truth is told.
 
 use super::shown::ClassReveal;
-use super::view::teams;
+use super::view::voters;
 use super::words::Paragraph;
+use crate::class::WayOfVoting;
 use crate::quiz::{Question, Response, letter};
 use crate::widgets::Role;
 
 /// What is told of the shot: while it explains itself its words; then the truth with the one
 /// sentence that matters, and on further pages all of why.
-pub(super) fn said(question: &Question, shown: &ClassReveal) -> Vec<Vec<Paragraph>> {
+pub(super) fn said(
+    way: WayOfVoting,
+    question: &Question,
+    shown: &ClassReveal,
+) -> Vec<Vec<Paragraph>> {
     if let Some(watch) = shown.reveal.watch()
         && shown.reveal.is_telling()
     {
@@ -24,7 +29,7 @@ pub(super) fn said(question: &Question, shown: &ClassReveal) -> Vec<Vec<Paragrap
     }
     let mut first = vec![Paragraph::new(words, Role::Title)];
     if let Some((name, count)) = &shown.held {
-        let words = format!("{}: {name}.", teams(*count));
+        let words = format!("{}: {name}.", voters(way, *count));
         first.push(Paragraph::new(words, Role::Title));
     }
     let (sentence, rest) = first_sentence(&shown.why);

@@ -9,7 +9,7 @@ use ratatui::layout::Rect;
 
 use super::play::ClassPlay;
 use super::question_view;
-use super::view::teams;
+use super::view::voters;
 use super::words::{Beside, Paragraph};
 use crate::class::{Advice, Vote, WayOfVoting};
 use crate::physics::Collision;
@@ -18,7 +18,7 @@ use crate::quiz::{Form, Question, Ray, Response};
 use crate::widgets::hit::{HitLayout, degrees};
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
-use crate::widgets::{Lines, Look, Role, areas, brief, draw_question};
+use crate::widgets::{Lines, Look, Role, areas, brief, draw_question, text};
 
 /// Most different angles of a ray that are told in words.
 const MOST_ANGLES: usize = 5;
@@ -40,19 +40,30 @@ pub(super) fn write_more(play: &ClassPlay, question: &Question, lines: &mut Line
         );
         return;
     }
-    if let Form::Rays { target, .. } = &question.form {
-        for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, target)] {
-            let words = format!("{name}, degrees: {}", listed(question, &votes, ray));
-            lines.line(&words, Role::Text);
+    if let (Form::Rays { target, .. }, false) = (&question.form, votes.is_empty()) {
+        let each = [(Ray::Striker, "striker"), (Ray::Target, target)]
+            .map(|(ray, name)| (name, listed(question, &votes, ray)));
+        let both = each.each_ref().map(|(name, said)| format!("{name} {said}"));
+        let both = format!("degrees: {}", both.join("; "));
+        if text::width(&both) <= lines.width().into() {
+            lines.line(&both, Role::Text);
+        } else {
+            for (name, said) in each {
+                lines.line(&format!("{name}, degrees: {said}"), Role::Text);
+            }
         }
     }
     let missing = play.round.teams().len().saturating_sub(votes.len());
     let missing = match missing {
         0 => String::new(),
-        count => format!("{} without a vote", teams(count)),
+        count => format!("{} without a vote", voters(play.round.way(), count)),
     };
     let advice = advice.map_or("", Advice::words);
-    lines.pair(advice, &missing, Role::Key, Role::Dim);
+    if text::width(advice) + text::width(&missing) + 2 <= lines.width().into() {
+        return lines.pair(advice, &missing, Role::Key, Role::Dim);
+    }
+    lines.line(advice, Role::Key);
+    lines.line(&missing, Role::Dim);
 }
 
 /// The picture that shows the spread: that of the question with all rays, or numbers on a line.

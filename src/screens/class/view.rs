@@ -7,7 +7,7 @@ use super::heading::{Heading, below, centred};
 use super::play::{ClassPhase, ClassPlay, EndPage};
 use super::step_view::StepView;
 use super::{ending_view, scores_view};
-use crate::class::{ClassStep, Vote};
+use crate::class::{ClassStep, Vote, WayOfVoting};
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Lines, Look, Role, areas};
 
@@ -128,7 +128,7 @@ pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) 
             let (place, write) = ending_view::text(play, *page, rest);
             play.scroll.draw(place, buf, *look, write);
         }
-        _ => scores_view::draw(&play.round, play.asked(), rest, buf, look),
+        _ => scores_view::draw(play, rest, buf, look),
     }
 }
 
@@ -141,11 +141,14 @@ pub(super) fn scroll(play: &mut ClassPlay, rows: i16, area: Rect, look: &Look) {
         return;
     }
     let rest = play.below_heading(area, look);
-    if let ClassPhase::End(page @ (EndPage::Held | EndPage::Items)) = &play.phase {
-        let (place, write) = ending_view::text(play, *page, rest);
-        let scroll = play.scroll.by(rows, place, *look, write);
-        play.scroll = scroll;
-    }
+    let text = match &play.phase {
+        ClassPhase::End(page @ (EndPage::Held | EndPage::Items)) => {
+            Some(ending_view::text(play, *page, rest))
+        }
+        _ => scores_view::text(play, rest),
+    };
+    let scrolled = text.map(|(place, write)| play.scroll.by(rows, place, *look, write));
+    play.scroll = scrolled.unwrap_or(play.scroll);
 }
 
 /// The calm screen of a pause.
@@ -173,10 +176,12 @@ pub(super) fn slot(area: Rect, number: usize, rows: u16) -> Rect {
     }
 }
 
-/// "one team", "3 teams".
-pub(super) fn teams(count: usize) -> String {
-    match count {
-        1 => "one team".into(),
-        count => format!("{count} teams"),
+/// Those who vote: "one team", "3 teams"; "3 of you" where each votes alone.
+pub(super) fn voters(way: WayOfVoting, count: usize) -> String {
+    match (way, count) {
+        (WayOfVoting::Teams, 1) => "one team".into(),
+        (WayOfVoting::Teams, count) => format!("{count} teams"),
+        (_, 1) => "one of you".into(),
+        (_, count) => format!("{count} of you"),
     }
 }

@@ -10,8 +10,8 @@ use crate::widgets::bar::bar;
 use crate::widgets::big::{BigPages, LetterSize};
 use crate::widgets::{Charset, Look, Role, areas};
 
-/// Rows between two paragraphs.
-const GAP: u16 = 1;
+/// Rows between two paragraphs, and where that saves a page.
+const GAPS: [u16; 2] = [1, 0];
 /// Columns between a picture and the words beside it, and on their right.
 const APART: u16 = 1;
 /// Fewest columns of words beside a picture.
@@ -84,8 +84,7 @@ struct Layout {
 impl PlacedWords {
     /// Words on as few pages as can be, then in the largest letters, then with the largest
     /// picture; `more` says that there are other pages too. What is not to be had in large type
-    /// is spelt out, and a word too long for the room beside a picture stands alone; `None` if
-    /// that does not help.
+    /// is spelt out; `None` if that does not help.
     pub(super) fn new(
         paragraphs: &[Paragraph],
         beside: Beside,
@@ -94,67 +93,45 @@ impl PlacedWords {
         screen_rows: u16,
         look: &Look,
     ) -> Option<Self> {
-        let spelt = |charset: Charset| -> Vec<_> {
-            let each = paragraphs.iter();
-            each.map(|it| (charset.text(&it.text), it.whole)).collect()
-        };
-        [beside, Beside::Nothing].into_iter().find_map(|beside| {
-            [look.charset, Charset::Ascii]
-                .into_iter()
-                .find_map(|charset| {
-                    let texts = spelt(charset);
-                    let texts: Vec<_> = texts
-                        .iter()
-                        .map(|(text, whole)| (&**text, *whole))
-                        .collect();
-                    Self::of(&texts, paragraphs, beside, more, area, screen_rows, look)
-                })
-        })
-    }
-
-    fn of(
-        texts: &[(&str, bool)],
-        paragraphs: &[Paragraph],
-        beside: Beside,
-        more: bool,
-        area: Rect,
-        screen_rows: u16,
-        look: &Look,
-    ) -> Option<Self> {
+        let texts: Vec<_> = { paragraphs.iter() }
+            .map(|it| (it.text.as_str(), it.whole))
+            .collect();
         // A bar below the last paragraph has its row too.
         let last = u16::from(paragraphs.last().is_some_and(|it| it.share.is_some()));
         let alone = Layout::new(area, Beside::Nothing, 0);
-        let mut best: Option<Self> = None;
-        for size in LetterSize::legible(look.charset, screen_rows) {
-            for tenths in beside.tenths().rev() {
-                let with = Layout::new(area, beside, tenths);
-                for layouts in [[with, with], [with, alone]] {
-                    let set = |foot: u16| {
-                        let rows = |it: Layout| it.words.height.saturating_sub(last + foot);
-                        let rooms = layouts.map(|it| (it.words.width, rows(it)));
-                        BigPages::set(texts, GAP, size, rooms, look.charset)
-                    };
-                    // The last row of several pages says which one it is.
-                    let one = set(u16::from(more)).filter(|pages| pages.count() == 1);
-                    let Some(pages) = one.or_else(|| set(1)) else {
-                        continue;
-                    };
-                    let placed = Self {
-                        pages,
-                        size,
-                        layouts,
-                    };
-                    // The largest letters and pictures come first.
-                    if placed.pages() == 1 {
-                        return Some(placed);
-                    }
-                    if best.as_ref().is_none_or(|it| placed.pages() < it.pages()) {
-                        best = Some(placed);
-                    }
-                }
-            }
-        }
-        best
+        let all_layouts: Vec<_> = { beside.tenths().rev() }
+            .map(|tenths| Layout::new(area, beside, tenths))
+            .flat_map(|with| [[with, with], [with, alone]])
+            .collect();
+        let has_bars = paragraphs.iter().any(|it| it.share.is_some());
+        let placed = |gap, size, layouts: [Layout; 2], spelling| {
+            let set = |foot: u16| {
+                let rows = |it: Layout| it.words.height.saturating_sub(last + foot);
+                let rooms = layouts.map(|it| (it.words.width, rows(it)));
+                BigPages::set(&texts, gap, size, rooms, spelling)
+            };
+            // The last row of several pages says which one it is.
+            let one = set(u16::from(more)).filter(|pages| pages.count() == 1);
+            let pages = one.or_else(|| set(1))?;
+            Some(Self {
+                pages,
+                size,
+                layouts,
+            })
+        };
+        let best = |spelling| {
+            // The largest letters and pictures come first.
+            let gaps = GAPS.into_iter().filter(|gap| *gap > 0 || !has_bars);
+            let sizes = gaps.flat_map(|gap| {
+                let sizes = LetterSize::legible(look.charset, screen_rows);
+                sizes.map(move |size| (gap, size))
+            });
+            fewest_pages(sizes.flat_map(|(gap, size)| {
+                let layouts = all_layouts.iter();
+                layouts.filter_map(move |layouts| placed(gap, size, *layouts, spelling))
+            }))
+        };
+        [look.charset, Charset::Ascii].into_iter().find_map(best)
     }
 
     /// How many pages there are.
@@ -232,6 +209,22 @@ impl Layout {
         let [picture, _] = areas::upper(picture, rows);
         Self { picture, words }
     }
+}
+
+/// The first of those with the fewest pages; one that ends early counts twice. After one with a
+/// single page nobody looks further.
+fn fewest_pages(all: impl Iterator<Item = PlacedWords>) -> Option<PlacedWords> {
+    let cost = |it: &PlacedWords| it.pages() + usize::from(it.pages.ends_early());
+    let mut best: Option<PlacedWords> = None;
+    for placed in all {
+        if placed.pages() == 1 {
+            return Some(placed);
+        }
+        if best.as_ref().is_none_or(|it| cost(&placed) < cost(it)) {
+            best = Some(placed);
+        }
+    }
+    best
 }
 
 /// The rows of the whole screen that has such a body.

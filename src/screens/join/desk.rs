@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::link::Link;
 use crate::class::protocol::{PupilState, PupilStep};
-use crate::class::{Said, Vote};
+use crate::class::{ClassStep, Said, Vote};
 use crate::quiz::{Confidence, Form, Question, Response};
 use crate::screens::Context;
 use crate::widgets::hit::{HitPace, Reveal, Watch};
@@ -66,13 +66,13 @@ impl Desk {
             return;
         };
         self.doing = match self.state.step {
-            PupilStep::FirstVote | PupilStep::SecondVote => {
+            step if step.vote().is_some() => {
                 Doing::Answer(match self.said().map(|said| said.response) {
                     Some(said) => AnswerInput::saying(&question.form, &said),
                     None => AnswerInput::new(&question.form),
                 })
             }
-            PupilStep::Shot if self.state.told.is_some() => {
+            PupilStep::Asked(ClassStep::Shot) if self.state.told.is_some() => {
                 Doing::Watch(Box::new(Reveal::new(self.watch(question, pace))))
             }
             _ => Doing::Look,

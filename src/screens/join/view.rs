@@ -5,10 +5,12 @@ use ratatui::layout::Rect;
 
 use super::desk::{Desk, Doing};
 use super::link::Link;
+use crate::class::ClassStep;
 use crate::class::protocol::PupilStep;
 use crate::numbers;
 use crate::quiz::{Confidence, Form, Illustration, Question, Ray, Response, letter};
 use crate::widgets::bar::bar;
+use crate::widgets::hit::Watch;
 use crate::widgets::input::ListView;
 use crate::widgets::panels::said_and_true;
 use crate::widgets::{
@@ -68,20 +70,20 @@ pub(super) fn draw(
     scroll.draw(layout.panel, buf, *look, |lines| write(desk, link, lines));
 }
 
-use crate::widgets::hit::Watch;
-
 /// What a step is called.
 fn step_name(step: PupilStep) -> &'static str {
     match step {
         PupilStep::Lobby => "your class",
-        PupilStep::Describe => "the question",
-        PupilStep::Predict => "in silence",
-        PupilStep::FirstVote => "your vote",
-        PupilStep::Talk => "talk",
-        PupilStep::SecondVote => "your second vote",
-        PupilStep::Shot => "and why",
-        PupilStep::Scores => "the scores",
         PupilStep::End => "the end",
+        PupilStep::Asked(step) => match step {
+            ClassStep::Describe => "the question",
+            ClassStep::Predict => "in silence",
+            ClassStep::FirstVote => "your vote",
+            ClassStep::Talk => "talk",
+            ClassStep::SecondVote => "your second vote",
+            ClassStep::Shot => "and why",
+            ClassStep::Scores => "the scores",
+        },
     }
 }
 
@@ -93,13 +95,13 @@ pub(super) fn write(desk: &Desk, link: &Link, lines: &mut Lines) {
         lines.gap();
     }
     match (&desk.question, desk.state.step) {
-        (None, PupilStep::End) => write_end(desk, lines),
-        (None, _) => {
+        (Some(question), PupilStep::Asked(step)) => write_step(desk, question, step, link, lines),
+        (_, PupilStep::End) => write_end(desk, lines),
+        _ => {
             lines.paragraph(&format!("You are in, {}.", desk.state.name), Role::Title);
             lines.gap();
             lines.paragraph("Look at the board: it begins soon.", Role::Text);
         }
-        (Some(question), step) => write_step(desk, question, step, link, lines),
     }
 }
 
@@ -117,7 +119,7 @@ fn write_end(desk: &Desk, lines: &mut Lines) {
     lines.paragraph("Esc: all of carrom, for you alone.", Role::Key);
 }
 
-fn write_step(desk: &Desk, question: &Question, step: PupilStep, link: &Link, lines: &mut Lines) {
+fn write_step(desk: &Desk, question: &Question, step: ClassStep, link: &Link, lines: &mut Lines) {
     match (&desk.doing, step) {
         (Doing::Answer(input), _) => write_answer(desk, question, input, link, lines),
         (Doing::Sure(input, sure), _) => write_sure(question, input, *sure, lines),
@@ -128,27 +130,30 @@ fn write_step(desk: &Desk, question: &Question, step: PupilStep, link: &Link, li
                 watch.write_telling(lines);
             }
         }
-        (Doing::Watch(_), _) | (_, PupilStep::Scores) => write_told(desk, question, lines),
+        (Doing::Watch(_), _) | (_, ClassStep::Scores) => write_told(desk, question, lines),
         (Doing::Look, step) => {
+            // A text that is too long is cut at its end: what to do comes first.
+            let words = match step {
+                ClassStep::Describe => "Read with the class. The vote comes soon.",
+                ClassStep::Predict => "Decide in silence. The vote comes soon.",
+                ClassStep::Talk => "Talk: find someone who thinks otherwise, and say why.",
+                _ => "",
+            };
+            if !words.is_empty() {
+                lines.paragraph(words, Role::Key);
+                lines.gap();
+            }
             lines.paragraph(&question.text, Role::Text);
             lines.gap();
             let counts = match step {
-                PupilStep::Talk => desk.state.spread.as_slice(),
+                ClassStep::Talk => desk.state.spread.as_slice(),
                 _ => &[],
             };
             write_choices(question, counts, lines);
-            let words = match step {
-                PupilStep::Describe => "Read with the class. The vote comes soon.",
-                PupilStep::Predict => "Decide in silence. The vote comes soon.",
-                PupilStep::Talk => "Talk: find someone who thinks otherwise, and say why.",
-                _ => "",
-            };
             if let Some(said) = desk.said() {
                 let said = lettered(&question.form, &said.response);
                 lines.hanging("you said  ", &said, Role::Predicted);
-                lines.gap();
             }
-            lines.paragraph(words, Role::Key);
         }
     }
 }
@@ -180,34 +185,47 @@ fn write_choices(question: &Question, counts: &[u32], lines: &mut Lines) {
 }
 
 /// Rows above the answer.
-fn head_rows(question: &Question, link: &Link, lines: &Lines) -> u16 {
-    let lost = match link.is_in() {
-        true => 0,
-        false => 3,
-    };
-    lost + lines.rows_of(&question.text) + 1
-}
-
-fn write_answer(
+fn head_rows(
     desk: &Desk,
     question: &Question,
     input: &AnswerInput,
     link: &Link,
-    lines: &mut Lines,
-) {
-    lines.paragraph(&question.text, Role::Text);
-    lines.gap();
-    input.write(&question.form, lines);
-    lines.gap();
+    lines: &Lines,
+) -> u16 {
+    let lost = match link.is_in() {
+        true => 0,
+        false => 3,
+    };
+    let (words, _) = standing(desk, question, input, link);
+    let told = match is_told_first(desk, link) {
+        true => lines.rows_of(words) + 1,
+        false => 0,
+    };
+    lost + told + lines.rows_of(&question.text) + 1
+}
+
+/// Whether it is told above the question how a vote stands: a long text is cut at its end, and
+/// everybody has to see that theirs is in.
+fn is_told_first(desk: &Desk, link: &Link) -> bool {
+    link.is_sending() || desk.has_voted()
+}
+
+/// How a vote stands, and what Enter does.
+fn standing(
+    desk: &Desk,
+    question: &Question,
+    input: &AnswerInput,
+    link: &Link,
+) -> (&'static str, Role) {
     let given = desk.has_voted() && desk.said().map(|said| said.response) == input.said();
-    let (words, role) = match (link.is_sending(), desk.has_voted()) {
+    match (link.is_sending(), desk.has_voted()) {
         (true, _) => ("Your vote is on its way ..", Role::Warn),
         (false, true) if given => (
             "Your vote is in. You may change it until all go on.",
             Role::Good,
         ),
         (false, true) => ("Your earlier vote is in. Enter makes this one.", Role::Key),
-        (false, false) if desk.state.step == PupilStep::SecondVote => (
+        (false, false) if desk.state.step == PupilStep::Asked(ClassStep::SecondVote) => (
             "Your first vote stays, unless you vote otherwise: Enter.",
             Role::Key,
         ),
@@ -217,8 +235,29 @@ fn write_answer(
             }
             _ => ("Enter: then how sure.", Role::Key),
         },
-    };
-    lines.paragraph(words, role);
+    }
+}
+
+fn write_answer(
+    desk: &Desk,
+    question: &Question,
+    input: &AnswerInput,
+    link: &Link,
+    lines: &mut Lines,
+) {
+    let (words, role) = standing(desk, question, input, link);
+    let is_first = is_told_first(desk, link);
+    if is_first {
+        lines.paragraph(words, role);
+        lines.gap();
+    }
+    lines.paragraph(&question.text, Role::Text);
+    lines.gap();
+    input.write(&question.form, lines);
+    if !is_first {
+        lines.gap();
+        lines.paragraph(words, role);
+    }
     let about = input.about(&question.form);
     if lines.left() > lines.rows_of(&about) {
         lines.gap();
@@ -236,10 +275,13 @@ pub(super) fn choice_at(
     look: Look,
 ) -> Option<usize> {
     let question = desk.question.as_ref()?;
+    let Doing::Answer(input) = &desk.doing else {
+        return None;
+    };
     let scrolled = scroll.rows(panel, look, |lines| write(desk, link, lines));
     let row = ListView::row_at(panel, cell)? as u16 + scrolled;
     rehearsed(panel, look, |lines| {
-        let head = head_rows(question, link, lines);
+        let head = head_rows(desk, question, input, link, lines);
         let left = panel.height.saturating_sub(head);
         AnswerInput::choice_at(&question.form, lines, left, row.checked_sub(head)?)
     })

@@ -298,9 +298,16 @@ fn tell(
             };
             own_shot::tell_rays(talk, (*rays, right), collision, "coin")
         }
-        (Response::Number(_), CheckpointKind::Number { expected, .. }) => {
+        (
+            Response::Number(_),
+            CheckpointKind::Number {
+                expected,
+                tolerance,
+            },
+        ) => {
             let (_, unit) = expected.sign_and_unit();
-            let truth = expected.value(figure).map(worked::number);
+            let truth = expected.value(figure);
+            let truth = truth.map(|truth| worked::beside(truth, *tolerance));
             talk.say_all(truth.map(|truth| format!("It is {}.", with_unit(&truth, unit))))
         }
         (Response::Choice(chosen), CheckpointKind::Choice(choices)) => {

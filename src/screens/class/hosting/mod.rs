@@ -17,7 +17,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use crate::class::protocol::{PupilState, PupilStep, Refusal, VERSION};
 use crate::class::{
-    AskedQuestion, Ballot, ClassChange, ClassRound, Said, ToldTruth, Vote, standings,
+    AskedQuestion, Ballot, ClassChange, ClassRound, ClassStep, Said, ToldTruth, Vote, standings,
 };
 use crate::messages::{HostCall, HostNews, Key, LineId, Mouse, OpenDoor, StoreRequest};
 use crate::quiz::{Answer, Confidence, Form, Response, explain};
@@ -571,10 +571,11 @@ impl Told {
     fn new(round: &ClassRound, scene: Scene) -> Self {
         let number = round.place().question;
         let question = round.questions().get(number);
-        let is_asked = !matches!(scene.step, PupilStep::Lobby | PupilStep::End);
+        let is_asked = matches!(scene.step, PupilStep::Asked(_));
         let mut spread = Vec::new();
-        if let (PupilStep::Talk | PupilStep::SecondVote, Some(Form::Choice { options, .. })) =
-            (scene.step, question.map(|it| &it.form))
+        let is_spread = [ClassStep::Talk, ClassStep::SecondVote].map(PupilStep::Asked);
+        if let Some(Form::Choice { options, .. }) = question.map(|it| &it.form)
+            && is_spread.contains(&scene.step)
         {
             spread = vec![0; options.len()];
             for said in round.said(number, Vote::First) {
@@ -584,7 +585,7 @@ impl Told {
             }
         }
         let mut scores = vec![None; round.teams().len()];
-        if matches!(scene.step, PupilStep::Scores | PupilStep::End) {
+        if [PupilStep::Asked(ClassStep::Scores), PupilStep::End].contains(&scene.step) {
             for it in standings(round, scene.asked) {
                 scores[it.team] = Some((it.points, it.place));
             }
@@ -602,7 +603,8 @@ impl Told {
         let q = round.place().question;
         let ballot = round.ballot(q, person);
         let text = |vote| ballot.given(vote).map(Said::to_text).unwrap_or_default();
-        let is_told = matches!(self.scene.step, PupilStep::Shot | PupilStep::Scores);
+        let is_told = [ClassStep::Shot, ClassStep::Scores].map(PupilStep::Asked);
+        let is_told = is_told.contains(&self.scene.step);
         Some(PupilState {
             v: VERSION,
             rev: presence.rev,

@@ -14,6 +14,10 @@ const MARGIN: usize = 2;
 pub(super) struct Qr {
     modules: Vec<Module>,
     side: usize,
+    /// White and black.
+    colours: [Color; 2],
+    /// Columns of a module.
+    scale: usize,
 }
 
 impl Qr {
@@ -24,18 +28,30 @@ impl Qr {
         let code = QrCode::with_error_correction_level(text, EcLevel::L).ok()?;
         has_cells.then(|| Self {
             side: code.width(),
+            // The first sixteen colours are whatever a terminal's owner likes.
+            colours: match look.theme.depth {
+                Depth::None | Depth::Ansi16 => [Color::White, Color::Black],
+                Depth::Indexed256 | Depth::True => [Color::Indexed(231), Color::Indexed(16)],
+            },
+            scale: 1,
             modules: code.to_colors(),
         })
     }
 
+    /// The same so many times as large, to be read from farther away.
+    pub(super) fn scaled(self, scale: usize) -> Self {
+        Self { scale, ..self }
+    }
+
     /// Columns and rows.
     pub(super) fn size(&self) -> (u16, u16) {
-        let side = (self.side + 2 * MARGIN) as u16;
+        let side = (self.scale * (self.side + 2 * MARGIN)) as u16;
         (side, side.div_ceil(2))
     }
 
     fn is_dark(&self, column: usize, row: usize) -> bool {
-        let inside = |at: usize| at.checked_sub(MARGIN).filter(|at| *at < self.side);
+        let inside = |at: usize| (at / self.scale).checked_sub(MARGIN);
+        let inside = |at: usize| inside(at).filter(|at| *at < self.side);
         let module = |column, row: usize| self.modules.get(row * self.side + column);
         match (inside(column), inside(row)) {
             (Some(column), Some(row)) => module(column, row) == Some(&Module::Dark),
@@ -43,10 +59,10 @@ impl Qr {
         }
     }
 
-    /// Draws it into the upper left corner of a place.
+    /// Draws it into the upper left corner of a place, on white.
     pub(super) fn draw(&self, place: Rect, buf: &mut Buffer) {
         let (columns, rows) = self.size();
-        let colour = |dark| if dark { Color::Black } else { Color::White };
+        let colour = |dark: bool| self.colours[usize::from(dark)];
         for (x, y) in (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y))) {
             let (column, row) = (usize::from(x), 2 * usize::from(y));
             let style = Style::reset()
@@ -55,6 +71,47 @@ impl Qr {
             if let Some(cell) = buf.cell_mut((place.x + x, place.y + y)) {
                 cell.set_char('▀').set_style(style);
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::widgets::{Palette, Theme};
+
+    #[test]
+    fn each_module_stands_in_its_half_of_a_cell_within_a_white_rim() {
+        let look = Look {
+            charset: Charset::Unicode,
+            theme: Theme::new(Palette::Dark, Depth::True),
+        };
+        let text = "http://192.168.43.117:8090/#code=BCDFGH";
+        for scale in [1, 2] {
+            check(text, scale, &look);
+        }
+    }
+
+    fn check(text: &str, scale: usize, look: &Look) {
+        let qr = Qr::of(text, look).unwrap().scaled(scale);
+        let (columns, rows) = qr.size();
+        assert_eq!((columns, rows), [(33, 17), (66, 33)][scale - 1]);
+        let mut buf = Buffer::empty(Rect::new(0, 0, columns, rows));
+        qr.draw(buf.area, &mut buf);
+        let code = QrCode::with_error_correction_level(text, EcLevel::L).unwrap();
+        for (y, x) in (0..2 * rows).flat_map(|y| (0..columns).map(move |x| (y, x))) {
+            let cell = &buf[(x, y / 2)];
+            let colour = if y % 2 == 0 { cell.fg } else { cell.bg };
+            let inside = |at: u16| {
+                let at = (usize::from(at) / scale).checked_sub(MARGIN);
+                at.filter(|at| *at < code.width())
+            };
+            let dark = match (inside(x), inside(y)) {
+                (Some(x), Some(y)) => code[(x, y)] == Module::Dark,
+                _ => false,
+            };
+            let expected = if dark { 16 } else { 231 };
+            assert_eq!((cell.symbol(), colour), ("▀", Color::Indexed(expected)));
         }
     }
 }

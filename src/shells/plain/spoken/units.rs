@@ -1,9 +1,10 @@
 //! Units as they are read aloud, and as they are typed.
 
 /// Units as texts write them, with their names after one and after many.
-const UNITS: [(&str, &str, &str); 15] = [
+const UNITS: [(&str, &str, &str); 16] = [
     ("m/s", "metre per second", "metres per second"),
     ("mm", "millimetre", "millimetres"),
+    ("mm²", "square millimetre", "square millimetres"),
     ("cm", "centimetre", "centimetres"),
     ("m", "metre", "metres"),
     ("g", "gram", "grams"),
@@ -48,7 +49,8 @@ pub(super) fn spell(text: &str) -> String {
                 name(unit, Count::One)
             }
             (Some(count), unit) => name(unit, count),
-            (None, "m/s") => name("m/s", Count::Many),
+            // What can be no letter of a formula: "in mm".
+            (None, unit @ ("m/s" | "mm" | "cm" | "kg")) => name(unit, Count::Many),
             (None, _) => None,
         };
         count = counted(token);

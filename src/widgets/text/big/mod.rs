@@ -60,6 +60,10 @@ struct BigLine {
     ink: Ink,
     /// How many words it has.
     words: usize,
+    /// Its rows, from the first of the text. Lines of strokes may have rows in common.
+    rows: Range<usize>,
+    /// Rows of its ink that are left out at the top.
+    left_out: usize,
 }
 
 /// What letters are made of.
@@ -69,6 +73,15 @@ enum Ink {
     Pixels(Vec<u8>),
     /// Rows of strokes.
     Strokes(LetterRows),
+}
+
+impl Ink {
+    fn strokes(&self) -> Option<&LetterRows> {
+        match self {
+            Self::Strokes(rows) => Some(rows),
+            Self::Pixels(_) => None,
+        }
+    }
 }
 
 impl Big {
@@ -113,31 +126,66 @@ impl Big {
     /// Words in lines of so many columns, broken between them but not between a number and its
     /// unit; `None` if a word is too long for any line, or a letter is not to be had.
     fn set(words: &[&str], size: LetterSize, columns: u16) -> Option<Self> {
+        Self::begin(words, size, columns, false).filter(|big| big.words() == words.len())
+    }
+
+    /// The same as far as to the first word that is too long for a line; `at_top` of a page without
+    /// an empty row above it.
+    fn begin(words: &[&str], size: LetterSize, columns: u16, at_top: bool) -> Option<Self> {
         let columns = usize::from(columns);
-        let lines = match size {
+        let lines: Vec<(Ink, usize)> = match size {
             LetterSize::Strokes => {
-                let set = |words: &[&str]| strokes::set(words);
                 let wide = |rows: &LetterRows| rows[0].len();
-                let lines = broken(words, columns, strokes::BLANK, set, wide)?;
-                lines
-                    .into_iter()
-                    .map(|(rows, words)| (Ink::Strokes(rows), words))
-                    .collect()
+                let lines = broken(words, columns, strokes::BLANK, strokes::set, wide)?;
+                let lines = lines.into_iter();
+                lines.map(|(rows, it)| (Ink::Strokes(rows), it)).collect()
             }
             _ => {
                 let wide = |pixels: &Vec<u8>| size.columns(pixels.len());
                 let lines = broken(words, columns, size.columns(BLANK), pixels, wide)?;
                 let lines = lines.into_iter();
-                lines
-                    .map(|(pixels, words)| (Ink::Pixels(pixels), words))
-                    .collect::<Vec<_>>()
+                lines.map(|(it, words)| (Ink::Pixels(it), words)).collect()
             }
         };
-        let lines = lines.into_iter().map(|(ink, words)| BigLine { ink, words });
-        Some(Self {
+        let mut big = Self {
             size,
-            lines: lines.collect(),
-        })
+            lines: Vec::with_capacity(lines.len()),
+        };
+        for (number, (ink, words)) in lines.into_iter().enumerate() {
+            let above = big.lines.last();
+            let (rows, left_out) = match &ink {
+                Ink::Pixels(_) => (size.rows(number)..size.rows(number + 1), 0),
+                Ink::Strokes(rows) => {
+                    let left_out = strokes::empty_rows(rows).min(usize::from(at_top));
+                    let all = strokes::rows_of(rows);
+                    match above.and_then(|it| Some((it, it.ink.strokes()?))) {
+                        None => (0..all - left_out, left_out),
+                        Some((it, ink)) => {
+                            let start = it.rows.start + strokes::apart(ink, rows) - it.left_out;
+                            (start..start + all, 0)
+                        }
+                    }
+                }
+            };
+            big.lines.push(BigLine {
+                ink,
+                words,
+                rows,
+                left_out,
+            });
+        }
+        Some(big)
+    }
+
+    /// How many words it has.
+    fn words(&self) -> usize {
+        self.lines.iter().map(|line| line.words).sum()
+    }
+
+    /// Lines that fit into so many rows.
+    fn lines_in(&self, rows: u16) -> usize {
+        let fits = |line: &&BigLine| line.rows.end <= rows.into();
+        self.lines.iter().take_while(fits).count()
     }
 
     /// The columns it takes.
@@ -158,7 +206,8 @@ impl Big {
     /// The rows it takes.
     #[must_use]
     pub(crate) fn rows(&self) -> u16 {
-        u16::try_from(self.size.rows(self.lines.len())).unwrap_or(u16::MAX)
+        let end = self.lines.last().map_or(0, |line| line.rows.end);
+        u16::try_from(end).unwrap_or(u16::MAX)
     }
 
     /// Draws it at the top of an area.
@@ -172,8 +221,7 @@ impl Big {
                 Align::Centre => free / 2,
                 Align::Right => free,
             };
-            for row in 0..self.size.cells_high(i) {
-                let y = self.size.rows(i) + row;
+            for (row, y) in (line.left_out..).zip(line.rows.clone()) {
                 for column in 0..width {
                     let symbol = match &line.ink {
                         Ink::Pixels(pixels) => {
@@ -254,9 +302,9 @@ fn pixels(words: &[&str]) -> Option<Vec<u8>> {
     Some(columns)
 }
 
-/// Words in lines of so many columns, each line `set` and with the number of its words; `None` if
-/// a word is too long for any line, or a letter is not to be had. What `terms` hold together
-/// stays together where it fits.
+/// Words in lines of so many columns, each line `set` and with the number of its words, as far as
+/// to the first word that is too long for a line; `None` if a letter is not to be had. What
+/// `terms` hold together stays together where it fits.
 fn broken<T>(
     words: &[&str],
     columns: usize,
@@ -265,7 +313,7 @@ fn broken<T>(
     wide: impl Fn(&T) -> usize,
 ) -> Option<Vec<(T, usize)>> {
     let mut parts: Vec<(Range<usize>, usize)> = Vec::new();
-    for range in terms::held(words, HELD) {
+    'words: for range in terms::held(words, HELD) {
         let width = wide(&set(&words[range.clone()])?);
         if width <= columns {
             parts.push((range, width));
@@ -274,7 +322,7 @@ fn broken<T>(
         for word in range {
             let width = wide(&set(&words[word..=word])?);
             if width > columns {
-                return None;
+                break 'words;
             }
             parts.push((word..word + 1, width));
         }

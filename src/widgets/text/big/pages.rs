@@ -9,6 +9,8 @@ use crate::widgets::{Charset, Look, Role};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct BigPages {
     pages: Vec<BigPage>,
+    /// Whether one ends early, before a word that is too long for its lines.
+    ends_early: bool,
 }
 
 /// What stands on a page.
@@ -32,7 +34,8 @@ struct BigPart {
 impl BigPages {
     /// Sets paragraphs with `gap` rows below each, the first page in so many columns and rows,
     /// all others in those of `rest`. One that is marked so stands whole on a page, if it fits on
-    /// one; the others go on over the edge. `None` if a word is too long for any line, or a letter is not to be had.
+    /// one; the others go on over the edge. What is too long for a line of the first page begins the
+    /// next one. `None` if a word is too long for any line, or a letter is not to be had.
     pub(crate) fn set(
         texts: &[(&str, bool)],
         gap: u16,
@@ -41,20 +44,22 @@ impl BigPages {
         charset: Charset,
     ) -> Option<Self> {
         let mut pages = vec![BigPage::default()];
+        let mut ends_early = false;
         for (paragraph, (text, whole)) in texts.iter().enumerate() {
             let text = charset.text(text);
             let mut words: Vec<&str> = text.split_whitespace().collect();
             while !words.is_empty() {
                 let (columns, rows) = if pages.len() == 1 { first } else { rest };
-                let mut big = Big::set(&words, size, columns)?;
                 let page = pages.last_mut()?;
                 let room = rows.saturating_sub(page.taken);
                 let is_fresh = page.parts.is_empty();
-                let lines = big.lines.len();
-                let breaks = is_fresh || !whole;
-                let most = match big.rows() <= room {
-                    true => lines,
-                    false if breaks => lines_in(size, room).min(lines),
+                let mut big = Big::begin(&words, size, columns, is_fresh)?;
+                let fits = big.lines_in(room);
+                let too_long = fits == big.lines.len() && big.words() < words.len();
+                ends_early |= too_long;
+                let is_whole = fits == big.lines.len() && !too_long;
+                let most = match is_whole || is_fresh || !whole {
+                    true => fits,
                     false => 0,
                 };
                 if most == 0 {
@@ -65,22 +70,28 @@ impl BigPages {
                     pages.push(BigPage::default());
                     continue;
                 }
-                let rest_of_words: usize = big.lines.drain(most..).map(|line| line.words).sum();
+                big.lines.truncate(most);
+                let set = big.words();
                 let part = BigPart {
                     row: page.taken,
                     paragraph,
-                    ends: rest_of_words == 0,
+                    ends: set == words.len(),
                     big,
                 };
                 page.taken += part.big.rows() + gap;
                 page.parts.push(part);
-                words.drain(..words.len() - rest_of_words);
+                words.drain(..set);
                 if !words.is_empty() {
                     pages.push(BigPage::default());
                 }
             }
         }
-        Some(Self { pages })
+        Some(Self { pages, ends_early })
+    }
+
+    /// Whether a page ends early, before a word that is too long for its lines.
+    pub(crate) fn ends_early(&self) -> bool {
+        self.ends_early
     }
 
     /// How many pages there are.
@@ -124,11 +135,4 @@ impl BigPage {
         let here = |part: &&BigPart| (part.row..part.row + part.big.rows()).contains(&row);
         self.parts.iter().find(here).map(|part| part.paragraph)
     }
-}
-
-/// Lines that fit into so many rows.
-fn lines_in(size: LetterSize, rows: u16) -> usize {
-    (0..)
-        .take_while(|lines| size.rows(lines + 1) <= rows.into())
-        .count()
 }

@@ -40,6 +40,11 @@ impl LetterSize {
         }
     }
 
+    /// Whether a name or a heading may have it.
+    pub(crate) fn is_of_names(self, charset: Charset) -> bool {
+        Self::of_name(charset).contains(&self)
+    }
+
     /// The sizes that the back row reads on a screen of so many rows, the largest first; on one
     /// of very many rows the largest there is.
     pub(crate) fn legible(charset: Charset, screen_rows: u16) -> impl Iterator<Item = Self> {
@@ -74,11 +79,6 @@ impl LetterSize {
             Self::Small | Self::Middle => HEIGHT / 2 * lines,
             Self::Large => HEIGHT * lines,
         }
-    }
-
-    /// Rows that a line of this number, from 0, has any of its letters in.
-    pub(super) const fn cells_high(self, line: usize) -> usize {
-        self.rows(line + 1) - self.rows(line)
     }
 
     /// Pixels above the letters of a line of this number, from 0, in its first row.

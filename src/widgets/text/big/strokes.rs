@@ -35,6 +35,30 @@ static LETTERS: LazyLock<Vec<LetterRows>> = LazyLock::new(|| {
     lines.chunks_exact(ROWS).map(letter).take(95).collect()
 });
 
+/// Rows of a line: that of the tails counts only where there are any.
+pub(super) fn rows_of(line: &LetterRows) -> usize {
+    let tails = line[ROWS - 1].iter().any(|c| *c != ' ');
+    ROWS - usize::from(!tails)
+}
+
+/// Rows at the top of a line without ink: small letters have one.
+pub(super) fn empty_rows(line: &LetterRows) -> usize {
+    let is_empty = |row: &&Vec<char>| row.iter().all(|c| *c == ' ');
+    line.iter().take_while(is_empty).count()
+}
+
+/// Rows from the top of a line to that of the one below it, whose capitals stand between its
+/// tails where they do not touch.
+pub(super) fn apart(above: &LetterRows, below: &LetterRows) -> usize {
+    let tails = above[ROWS - 1].iter().enumerate();
+    let mut tails = tails.filter(|(_, c)| **c != ' ').map(|(at, _)| at);
+    let touch = tails.any(|at| {
+        let beside = at.saturating_sub(1)..=at + 1;
+        { beside }.any(|at| below[0].get(at).is_some_and(|c| *c != ' '))
+    });
+    ROWS - usize::from(!touch)
+}
+
 /// The letters of words of ASCII in a line; `None` if a letter has no strokes.
 pub(super) fn set(words: &[&str]) -> Option<LetterRows> {
     let mut line = LetterRows::default();
@@ -123,5 +147,15 @@ mod tests {
             ]
         );
         assert!(set(&["α"]).is_none());
+    }
+
+    #[test]
+    fn tails_and_capitals_share_a_row_unless_they_touch() {
+        let line = |word: &str| set(&[word]).unwrap();
+        assert_eq!([rows_of(&line("coin")), rows_of(&line("gap"))], [3, 4]);
+        assert_eq!([empty_rows(&line("coin")), empty_rows(&line("25"))], [1, 0]);
+        assert_eq!(apart(&line("coin"), &line("To")), 3);
+        assert_eq!(apart(&line("pace"), &line("a2")), 3);
+        assert_eq!(apart(&line("gap"), &line("250")), 4);
     }
 }
