@@ -13,8 +13,11 @@ use crate::physics::rutherford::Rutherford;
 /// Straight pieces of a way.
 const PIECES: u32 = 160;
 
-/// Draws a way and the head of an arrow where it leaves the picture; gives the tip of
-/// that and its direction, if the way is seen at all.
+/// Length of the arrow in which a way leaves the picture, in columns.
+const ARROW: f64 = 5.0;
+
+/// Draws a way and an arrow where it leaves the picture; gives the tip of that and its
+/// direction, if the way is seen at all.
 pub(crate) fn draw_way(
     picture: &mut Picture,
     points: &[DVec2],
@@ -22,20 +25,26 @@ pub(crate) fn draw_way(
 ) -> Option<(DVec2, DVec2)> {
     picture.curve(points.iter().copied(), pen);
     let view = *picture.view();
-    let (from, tip) = exit(points, |at| view.cell_at(*at).is_some())?;
-    let direction = (tip - from).normalize_or_zero();
-    picture.arrow(tip - direction * 6.0 * view.per_column(), tip, pen);
-    Some((tip, direction))
+    let (tail, tip) = end(points, ARROW * view.per_column(), |at| {
+        view.cell_at(at).is_some()
+    })?;
+    picture.arrow(tail, tip, pen);
+    Some((tip, (tip - tail).normalize_or_zero()))
 }
 
-/// The last piece of a way that is shown: where it comes from, and its last point shown.
-fn exit(points: &[DVec2], shown: impl Fn(&DVec2) -> bool) -> Option<(DVec2, DVec2)> {
+/// The last piece of this length of a way that is shown, both its ends on the way.
+fn end(points: &[DVec2], length: f64, shown: impl Fn(DVec2) -> bool) -> Option<(DVec2, DVec2)> {
     // Long straight pieces are gone along in small steps.
     let steps = points.windows(2).flat_map(|pair| {
         let (from, to) = (pair[0], pair[1]);
-        (0..200).map(move |i| (from, from.lerp(to, f64::from(i + 1) / 200.0)))
+        (0..=200).map(move |i| from.lerp(to, f64::from(i) / 200.0))
     });
-    steps.filter(|(_, at)| shown(at)).last()
+    let steps: Vec<_> = steps.collect();
+    let last = steps.iter().rposition(|at| shown(*at))?;
+    let tip = steps[last];
+    let before = steps[..last].iter().rev();
+    let tail = before.copied().find(|at| at.distance(tip) >= length)?;
+    Some((tail, tip))
 }
 
 /// Two particles that a nucleus turns by these angles in radians, one on either side,
@@ -65,6 +74,8 @@ pub(crate) fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 
         let aim = Pen::new(Role::Aim).dashed();
         picture.line(corner, dvec2(reach, offset), aim);
         let turned = side * angles[i];
+        let out = corner + 2.0 * reach * DVec2::from_angle(turned);
+        picture.line(corner, out, Pen::new(Role::Dim).dotted());
         let radius = 0.3 * half;
         picture.arc(corner, radius, 0.0, turned, Role::Arc);
         let way = draw_way(&mut picture, &points, Pen::new(roles[i]).bold());

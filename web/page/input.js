@@ -164,6 +164,7 @@ const input = (() => {
       if (id === "everywhere.help") explain = button(keys[0], "?", "help");
       if ((id.startsWith("everywhere.") && id !== "everywhere.back") || id.endsWith(".quit")) continue;
       const isNumber = keys.some((key) => /^[0-9]$/.test(key)) && keys.length > 5;
+      const both = [];
       for (const key of keys) {
         if (key in ARROWS) arrows.add(key);
         else if (isNumber && key.length === 1) numbers.push(button(key, key, key));
@@ -174,9 +175,12 @@ const input = (() => {
           const made = button(key, keys.length > 1 ? key : name, help || name, "key", below);
           if (key === "Enter") first.unshift(made);
           else if (key === "Space") first.push(made);
+          else if (below) both.push(made);
           else rest.push(made);
         }
       }
+      // What goes one way and the other stands side by side.
+      while (both.length) rest.push(`<span class="pair">${both.splice(0, 2).join("")}</span>`);
     }
     // The menu and the help are in the corners of the pad, or where there is none, last.
     const menu = button("menu", "☰", "menu", "does");

@@ -183,7 +183,7 @@ const painter = (() => {
 
   function writing(of, text, number) {
     text = text.replace(/&\w+;/g, (sign) => SIGNS[sign] || sign);
-    pen.font = `14px ${SANS}`;
+    pen.font = `${number("font-size", 14)}px ${SANS}`;
     pen.textAlign = { middle: "center", end: "right" }[of["text-anchor"]] || "left";
     pen.setLineDash([]);
     if (of.stroke && of.stroke !== disc) {

@@ -13,6 +13,8 @@ use crate::widgets::{Look, Role};
 
 /// Height of letters, in units of the picture.
 const LETTERS: f64 = 14.0;
+/// The height of a disc's letter, in its radii.
+const SIGN: f64 = 1.2;
 /// Length and half the width of an arrow's head.
 const HEAD: (f64, f64) = (11.0, 4.2);
 /// The ring round a disc that is pointed out, in its radii.
@@ -309,7 +311,8 @@ impl Vectors<'_> {
         if radius >= 0.5 * LETTERS {
             let at = self.at(body.at);
             let sign = body.letter.to_string();
-            self.write(&sign, at, Anchor::Middle, [role.ink(), role]);
+            let colours = [role.ink(), role];
+            self.write_of(SIGN * radius, &sign, at, Anchor::Middle, colours);
         }
         if body.pointed_out {
             let stroke = self.stroke(Pen::new(Role::Good).bold());
@@ -325,14 +328,24 @@ impl Vectors<'_> {
 
     /// A text with a rim of what is behind it, which keeps it readable where a line runs
     /// there.
-    fn write(&mut self, text: &str, at: DVec2, anchor: Anchor, [ink, rim]: [Rgb; 2]) {
+    fn write(&mut self, text: &str, at: DVec2, anchor: Anchor, colours: [Rgb; 2]) {
+        self.write_of(LETTERS, text, at, anchor, colours);
+    }
+
+    /// The same in letters of a size in CSS pixels, but none larger than all others.
+    fn write_of(&mut self, size: f64, text: &str, at: DVec2, anchor: Anchor, colours: [Rgb; 2]) {
+        let [ink, rim] = colours;
+        let size = size.min(LETTERS);
         self.put(format_args!(
             "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" fill=\"{ink}\" stroke=\"{rim}\" \
-             stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\">{}</text>\n",
+             stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
             Number(at.x),
-            Number(at.y + 0.35 * LETTERS),
-            escape(text)
+            Number(at.y + 0.35 * size),
         ));
+        if size < LETTERS {
+            self.put(format_args!(" font-size=\"{}\"", Number(size)));
+        }
+        self.put(format_args!(">{}</text>\n", escape(text)));
     }
 
     /// A sign, as a shape where it stands for one.
