@@ -45,19 +45,11 @@ impl BroadPhase {
         self.boxes[i / 2].set(i % 2, sides(body, from, until));
     }
 
-    /// Finds the discs that disc `i`, the seeker, could meet before either's forecast, of
-    /// which `times` are the times, and returns how many: see [`Self::partner`]. They come in
-    /// the order of their numbers, or of the cells of the grid.
-    pub(super) fn search(
-        &mut self,
-        i: usize,
-        seeker: &Seeker,
-        bodies: &[Body],
-        times: &[f64],
-        grid: &Grid,
-        work: &mut Work,
-    ) -> usize {
-        let times = &times[..bodies.len()];
+    /// Finds the discs that the seeker could meet before either's forecast, and returns how
+    /// many: see [`Self::partner`]. They come in the order of their numbers, or of the cells of
+    /// the grid.
+    pub(super) fn find(&mut self, search: &Search, grid: &Grid, work: &mut Work) -> usize {
+        let i = search.disc;
         let limits = self.boxes[i / 2].limits(i % 2);
         let mut count = 0;
         if grid.is_laid() {
@@ -69,24 +61,27 @@ impl BroadPhase {
                     let overlaps = self.boxes[k / 2].overlap(&limits) >> (k % 2) & 1;
                     overlapping |= (overlaps & u64::from(k != i)) << bit;
                 }
-                let candidates = Candidates(overlapping);
+                for seen in search.have_looked {
+                    for (bit, k) in near.iter().enumerate() {
+                        overlapping &= !(u64::from(k == seen) << bit);
+                    }
+                }
                 let partners = &mut self.partners[count..];
-                count += candidates.sift(|bit| near[bit], seeker, bodies, times, partners);
+                count += Candidates(overlapping).sift(|bit| near[bit], search, partners);
             }
         } else {
-            work.add(bodies.len());
+            work.add(search.bodies.len());
             for (n, boxes) in self.boxes.chunks(AT_ONCE / 2).enumerate() {
                 let mut overlapping = 0;
                 for (pair, boxes) in boxes.iter().enumerate() {
                     overlapping |= boxes.overlap(&limits) << (2 * pair);
                 }
-                if i / AT_ONCE == n {
-                    overlapping &= !(1 << (i % AT_ONCE));
+                for k in search.have_looked.iter().chain([&i]) {
+                    overlapping &= !(u64::from(k / AT_ONCE == n) << (k % AT_ONCE));
                 }
                 let first = n * AT_ONCE;
-                let candidates = Candidates(overlapping);
                 let partners = &mut self.partners[count..];
-                count += candidates.sift(|bit| first + bit, seeker, bodies, times, partners);
+                count += Candidates(overlapping).sift(|bit| first + bit, search, partners);
             }
         }
         count
@@ -96,6 +91,18 @@ impl BroadPhase {
     pub(super) fn partner(&self, n: usize) -> usize {
         self.partners[n]
     }
+}
+
+/// What a seeker looks through.
+pub(super) struct Search<'a> {
+    pub(super) seeker: &'a Seeker,
+    /// The seeker's number.
+    pub(super) disc: usize,
+    /// Others that are passed over: they have looked at the seeker.
+    pub(super) have_looked: &'a [usize],
+    pub(super) bodies: &'a [Body],
+    /// The times of their forecasts, and padding.
+    pub(super) times: &'a [f64],
 }
 
 /// Discs whose boxes overlap the seeker's: a bit each.
@@ -110,11 +117,11 @@ impl Candidates {
     fn sift(
         mut self,
         disc: impl Fn(usize) -> usize,
-        seeker: &Seeker,
-        bodies: &[Body],
-        times: &[f64],
+        search: &Search,
         partners: &mut [usize],
     ) -> usize {
+        let (seeker, bodies) = (search.seeker, search.bodies);
+        let times = &search.times[..bodies.len()];
         let mut count = 0;
         while let Some((one, other)) = self.next_two() {
             let two = [disc(one), disc(other)];
@@ -306,7 +313,14 @@ mod tests {
                 let seeker = Seeker::new(&bodies[i], 0.0, times[i]);
                 let mut work = Work::up_to(0);
                 let grid = Grid::default();
-                let partners = broad_phase.search(i, &seeker, &bodies, &times, &grid, &mut work);
+                let search = Search {
+                    seeker: &seeker,
+                    disc: i,
+                    have_looked: &[],
+                    bodies: &bodies,
+                    times: &times,
+                };
+                let partners = broad_phase.find(&search, &grid, &mut work);
                 let partners = &broad_phase.partners[..partners];
                 assert!(partners.is_sorted() && !partners.contains(&i));
                 found += partners.len();

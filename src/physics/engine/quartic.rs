@@ -27,12 +27,13 @@ pub(super) fn first_root(c: [f64; 5], end: f64) -> Option<f64> {
 }
 
 fn search(c: &[f64; 5], b: [f64; 5], low: f64, high: f64, depth: u32) -> Option<f64> {
-    let [p0, p1, p2, p3, p4] = b.map(|b| b > 0.0);
+    let [b0, b1, b2, b3, b4] = b;
+    let (p0, p1, p2, p3, p4) = (b0 > 0.0, b1 > 0.0, b2 > 0.0, b3 > 0.0, b4 > 0.0);
     if p0 & p1 & p2 & p3 & p4 {
         return None;
     }
-    let changes = [p0 != p1, p1 != p2, p2 != p3, p3 != p4];
-    if changes.map(u8::from).iter().sum::<u8>() == 1 {
+    let changes = [p0 ^ p1, p1 ^ p2, p2 ^ p3, p3 ^ p4].map(u8::from);
+    if changes.iter().sum::<u8>() == 1 {
         return Some(polish(c, low, high));
     }
     if depth == 0 {
