@@ -30,7 +30,7 @@ use std::{env, process};
 /// Longest time that one input or one file may take.
 const LONGEST: Duration = Duration::from_secs(1);
 /// Files that are damaged after each session.
-const FILES_A_SESSION: u64 = 1;
+const FILES_A_SESSION: u64 = 25;
 
 /// How far it has come in all runs.
 #[derive(Debug, Clone, Copy, Default)]

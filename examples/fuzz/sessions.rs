@@ -2,19 +2,22 @@
 
 use std::time::Duration;
 
-use carrom::messages::{Input, Key, Mouse, MouseKind};
+use carrom::class::{SeatToken, Vote};
+use carrom::messages::{HostNews, Input, JoinNews, Key, Mouse, MouseKind};
 use carrom::screens::Settings;
 use carrom::shells::Headless;
 use carrom::shells::tour::TOUR;
+use carrom::widgets::input::KeyRow;
 use carrom::widgets::{Charset, Depth, Palette};
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use ratatui::buffer::Cell;
 
 use crate::{Fault, watched};
 
 /// The most inputs of a session.
-const LONGEST: u64 = 1000;
+const LONGEST: u64 = 2000;
 /// Inputs from one picture to the next.
 const DRAWN: u64 = 100;
 /// Inputs after which it is asked again which keys mean something, whatever they were.
@@ -58,12 +61,12 @@ fn watched_steps(number: u64, told: bool, inputs: &mut u64) -> Result<(), Fault>
             break;
         }
         *inputs += 1;
-        let act = act(&moment.keys, &mut chance);
+        let act = act(&moment, &mut chance);
         if told {
             println!("{step}: {act:?}");
         }
         // Only what means something leads elsewhere; the rest is caught up with.
-        let is_meant = matches!(&act, Act::Tell(Input::Key(key)) if moment.keys.contains(key));
+        let is_meant = matches!(&act, Act::Tell(Input::Key(key)) if moment.means(key));
         let has_changed = watched(|| {
             match &act {
                 Act::Tell(input) => game.input(input),
@@ -91,20 +94,42 @@ fn watched_steps(number: u64, told: bool, inputs: &mut u64) -> Result<(), Fault>
 struct Moment {
     /// What the names of its keys begin with.
     screen: String,
-    /// The keys that mean something.
-    keys: Vec<Key>,
+    /// The keys that mean something there.
+    own: Vec<Key>,
+    /// Those that mean the same on every screen.
+    shared: Vec<Key>,
 }
 
 impl Moment {
     fn of(game: &Headless) -> Self {
         let table = game.app().keys();
-        let first = table
-            .rows()
-            .first()
-            .and_then(|row| row.id.split('.').next());
+        let first = table.rows().first();
+        let screen = first.and_then(|row| row.id.split('.').next());
+        let (shared, own): (Vec<_>, Vec<_>) =
+            (table.rows().iter()).partition(|row| row.id.starts_with("everywhere."));
+        let keys = |rows: Vec<&KeyRow<()>>| rows.into_iter().flat_map(KeyRow::all_keys).collect();
         Self {
-            screen: first.unwrap_or_default().into(),
-            keys: table.rows().iter().flat_map(|row| row.all_keys()).collect(),
+            screen: screen.unwrap_or_default().into(),
+            own: keys(own),
+            shared: keys(shared),
+        }
+    }
+
+    /// Whether a key means something.
+    fn means(&self, key: &Key) -> bool {
+        self.own.contains(key) || self.shared.contains(key)
+    }
+
+    /// A key that means something, mostly one of the screen's own.
+    fn meant(&self, chance: &mut Pcg64Mcg) -> Key {
+        let keys = match chance.random_bool(0.1) {
+            true => &self.shared,
+            false => &self.own,
+        };
+        match keys.choose(chance).copied() {
+            // It ends the session, and most are to go on.
+            Some(Key::Ctrl('c')) if chance.random_bool(0.8) => Key::Escape,
+            key => key.unwrap_or(Key::Enter),
         }
     }
 }
@@ -112,15 +137,17 @@ impl Moment {
 /// Looks at the screen, and whether it shows what it must not.
 fn look(game: &mut Headless, told: bool) -> Result<(), Fault> {
     let is_ascii = game.app().settings().charset == Charset::Ascii;
-    let screen = game.screen();
-    let is_strange = |c: char| c != '\n' && (c.is_control() || (is_ascii && !c.is_ascii()));
-    let shown = match screen.chars().find(|c| is_strange(*c)) {
+    let is_strange = |c: &char| c.is_control() || (is_ascii && !c.is_ascii());
+    let cells = &game.buffer().content;
+    let mut letters = cells.iter().flat_map(|cell| cell.symbol().chars());
+    let is_no_number = |cells: &[Cell]| cells.iter().map(Cell::symbol).eq(["N", "a", "N"]);
+    let shown = match letters.find(is_strange) {
         Some(c) => format!("{c:?}"),
-        None if screen.contains("NaN") => "NaN".into(),
+        None if cells.windows(3).any(is_no_number) => "NaN".into(),
         None => return Ok(()),
     };
     if told {
-        println!("{screen}");
+        println!("{}", game.screen());
     }
     Err(format!("the screen shows {shown}"))
 }
@@ -133,11 +160,11 @@ enum Act {
     Pass(Duration),
 }
 
-fn act(meant: &[Key], chance: &mut Pcg64Mcg) -> Act {
+fn act(moment: &Moment, chance: &mut Pcg64Mcg) -> Act {
     use MouseKind::{Down, Drag, ScrollDown, ScrollUp, Up};
     let key = |key| Act::Tell(Input::Key(key));
     match chance.random_range(0..100) {
-        0..45 => key(meant.choose(chance).copied().unwrap_or(Key::Enter)),
+        0..45 => key(moment.meant(chance)),
         45..70 => key(Key::Char(chance.random_range(' '..='~'))),
         70..72 => key(Key::Char(chance.random())),
         72..80 => {
@@ -147,7 +174,7 @@ fn act(meant: &[Key], chance: &mut Pcg64Mcg) -> Act {
             let text = numbers.choose(chance).copied().unwrap_or_default();
             Act::Tell(Input::Paste(text.into()))
         }
-        80..94 => Act::Tell(Input::Mouse(Mouse {
+        80..92 => Act::Tell(Input::Mouse(Mouse {
             kind: *[Down, Down, Drag, Up, ScrollUp, ScrollDown]
                 .choose(chance)
                 .expect("six"),
@@ -155,11 +182,9 @@ fn act(meant: &[Key], chance: &mut Pcg64Mcg) -> Act {
             row: chance.random_range(0..45),
             within: chance.random(),
         })),
-        94 => {
-            let letters = (0..chance.random_range(0..200)).map(|_| chance.random::<char>());
-            let text = letters.collect();
-            Act::Tell(Input::Paste(text))
-        }
+        92 => Act::Tell(Input::Hosted(vec![host_news(chance)])),
+        93 => Act::Tell(Input::Joined(join_news(chance))),
+        94 => Act::Tell(Input::Paste(any_text(chance, 200))),
         95 => {
             let sizes = [(80, 24), (120, 40), (60, 20), (100, 30), (200, 60)];
             let (columns, rows) = sizes.choose(chance).copied().unwrap_or((80, 24));
@@ -170,5 +195,52 @@ fn act(meant: &[Key], chance: &mut Pcg64Mcg) -> Act {
         }
         97 => Act::Pass(Duration::from_millis(chance.random_range(0..2000))),
         _ => Act::Pass(Duration::from_millis(chance.random_range(0..100))),
+    }
+}
+
+/// Any text of fewer letters than so many.
+fn any_text(chance: &mut Pcg64Mcg, most: usize) -> String {
+    let letters = chance.random_range(0..most);
+    (0..letters).map(|_| chance.random::<char>()).collect()
+}
+
+/// What a host may hear of pupils, whatever it has asked them.
+fn host_news(chance: &mut Pcg64Mcg) -> HostNews {
+    let line = chance.random_range(0..12);
+    match chance.random_range(0..8) {
+        0 => HostNews::Gone(line),
+        1 | 2 => HostNews::Came {
+            line,
+            name: any_text(chance, 30),
+            seat: (chance.random_bool(0.3)).then(|| SeatToken::of(chance.random_range(0..12))),
+            fresh: SeatToken::of(chance.random_range(0..12)),
+        },
+        _ => {
+            let said = [
+                "sure rays 60 still",
+                "guess rays 30 60",
+                "think choice 1",
+                "sure number 1e300",
+                "",
+            ];
+            HostNews::Voted {
+                line,
+                question: chance.random_range(0..3),
+                vote: *Vote::BOTH.choose(chance).expect("two"),
+                said: said.choose(chance).copied().unwrap_or_default().into(),
+                n: chance.random_range(0..100),
+            }
+        }
+    }
+}
+
+/// What a pupil's device may hear of its host.
+fn join_news(chance: &mut Pcg64Mcg) -> JoinNews {
+    match chance.random_range(0..5) {
+        0 => JoinNews::Reached,
+        1 => JoinNews::Heard(any_text(chance, 30)),
+        2 => JoinNews::Lost(any_text(chance, 30)),
+        3 => JoinNews::Remembered(any_text(chance, 30), any_text(chance, 30)),
+        _ => JoinNews::Awake,
     }
 }

@@ -54,6 +54,11 @@ impl AppLayer {
         table.rebound(rebound)
     }
 
+    /// Whether a key scrolls it.
+    pub(super) fn scrolls(&self, key: Key, rebound: &Rebound) -> bool {
+        matches!(self.keys(rebound).find(key), Some(LayerAction::Scroll(_)))
+    }
+
     /// Takes a key; done when the layer goes, with whether the player agreed. `most` is how
     /// far a help page can be scrolled.
     pub(super) fn press(&mut self, key: Key, most: u16, rebound: &Rebound) -> Outcome<bool> {

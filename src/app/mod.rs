@@ -81,9 +81,9 @@ pub struct App {
     owed: usize,
     /// How long ago that was tried last, and whether it is being tried.
     retry: Retry,
-    /// Whether it was told that what is to be known from before is not, or that what was set
-    /// is not kept.
-    told_unknown: bool,
+    /// Whether the player was told that what they did before is not known, or that what they
+    /// have set is not kept: once is enough.
+    told_of_store: bool,
 }
 
 impl App {
@@ -107,7 +107,7 @@ impl App {
             saving: BTreeSet::new(),
             owed: 0,
             retry: Retry::default(),
-            told_unknown: false,
+            told_of_store: false,
         };
         match place {
             Place::Level { .. } => app.open(Place::Levels),
@@ -235,14 +235,14 @@ impl App {
                 ));
             }
             StoreReply::Noted(Err(reason))
-                if answer.owed == 0 && !std::mem::replace(&mut self.told_unknown, true) =>
+                if answer.owed == 0 && !std::mem::replace(&mut self.told_of_store, true) =>
             {
                 self.tell(format!(
                     "What you have set cannot be kept: {reason}. You can go on all the same."
                 ));
             }
             StoreReply::Stars(Err(reason)) | StoreReply::Marks(Err(reason))
-                if !std::mem::replace(&mut self.told_unknown, true) =>
+                if !std::mem::replace(&mut self.told_of_store, true) =>
             {
                 self.tell(format!(
                     "What you did before is not known: {reason}. You can go on all the same."
@@ -364,10 +364,11 @@ impl App {
 
     /// Gives a key to what lies on top.
     fn press(&mut self, key: Key) -> Vec<Effect> {
-        // What is written is measured only where it can be scrolled.
-        let most = match self.layers.last() {
-            Some(AppLayer::Help { .. }) => chrome::help_overflow(self),
-            _ => 0,
+        // What is written is measured only where it is scrolled.
+        let scrolls = |layer: &AppLayer| layer.scrolls(key, &self.context.settings.keys);
+        let most = match self.layers.last().is_some_and(scrolls) {
+            true => chrome::help_overflow(self),
+            false => 0,
         };
         let Some(layer) = self.layers.last_mut() else {
             return self.with_screen(|screen, cx| screen.press(key, cx));

@@ -14,7 +14,7 @@ const WATCHED: f64 = 60.0;
 pub enum Patience {
     /// Some seconds: for a shot that is all that was asked for.
     Seconds,
-    /// A twentieth of a second: for a shot that is to be watched after a key.
+    /// Five thousandths of a second: for a shot that is to be watched after a key.
     AKey,
     /// A thousandth of a second: for one of thousands, and for what is shown while a player
     /// aims.
@@ -25,7 +25,7 @@ impl Patience {
     const fn work(self) -> u64 {
         match self {
             Self::Seconds => 1_000_000_000,
-            Self::AKey => 10_000_000,
+            Self::AKey => 1_000_000,
             Self::AMoment => 200_000,
         }
     }

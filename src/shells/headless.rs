@@ -1,6 +1,5 @@
 //! An app without a terminal: keys in, screens out, on simulated time.
 
-use std::convert::Infallible;
 use std::time::Duration;
 
 use ratatui::Terminal;
@@ -192,11 +191,11 @@ impl Headless {
 
     /// Draws the screen and gives its cells.
     pub fn buffer(&mut self) -> &Buffer {
-        let app = &self.app;
-        let drawn: Result<_, Infallible> = self.terminal.draw(|frame| app.draw(frame));
-        let Ok(drawn) = drawn;
-        // Not what the backend has: it keeps what once stood where a wide letter goes on.
-        drawn.buffer
+        let Ok(()) = self.terminal.autoresize();
+        // Afresh each time: there is nobody for whom only what has changed would be written.
+        self.terminal.current_buffer_mut().reset();
+        self.app.draw(&mut self.terminal.get_frame());
+        self.terminal.current_buffer_mut()
     }
 
     /// Draws the screen and gives its text.

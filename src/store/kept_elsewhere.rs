@@ -10,6 +10,8 @@ pub type FileBytes = (String, Vec<u8>);
 
 /// The path of the database.
 const PROGRESS: &str = "progress.db";
+/// How the paths of databases begin that were damaged.
+const ASIDE: &str = "progress-damaged";
 /// The folder of what is exported, which is for the player to take away.
 const EXPORTS: &str = "exports/";
 
@@ -28,7 +30,8 @@ impl Store {
     pub fn renew(&mut self, files: &[FileBytes]) {
         self.games.renew(texts("games", files));
         self.classes.renew(texts("classes", files));
-        self.aside = of_kind(files, |path| path.starts_with("progress-damaged"));
+        let aside = files.iter().filter(|(path, _)| path.starts_with(ASIDE));
+        self.aside = aside.cloned().collect();
         self.progress = Database::in_memory();
         let Some((_, bytes)) = files.iter().find(|(path, _)| path == PROGRESS) else {
             return;
@@ -36,8 +39,8 @@ impl Store {
         match Database::of_bytes(bytes) {
             Ok(database) => self.progress = database,
             Err(trouble) => {
-                let name = format!("progress-damaged-{}.db", self.aside.len() + 1);
-                self.told = Some(format!(
+                let name = format!("{ASIDE}-{}.db", self.aside.len() + 1);
+                self.notice = Some(format!(
                     "{PROGRESS} was damaged: {trouble}. It is set aside as {name}, and what you \
                      do from now on is kept in a new one."
                 ));
@@ -102,9 +105,4 @@ impl Store {
 
 fn texts(folder: &'static str, files: &[FileBytes]) -> Box<dyn TextStore> {
     Box::new(Memory::new(folder, TEXT).holding(files))
-}
-
-fn of_kind(files: &[FileBytes], is: impl Fn(&str) -> bool) -> Vec<FileBytes> {
-    let of_kind = files.iter().filter(|(path, _)| is(path));
-    of_kind.cloned().collect()
 }

@@ -71,7 +71,7 @@ pub struct Store {
     /// Files that are kept but not used: databases that were damaged.
     aside: Vec<FileBytes>,
     /// What the player should know of them, once.
-    told: Option<String>,
+    notice: Option<String>,
     /// The file of the settings; `None` where they are gone with the process.
     settings: Option<PathBuf>,
     /// What could not be written to the database so far, the oldest first.
@@ -188,7 +188,7 @@ impl Store {
             tables: texts("exports", TABLE, 0),
             progress,
             aside: Vec::new(),
-            told: None,
+            notice: None,
             settings: None,
             owed: VecDeque::new(),
             clock: Clock::Computer,
@@ -240,7 +240,7 @@ impl Store {
             ticket,
             done,
             owed: self.owed.len(),
-            notice: (self.told.take())
+            notice: (self.notice.take())
                 .or_else(|| self.progress.take_notice())
                 .or_else(|| self.games.take_notice())
                 .or_else(|| self.classes.take_notice()),

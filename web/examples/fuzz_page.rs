@@ -14,8 +14,10 @@ use serde_json::{Value, json};
 
 /// The most that is said in a session.
 const LONGEST: u64 = 1000;
-/// What is said from one picture to the next.
+/// The most that is said from one picture to the next.
 const PAINTED: u64 = 100;
+/// Keys that lead to other screens: there is a picture after each.
+const LEADING: [&str; 3] = ["Enter", "Esc", "Escape"];
 
 const FRAGMENTS: [&str; 10] = [
     "",
@@ -80,14 +82,44 @@ fn opening(chance: &mut impl Rng) -> Value {
     })
 }
 
-/// Something that a page may say, and the bytes behind it.
-fn said(chance: &mut impl Rng) -> (Value, Vec<u8>) {
+/// What a page may have heard of a class.
+fn news(chance: &mut impl Rng) -> Value {
+    let heard = [
+        r#"{"t":"no","why":"code"}"#.to_owned(),
+        r#"{"t":"no","why":"kicked"}"#.to_owned(),
+        r#"{"t":"state","v":1}"#.to_owned(),
+        text(chance, 30),
+    ];
+    match chance.random_range(0..5) {
+        0 => json!({ "is": "reached" }),
+        1 => json!({ "is": "heard", "text": heard.choose(chance) }),
+        2 => json!({ "is": "lost", "reason": text(chance, 30) }),
+        3 => json!({ "is": "remembered", "seat": text(chance, 32), "name": text(chance, 12) }),
+        _ => json!({ "is": "awake" }),
+    }
+}
+
+/// Something that a page may say, and the bytes behind it. `meant` are the keys that were on
+/// the last picture.
+fn said(meant: &[String], chance: &mut impl Rng) -> (Value, Vec<u8>) {
     let bytes: Vec<u8> = (0..chance.random_range(0..40))
         .map(|_| chance.random())
         .collect();
     let said = match chance.random_range(0..100) {
-        0..40 => json!({ "do": "key", "key": KEYS.choose(chance) }),
-        40..62 => json!({ "do": "key", "key": chance.random_range(' '..='~').to_string() }),
+        0..20 => json!({ "do": "key", "key": KEYS.choose(chance) }),
+        20..38 => match meant.choose(chance).map(String::as_str) {
+            // It ends a session.
+            Some("Ctrl+C") if chance.random_bool(0.95) => json!({ "do": "key", "key": "Escape" }),
+            key => json!({ "do": "key", "key": key.unwrap_or("Enter") }),
+        },
+        38 => json!({ "do": "think" }),
+        39 => json!({ "do": "joined", "news": news(chance) }),
+        40..60 => json!({ "do": "key", "key": chance.random_range(' '..='~').to_string() }),
+        60 => json!({ "do": "tell", "words": text(chance, 90) }),
+        61 => json!({
+            "do": "files",
+            "files": [{ "path": "progress.db", "bytes": chance.random_range(0..40) }],
+        }),
         62 => json!({ "do": "key", "key": text(chance, 3) }),
         63..80 => json!({
             "do": "mouse",
@@ -122,21 +154,31 @@ fn said(chance: &mut impl Rng) -> (Value, Vec<u8>) {
 }
 
 /// Plays the session of this number; gives how much was said.
-fn play(number: u64) -> Result<u64, serde_json::Error> {
+///
+/// # Errors
+/// If a picture has "NaN" in it.
+fn play(number: u64) -> Result<u64, Box<dyn Error>> {
     let mut chance = Pcg64Mcg::seed_from_u64(number);
     let Command::Open(opening) = serde_json::from_value(opening(&mut chance))? else {
         return Ok(0);
     };
     let (mut shell, mut reply) = Shell::open(&opening, &[]);
     let most = chance.random_range(10..=LONGEST);
+    let mut meant = Vec::new();
     for step in 0..most {
         if reply.quit {
             return Ok(step);
         }
-        let (said, bytes) = said(&mut chance);
-        reply = shell.call(serde_json::from_value(said)?, &bytes);
-        if step % PAINTED == 0 {
-            shell.call(Command::Paint, &[]);
+        let (said, bytes) = said(&meant, &mut chance);
+        let command: Command = serde_json::from_value(said)?;
+        let leads = matches!(&command, Command::Key { key } if LEADING.contains(&key.as_str()));
+        reply = shell.call(command, &bytes);
+        if leads || step % PAINTED == 0 {
+            let painted = shell.call(Command::Paint, &[]).painted.unwrap_or_default();
+            if painted.pictures.iter().any(|it| it.svg.contains("NaN")) {
+                return Err(format!("session {number} draws NaN at {step}").into());
+            }
+            meant = (painted.keys.into_iter().flat_map(|it| it.keys)).collect();
         }
     }
     Ok(most)

@@ -1,10 +1,9 @@
 //! The app in a terminal, through crossterm.
 //!
-//! Three threads: one reads the keyboard and the mouse, one waits for signals,
-//! and the one that called [`run`] holds the app and draws. The first two only
-//! send messages; while nothing moves, all three are blocked. Each search that the app
-//! asks for gets a thread of its own for as long as it takes, and one more
-//! keeps its games.
+//! The thread that called [`run`] holds the app and draws. One reads the keyboard and the
+//! mouse, one waits for signals, and one does what is asked of the store; each search has one
+//! for as long as it takes, and so has each line of a class that is served or joined. These
+//! only send messages; while nothing moves, all are blocked.
 
 mod crash;
 mod export;
@@ -92,9 +91,8 @@ fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHan
     thread::Builder::new().name(name.into()).spawn(work)
 }
 
-/// Runs `app` in the terminal until it is left, and keeps its games in `store`; a class is
-/// served as `host` says. The
-/// terminal is afterwards as it was before, however the run ends.
+/// Runs `app` in the terminal until it is left, with what it keeps in `store`; a class is
+/// served as `host` says. The terminal is afterwards as it was before, however the run ends.
 ///
 /// # Errors
 /// If the terminal cannot be used, or no longer.

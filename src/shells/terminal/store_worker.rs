@@ -11,8 +11,9 @@ use crate::files::escape_control;
 use crate::messages::{Input, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use crate::store::Store;
 
-/// How long the screen waits for a stroke or a vote to be saved before it shows it. Nearly all
-/// disks need a small part of this, and then none that was seen can be lost.
+/// How long the screen waits for a stroke or the vote of a team to be saved before it shows it.
+/// Nearly all disks need a small part of this, and then none that was seen can be lost. (Votes
+/// from devices keep the screen waiting for nothing: a pupil is told of one when it is kept.)
 const PATIENCE: Duration = Duration::from_millis(500);
 /// How long it waits for an answer: none is ever lost, for no explanation is drawn before
 /// that is safe, unless something is wrong with the disk or another program holds the

@@ -160,14 +160,10 @@ fn copy(old: &Connection, new: &Connection, table: &str) -> Result<(u64, bool), 
         let order = key.iter().map(|name| format!("{name} {direction}"));
         let order = order.collect::<Vec<_>>().join(", ");
         let sql = format!("SELECT {names} FROM {table} NOT INDEXED ORDER BY {order}");
-        let reached_its_end = old.prepare(&sql).and_then(|mut rows| {
+        // What fails outside is the reading, inside the writing.
+        let copying = old.prepare(&sql).and_then(|mut rows| {
             let mut rows = rows.query([])?;
-            loop {
-                let row = match rows.next() {
-                    Ok(Some(row)) => row,
-                    Ok(None) => return Ok(Ok(())),
-                    Err(error) => return Err(error),
-                };
+            while let Some(row) = rows.next()? {
                 // As they are: what they mean is a matter of whoever reads them.
                 let values: rusqlite::Result<Vec<_>> =
                     (0..columns.len()).map(|i| row.get_ref(i)).collect();
@@ -178,8 +174,9 @@ fn copy(old: &Connection, new: &Connection, table: &str) -> Result<(u64, bool), 
                     Err(error) => return Ok(Err(error)),
                 }
             }
+            Ok(Ok(()))
         });
-        match reached_its_end {
+        match copying {
             Ok(Ok(())) => break,
             Ok(Err(error)) => return Err(error.into()),
             Err(_) => is_whole = false,

@@ -1,7 +1,8 @@
 //! The cells of a screen as rows, symbols and text.
 
 use ratatui::buffer::{Buffer, Cell};
-use unicode_width::UnicodeWidthStr;
+
+use super::wrap::width;
 
 /// The rows of a screen, without the blanks at their ends, a line break after
 /// each.
@@ -32,7 +33,7 @@ pub fn symbols(cells: &[Cell]) -> impl Iterator<Item = (usize, &Cell)> {
     cells.iter().enumerate().filter(move |(column, cell)| {
         let shown = *column >= next;
         if shown {
-            next = column + cell.symbol().width().max(1);
+            next = column + width(cell.symbol()).max(1);
         }
         shown
     })

@@ -10,6 +10,9 @@ const UNITS: [&str; 21] = [
     "keV", "MeV", "deg", "%", "turns",
 ];
 
+/// Functions of an angle or of a number.
+const FUNCTIONS: [&str; 5] = ["sin", "cos", "tan", "sqrt", "√"];
+
 /// How firmly a blank holds the two words beside it together. Where not all of a formula fits
 /// into a row, it breaks at the weakest of its blanks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -130,6 +133,14 @@ fn holds<S: AsRef<str>>(words: &[S]) -> Vec<Hold> {
 
 /// How firmly two words are held together, in brackets or outside of them.
 fn hold(before: &str, after: &str, in_brackets: bool) -> Hold {
+    match is_prose(before) && is_prose(after) {
+        true => Hold::Free,
+        false => by_rules(before, after, in_brackets),
+    }
+}
+
+/// The same, whatever the words are.
+fn by_rules(before: &str, after: &str, in_brackets: bool) -> Hold {
     let sign = |word: &str| ["-", "−", "+", "±"].contains(&word);
     let unit = after.trim_end_matches(['.', ',', ';', ':', '?', '!', ')', ']']);
     let number = before
@@ -176,7 +187,16 @@ fn bare(word: &str) -> &str {
 /// Whether a word is a function that takes an angle or a number: `sin`, `cos²`, `√`.
 fn is_function(word: &str) -> bool {
     let bare = bare(word).trim_end_matches(['²', '⁴', '^', '2', '4']);
-    ["sin", "cos", "tan", "sqrt", "√"].contains(&bare)
+    FUNCTIONS.contains(&bare)
+}
+
+/// Whether it is seen at once that a word is one of a sentence, as most are: two of those are
+/// never held together.
+fn is_prose(word: &str) -> bool {
+    let letters = word.trim_end_matches(['.', ',', ';', ':', '?', '!']);
+    letters.len() > 1
+        && letters.bytes().all(|letter| letter.is_ascii_alphabetic())
+        && !FUNCTIONS.contains(&letters)
 }
 
 /// Whether a word is a sign of physics, as `α`, that stays with what it equals.
@@ -269,6 +289,22 @@ mod tests {
             parts(long, 30),
             ["v", "= (1 + e) m₁ / (m₁ + m₂) u₁", "− e u₂", "+ 3"]
         );
+    }
+
+    /// Every two words of prose are found free by the other rules too.
+    #[test]
+    fn prose_is_free_whatever_it_is() {
+        let words = [
+            "The", "striker,", "kg", "turns", "alpha", "mm.", "g", "sin", "Theta;", "x",
+        ];
+        for before in words.iter().filter(|word| is_prose(word)) {
+            for after in words.iter().filter(|word| is_prose(word)) {
+                for in_brackets in [false, true] {
+                    assert_eq!(by_rules(before, after, in_brackets), Hold::Free);
+                }
+            }
+        }
+        assert_eq!(words.iter().filter(|word| is_prose(word)).count(), 7);
     }
 
     #[test]

@@ -9,7 +9,11 @@ use super::terms::held;
 
 /// Columns that `text` takes.
 pub fn width(text: &str) -> usize {
-    text.width()
+    // Nearly all of it is ASCII, where there is nothing to look up.
+    match text.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
+        true => text.len(),
+        false => text.width(),
+    }
 }
 
 /// Breaks `text` at spaces into lines of at most `columns` (at least 1); a number
@@ -135,6 +139,9 @@ fn fill(lines: &mut Vec<String>, line: &mut String, text: &str, columns: usize) 
 
 /// Goes on from `line` with a word, which is broken where it must be.
 fn break_word(lines: &mut Vec<String>, line: &mut String, word: &str, columns: usize) {
+    if width(line) + width(word) <= columns {
+        return line.push_str(word);
+    }
     for c in word.chars() {
         if width(line) + c.to_string().width() > columns && !line.is_empty() {
             lines.push(std::mem::take(line));

@@ -10,7 +10,9 @@ mod pages;
 mod size;
 mod strokes;
 
+use std::borrow::Cow;
 use std::ops::Range;
+use std::sync::LazyLock;
 
 use font8x8::{BASIC_FONTS, GREEK_FONTS, LATIN_FONTS, UnicodeFonts};
 use ratatui::{buffer::Buffer, layout::Rect};
@@ -296,7 +298,7 @@ fn pixels(words: &[&str]) -> Option<Vec<u8>> {
             if i > 0 {
                 columns.extend([0; GAP]);
             }
-            columns.extend(letter_columns(letter)?);
+            columns.extend(letter_columns(letter)?.iter());
         }
     }
     Some(columns)
@@ -342,9 +344,21 @@ fn broken<T>(
         .collect()
 }
 
+/// The columns of pixels of the letters of ASCII. Many places and sizes are tried for a text.
+static ASCII: LazyLock<Vec<Option<Vec<u8>>>> =
+    LazyLock::new(|| ('\0'..='~').map(worked_out_columns).collect());
+
 /// The columns of pixels of a letter, without the empty ones beside it; `None` if the
 /// font has no such letter.
-fn letter_columns(letter: char) -> Option<Vec<u8>> {
+fn letter_columns(letter: char) -> Option<Cow<'static, [u8]>> {
+    match ASCII.get(letter as usize) {
+        Some(columns) => columns.as_deref().map(Cow::Borrowed),
+        None => worked_out_columns(letter).map(Cow::Owned),
+    }
+}
+
+/// The same from the font itself.
+fn worked_out_columns(letter: char) -> Option<Vec<u8>> {
     if letter.is_control() {
         return None;
     }
