@@ -106,9 +106,10 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
         })
 }
 
-/// Of whoever lets loss open the corner of equal masses.
-const CLOSES: &str = "You let loss open the corner. It closes it: the coin springs off less fast, \
-                      so the striker keeps some speed along the line of impact and follows it.";
+/// Of whoever lets loss widen the angle between equal masses.
+const CLOSES: &str = "You let the loss widen the angle between the paths. It narrows it: the two \
+                      spring apart less, so the striker keeps some speed along the line of impact \
+                      and follows the coin.";
 
 /// Of whoever has the masses upside down.
 pub(super) const FOLLOWS_OR_BOUNCES: &str = "You had it the other way round: a heavier striker \

@@ -64,15 +64,56 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
 
 fn head_on(hit: &Hit, outcome: &CollisionOutcome) -> String {
     let name = hit.pieces.target_name();
-    let before = hit.collision().u1;
+    let collision = hit.collision();
     let v1 = significant(outcome.v1.length());
     let v2 = significant(outcome.v2.length());
+    let heavier = collision.striker.mass > collision.target.mass;
     let striker = match outcome.theta1 {
-        None => "With equal masses and no loss they exchange velocities: the striker stops".into(),
-        Some(_) if outcome.v1.dot(before) > 0.0 => {
+        None if collision.striker.mass == collision.target.mass => {
+            "With equal masses and no loss they exchange velocities: the striker stops".into()
+        }
+        None => format!(
+            "A {name} of this mass would throw the striker back if no energy were lost. With this \
+             loss it just stops it"
+        ),
+        Some(_) if outcome.v1.dot(collision.u1) < 0.0 => {
+            format!("The lighter striker is thrown straight back, at {v1} m/s")
+        }
+        Some(_) if heavier => {
             format!("The heavier striker is slowed but goes on, at {v1} m/s")
         }
-        Some(_) => format!("The lighter striker is thrown straight back, at {v1} m/s"),
+        Some(_) => {
+            format!("As energy is lost, the striker is not quite stopped: it goes on, at {v1} m/s")
+        }
     };
-    format!("Head-on, all stays on one line. {striker}, and the {name} leaves at {v2} m/s.")
+    format!("Head-on, everything stays on one line. {striker}, and the {name} leaves at {v2} m/s.")
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+
+    use super::*;
+    use crate::physics::{Collision, Disc};
+
+    /// Along the line the striker has (m₁ − e m₂) / (m₁ + m₂) of 4 m/s.
+    #[test]
+    fn head_on_the_reason_is_that_of_the_masses_and_the_loss() {
+        let said = |m1: f64, m2: f64, restitution: f64| {
+            let [striker, target] = [m1, m2].map(|mass| Disc::from_g_mm(mass, 15.0));
+            let head_on = Collision::at_angle(striker, target, 4.0 * DVec2::X, 0.0);
+            let collision = Collision {
+                restitution,
+                ..head_on
+            };
+            reasoning(&Hit::from(&collision))
+        };
+        assert!(said(15.0, 15.0, 1.0).contains("exchange velocities"));
+        assert!(said(15.0, 15.0, 0.5).contains("energy is lost"));
+        assert!(said(15.0, 15.0, 0.5).contains("goes on, at 1.00 m/s"));
+        assert!(said(15.0, 30.0, 0.5).contains("With this loss it just stops it"));
+        assert!(said(45.0, 15.0, 1.0).contains("heavier striker is slowed"));
+        assert!(said(15.0, 45.0, 1.0).contains("thrown straight back, at 2.00 m/s"));
+        assert!(!said(20.0, 30.0, 0.5).contains("heavier"));
+    }
 }

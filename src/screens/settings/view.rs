@@ -29,13 +29,13 @@ pub(super) fn draw(screen: &SettingsScreen, area: Rect, buf: &mut Buffer, cx: &C
     let mut about = Lines::new(layout.panel, buf, look);
     screen.form.write_about(&cx.settings, &mut about);
     about.gap();
-    about.line("Where all is kept", Role::Title);
+    about.line("Where everything is kept", Role::Title);
     match &cx.folder {
         Some(folder) => about.paragraph(folder, Role::Text),
         None => about.paragraph("Nowhere: it is gone when carrom ends.", Role::Text),
     }
     about.paragraph(
-        "Answers, bookmarks, games and these settings lie there and nowhere else.",
+        "Answers, bookmarks, games and these settings are kept there and nowhere else.",
         Role::Dim,
     );
     about.gap();

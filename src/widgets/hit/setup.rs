@@ -4,13 +4,17 @@ use glam::DVec2;
 use ratatui::layout::Rect;
 
 use super::sketch::Sketch;
-use super::{Face, HitLayout};
-use crate::physics::Collision;
+use super::{Face, HitLayout, VelocityNames};
+use crate::physics::{Collision, Frame};
 use crate::quiz::{AimTask, Ray};
 use crate::widgets::picture::{Pen, Picture};
 use crate::widgets::{RayInput, Role};
 
 pub(crate) use crate::quiz::Markings;
+
+/// The least and the greatest length of the faster arrow, in radii of the larger disc.
+const SHORTEST: f64 = 0.5;
+const LONGEST: f64 = 1.1;
 
 /// Two discs about to meet, with what is given of the hit and the rays that are being
 /// turned.
@@ -151,12 +155,21 @@ pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
     let stage = sketch.stage;
     let speeds = [stage.collision.u1, stage.collision.u2];
     let fastest = speeds[0].length().max(speeds[1].length());
-    for (body, name) in ["u", "u₂"].into_iter().enumerate() {
+    let names = VelocityNames::new(&stage.collision, Frame::Laboratory);
+    // Arrows end before a disc that is in their way; two that face each other share the room.
+    let facing = (0..2).filter(|body| stage.is_towards(places, *body, speeds[*body]));
+    let apart = places[0].distance(places[1]) - stage.radius(0) - stage.radius(1);
+    let room = match facing.count() {
+        0 => f64::INFINITY,
+        count => 0.9 * apart / count as f64,
+    };
+    let longest = room.clamp(SHORTEST * stage.unit(), LONGEST * stage.unit());
+    for (body, name) in names.before.into_iter().enumerate() {
         let v = speeds[body];
         let Some(direction) = v.try_normalize() else {
             continue;
         };
-        let length = 1.1 * stage.unit() * v.length() / fastest;
+        let length = longest * v.length() / fastest;
         let from = places[body] + stage.radius(body) * direction;
         let pen = Pen::new(Role::Incoming).bold();
         sketch.picture.arrow(from, from + length * direction, pen);

@@ -9,11 +9,13 @@ use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture};
 
 /// Longest arrow, in radii of the larger disc.
 const LONGEST: f64 = 2.8;
-/// Longest arrow from a centre, in the same radii.
-const LONGEST_INSIDE: f64 = 2.9;
+/// Longest arrow of a velocity that is split, in the same radii.
+const LONGEST_ROOTED: f64 = 2.9;
 /// Longest part along n of a velocity from a centre, as a share of the way between the
 /// centres: there begins what the other disc gets.
 const LONGEST_ALONG: f64 = 0.96;
+/// How far beside its disc the arrow of one lies that runs ahead, in the same radii.
+const BESIDE: f64 = 0.4;
 /// Room for the head of an arrow, in the same radii.
 const HEAD: f64 = 0.3;
 /// Radius of an arc, in radii of its disc.
@@ -52,23 +54,25 @@ impl ArrowScale {
         Self::scaled(room.fold(LONGEST * stage.unit(), f64::min), fastest)
     }
 
-    /// The largest scale at which velocities drawn from the centres of their discs at
-    /// contact stay within the picture, and a velocity `along` the line of impact from one
-    /// centre ends before the other.
-    pub(super) fn fit_inside(
+    /// The largest scale at which velocities stay within the picture, each drawn at its
+    /// root, and one `along` the line of impact from one centre ends before the other.
+    pub(super) fn fit_rooted(
         stage: &HitLayout,
         along: DVec2,
-        velocities: &[(usize, DVec2)],
+        velocities: &[(Root, DVec2)],
     ) -> Self {
         let speeds = velocities.iter().map(|(_, v)| v.length());
         let fastest = speeds.fold(0.0, f64::max);
         let short = LONGEST_ALONG * stage.collision.contact_distance();
         let short = short * fastest / along.length();
-        let room = velocities.iter().filter_map(|(body, v)| {
-            let direction = v.try_normalize()?;
-            Some(stage.room(stage.centres[*body], direction) * fastest / v.length())
+        let room = velocities.iter().filter_map(|(root, v)| {
+            let (at, outwards) = match root {
+                Root::From(at) => (*at, v.try_normalize()?),
+                Root::UpTo(at) => (*at, -v.try_normalize()?),
+            };
+            Some(stage.room(at, outwards) * fastest / v.length())
         });
-        let longest = (LONGEST_INSIDE * stage.unit()).min(short);
+        let longest = (LONGEST_ROOTED * stage.unit()).min(short);
         Self::scaled(room.fold(longest, f64::min), fastest)
     }
 
@@ -91,6 +95,15 @@ impl ArrowScale {
     pub(super) fn direction(&self, v: DVec2) -> Option<DVec2> {
         v.try_normalize().filter(|_| !self.is_still(v))
     }
+}
+
+/// The end at which a velocity and its parts are held.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Root {
+    /// All of them begin here.
+    From(DVec2),
+    /// The whole ends here; its parts begin where it does.
+    UpTo(DVec2),
 }
 
 /// A velocity as an arrow: its name, and what it is drawn as.
@@ -178,26 +191,35 @@ impl Sketch {
     }
 
     /// An arrow up to the rim of a disc that arrives, and its speed beside the visible
-    /// part of it.
+    /// part of it. The arrow of one that runs ahead of the other lies beside its disc: the
+    /// other one is where it comes from.
     pub(super) fn incoming(
         &mut self,
         scale: &ArrowScale,
         name: &str,
-        (at, radius): (DVec2, f64),
+        (body, at): (usize, DVec2),
         v: DVec2,
     ) {
         let Some(direction) = scale.direction(v) else {
             return;
         };
-        let rim = at - radius * direction;
-        let tail = rim - scale.per_speed * v;
-        let pen = Pen::new(Role::Incoming).bold();
-        self.picture.arrow(tail, rim, pen);
         let stage = &self.stage;
-        let room = stage.room(at, -direction);
-        let anchor = at - (radius + 0.55 * (room - radius).max(0.0)) * direction;
+        let radius = stage.radius(body);
+        let way = scale.per_speed * v;
         // Across the arrow, on the side away from the coin.
         let across = DVec2::from_angle(stage.side()).rotate(direction).perp() * stage.side();
+        let (tip, anchor, across) = if stage.runs_ahead(body, v) {
+            let out = direction.perp();
+            let out = out * 1.0_f64.copysign(out.dot(stage.centres[body]));
+            let middle = at + (radius + BESIDE * stage.unit()) * out;
+            (middle + way / 2.0, middle, out)
+        } else {
+            let room = stage.room(at, -direction);
+            let anchor = at - (radius + 0.55 * (room - radius).max(0.0)) * direction;
+            (at - radius * direction, anchor, across)
+        };
+        let pen = Pen::new(Role::Incoming).bold();
+        self.picture.arrow(tip - way, tip, pen);
         let text = format!("{name} = {:.2} m/s", v.length());
         self.label(text, anchor, across, Role::Incoming);
     }
@@ -240,22 +262,19 @@ impl Sketch {
             .or(centre + room * across, &LabelSide::towards(across));
     }
 
-    /// A velocity and its parts along n and t, drawn from the centre of its disc, with the
-    /// sides that close the rectangle. Where there is but one part the two are the same
-    /// arrow, and it says so.
+    /// A velocity of a disc and its parts along n and t, with the sides that close the
+    /// rectangle. Where there is but one part the two are the same arrow, and it says so.
     pub(super) fn split(
         &mut self,
         scale: &ArrowScale,
-        body: usize,
+        (body, root): (usize, Root),
         whole: NamedVelocity,
         parts: &[NamedVelocity; 2],
     ) {
-        let from = self.stage.centres[body];
-        let end = |v: DVec2| from + scale.per_speed * v;
         let some = parts.iter().filter(|part| part.v.length() >= LEAST_SPEED);
         match some.collect::<Vec<_>>().as_slice() {
             [] => {
-                let below = from + self.stage.radius(body) * DVec2::NEG_Y;
+                let below = self.stage.centres[body] + self.stage.radius(body) * DVec2::NEG_Y;
                 let text = format!("{} = 0: it stands still", whole.name);
                 self.label(text, below, DVec2::NEG_Y, whole.role);
             }
@@ -264,39 +283,64 @@ impl Sketch {
                     true => whole.name,
                     false => format!("{} = {}", whole.name, part.name),
                 };
-                self.centred_arrow(scale, body, &NamedVelocity { name, ..whole });
+                self.velocity(scale, root, &NamedVelocity { name, ..whole });
             }
             both => {
+                let tail = match root {
+                    Root::From(at) => at,
+                    Root::UpTo(at) => at - scale.per_speed * whole.v,
+                };
+                let end = |v: DVec2| tail + scale.per_speed * v;
                 // The side beyond a part is as long as the other one, and as it is coloured.
                 for (part, other) in both.iter().zip(both.iter().rev()) {
                     let pen = Pen::new(other.role).dotted();
                     let closing = pen.on(DrawLayer::Construction);
                     self.picture.line(end(part.v), end(whole.v), closing);
                 }
-                // The longest below: near the centre they share cells.
-                self.centred_arrow(scale, body, &whole);
+                // The longest below: near the root they share cells. Its name comes last,
+                // as it may stand at either end.
+                let pen = Pen::new(whole.role).bold();
+                self.picture.arrow(tail, end(whole.v), pen);
                 for part in both {
-                    self.centred_arrow(scale, body, part);
+                    let tip = end(part.v);
+                    match root {
+                        Root::From(_) => self.velocity(scale, root, part),
+                        Root::UpTo(_) => {
+                            let aside = tip - end(whole.v / 2.0);
+                            self.picture.arrow(tail, tip, Pen::new(part.role).bold());
+                            self.name(part, tip, aside);
+                        }
+                    }
                 }
+                let (at, towards) = self.free_end(root, [tail, end(whole.v)]);
+                self.name(&whole, at, towards);
             }
         }
     }
 
-    /// An arrow from the centre of a disc, with its speed beyond the discs, which labels
-    /// never cover.
-    pub(super) fn centred_arrow(
-        &mut self,
-        scale: &ArrowScale,
-        body: usize,
-        NamedVelocity { name, v, role }: &NamedVelocity,
-    ) {
-        let (v, role) = (*v, *role);
-        let Some(direction) = scale.direction(v) else {
+    /// A velocity as an arrow, with its speed at the free end.
+    pub(super) fn velocity(&mut self, scale: &ArrowScale, root: Root, velocity: &NamedVelocity) {
+        if scale.is_still(velocity.v) {
             return;
+        }
+        let way = scale.per_speed * velocity.v;
+        let [tail, tip] = match root {
+            Root::From(tail) => [tail, tail + way],
+            Root::UpTo(tip) => [tip - way, tip],
         };
-        let from = self.stage.centres[body];
-        let tip = from + scale.per_speed * v;
-        self.picture.arrow(from, tip, Pen::new(role).bold());
+        self.picture
+            .arrow(tail, tip, Pen::new(velocity.role).bold());
+        let (at, towards) = self.free_end(root, [tail, tip]);
+        self.name(velocity, at, towards);
+    }
+
+    /// The end of an arrow that is not its root, and the direction that leads on: out of
+    /// the discs, which labels never cover.
+    fn free_end(&self, root: Root, [tail, tip]: [DVec2; 2]) -> (DVec2, DVec2) {
+        let direction = (tip - tail).normalize_or_zero();
+        if let Root::UpTo(_) = root {
+            return (tail, -direction);
+        }
         // Out of the one disc it may be in the other.
         let outside = (0..2).chain([0]).fold(tip, |at, body| {
             let (centre, radius) = (self.stage.centres[body], self.stage.radius(body));
@@ -308,8 +352,13 @@ impl Sketch {
             let half = radius.mul_add(radius, -across * across).max(0.0).sqrt();
             at + (to.dot(direction) + half) * direction
         });
-        let text = format!("{name} = {:.2} m/s", v.length());
-        self.label(text, outside, direction, role);
+        (outside, direction)
+    }
+
+    /// The name and the speed of a velocity, on the side of `at` that lies in a direction.
+    fn name(&mut self, velocity: &NamedVelocity, at: DVec2, towards: DVec2) {
+        let text = format!("{} = {:.2} m/s", velocity.name, velocity.v.length());
+        self.label(text, at, towards, velocity.role);
     }
 
     /// The triangle of momenta in kg·m/s: total = p₁ + p₂, tail to tip, in the corner

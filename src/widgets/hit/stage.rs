@@ -87,6 +87,20 @@ impl HitLayout {
         side(&self.collision)
     }
 
+    /// Whether a disc has the other one, both at these places, straight ahead in a
+    /// direction.
+    pub(super) fn is_towards(&self, places: [DVec2; 2], body: usize, direction: DVec2) -> bool {
+        let other = places[1 - body] - places[body];
+        let direction = direction.normalize_or_zero();
+        other.dot(direction) > 0.0 && other.perp_dot(direction).abs() < self.radius(1 - body)
+    }
+
+    /// Whether a disc that comes to the contact with this velocity has the other one right
+    /// behind it.
+    pub(super) fn runs_ahead(&self, body: usize, v: DVec2) -> bool {
+        self.is_towards(self.centres, body, -v)
+    }
+
     /// The direction of a ray at an angle in radians, with the signs of physics.
     fn direction(&self, ray: Ray, angle: f64) -> DVec2 {
         DVec2::from_angle(turn(ray) * angle).rotate(self.heading())

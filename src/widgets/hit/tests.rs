@@ -7,7 +7,7 @@ use ratatui::style::Color;
 use roxmltree::Document;
 
 use super::*;
-use crate::physics::{Bond, Collision, Disc};
+use crate::physics::{Bond, Collision, Disc, Frame};
 use crate::quiz::{AimTask, Ray};
 use crate::widgets::ink::Canvas;
 use crate::widgets::picture::{Mark, Picture};
@@ -238,9 +238,13 @@ fn seen_along(
     near.map(|offset| offset.dot(along)).collect()
 }
 
-/// The steps of a hit at which arrows are told, with their pictures.
-fn steps(collision: &Collision, area: Rect) -> impl Iterator<Item = (String, Picture)> {
-    let mut watch = Watch::new(*collision, None, HitPace::Still);
+/// The steps of a hit at which arrows are told, seen from a frame, with their pictures.
+fn steps(
+    collision: &Collision,
+    frame: Frame,
+    area: Rect,
+) -> impl Iterator<Item = (String, Picture)> {
+    let mut watch = Watch::new(*collision, None, HitPace::Still).seen_from(frame);
     (0..6).map(move |step| {
         if step > 0 {
             watch.act(WatchAction::Step(1));
@@ -260,7 +264,15 @@ fn each_arrow_is_seen_from_end_to_end_in_the_colour_of_its_label() {
     ];
     let areas = [Rect::new(0, 0, 48, 20), Rect::new(0, 0, 74, 36)];
     let mut arrows = 0;
-    for (m2, alpha_deg) in [(15.0, 30.0_f64), (15.0, 50.0), (5.0, 40.0), (45.0, -35.0)] {
+    let (board, centre) = (Frame::Laboratory, Frame::CentreOfMass);
+    for (m2, alpha_deg, frame) in [
+        (15.0, 30.0_f64, board),
+        (15.0, 50.0, board),
+        (5.0, 40.0, board),
+        (45.0, -35.0, board),
+        (15.0, 30.0, centre),
+        (10.0, -50.0, centre),
+    ] {
         let (striker, coin) = (Disc::from_g_mm(15.0, 15.0), Disc::from_g_mm(m2, 15.0));
         let hit = Collision::at_angle(striker, coin, dvec2(4.0, 0.0), alpha_deg.to_radians());
         for (charset, (palette, depth), area) in [Charset::Ascii, Charset::Unicode]
@@ -270,10 +282,12 @@ fn each_arrow_is_seen_from_end_to_end_in_the_colour_of_its_label() {
         {
             let theme = Theme::new(palette, depth);
             let look = Look { charset, theme };
-            for (step, picture) in steps(&hit, area) {
+            for (step, picture) in steps(&hit, frame, area) {
                 let buffer = cells(&picture, &look);
                 let canvas = Canvas::of(&picture, &look);
-                let place = format!("{m2} g {alpha_deg} {charset:?} {palette:?} {depth:?} {step}");
+                let place = format!(
+                    "{m2} g {alpha_deg} {frame:?} {charset:?} {palette:?} {depth:?} {step}"
+                );
                 for mark in &picture.marks {
                     let Mark::Arrow { from, to, pen } = mark else {
                         continue;
@@ -311,7 +325,9 @@ fn each_arrow_is_seen_from_end_to_end_in_the_colour_of_its_label() {
 fn what_a_step_tells_has_the_same_length_in_the_next() {
     let piece = Disc::from_g_mm(15.0, 15.0);
     let hit = Collision::at_angle(piece, piece, dvec2(4.0, 0.0), 30_f64.to_radians());
-    let steps: Vec<_> = steps(&hit, AREA).map(|(_, picture)| picture).collect();
+    let steps: Vec<_> = steps(&hit, Frame::Laboratory, AREA)
+        .map(|(_, picture)| picture)
+        .collect();
     let length = |step: usize, role: Role| {
         steps[step].marks.iter().find_map(|mark| match mark {
             Mark::Arrow { from, to, pen } if pen.role == role => Some(from.distance(*to)),
@@ -324,4 +340,67 @@ fn what_a_step_tells_has_the_same_length_in_the_next() {
     assert!((length(3, Role::CoinOut).unwrap() - part).abs() < 1e-12);
     let across = length(2, Role::TangentPart).unwrap();
     assert!((length(4, Role::StrikerOut).unwrap() - across).abs() < 1e-12);
+}
+
+/// Where both move each has its arrows and their names on its own side.
+#[test]
+fn no_name_stands_at_the_other_disc() {
+    let piece = Disc::from_g_mm(15.0, 15.0);
+    let at = |alpha_deg: f64| {
+        let alpha = alpha_deg.to_radians();
+        Collision::at_angle(piece, piece, dvec2(3.0, 0.0), alpha)
+    };
+    // One comes up behind the other.
+    let chase = Collision {
+        u2: dvec2(1.0, 0.0),
+        ..at(0.0)
+    };
+    let seen = [
+        (chase, Frame::Laboratory, ["u₁", "u₂"]),
+        (at(30.0), Frame::CentreOfMass, ["u − V", "−V"]),
+        (at(-50.0), Frame::CentreOfMass, ["u − V", "−V"]),
+    ];
+    for (collision, frame, names) in seen {
+        for area in [(36, 22), (48, 20), (74, 36)].map(|(w, h)| Rect::new(0, 0, w, h)) {
+            let look = Look {
+                charset: Charset::Unicode,
+                theme: Theme::default(),
+            };
+            for (step, picture) in steps(&collision, frame, area).take(3) {
+                let canvas = Canvas::of(&picture, &look);
+                let (c1, c2) = collision.placed_at_contact();
+                for (body, name) in names.into_iter().enumerate() {
+                    let mut labels = canvas.labels().iter();
+                    let label = labels.find(|it| it.text.starts_with(&format!("{name} =")));
+                    let label = label.unwrap_or_else(|| panic!("{step}: {name}"));
+                    let middle = label.place.x + label.place.width / 2;
+                    let x = picture.view().world_at(middle, label.place.y).x;
+                    let side = (x - (c1.x + c2.x) / 2.0) * [c1.x - c2.x, c2.x - c1.x][body];
+                    assert!(side > 0.0, "{area} {step}: {name} at {x}");
+                }
+            }
+        }
+    }
+}
+
+/// Before the hit the arrow of one that comes head-on ends before the other disc.
+#[test]
+fn no_arrow_before_the_hit_runs_into_the_other_disc() {
+    let piece = Disc::from_g_mm(15.0, 15.0);
+    let head_on = Collision::at_angle(piece, piece, dvec2(3.0, 0.0), 0.0);
+    for u2 in [dvec2(0.0, 0.0), dvec2(1.0, 0.0), dvec2(-2.0, 0.0)] {
+        let collision = Collision { u2, ..head_on };
+        let picture = setup_picture(AREA, Face::STRIKER_AND_COIN, &collision, GIVEN, None);
+        let bodies = picture.marks.iter().filter_map(|mark| match mark {
+            Mark::Disc(body) => Some(body),
+            _ => None,
+        });
+        let discs: Vec<_> = bodies.collect();
+        for mark in &picture.marks {
+            if let Mark::Arrow { to, .. } = mark {
+                let free = discs.iter().all(|it| it.at.distance(*to) > it.radius);
+                assert!(free, "{u2}: {to}");
+            }
+        }
+    }
 }

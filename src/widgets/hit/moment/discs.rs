@@ -1,0 +1,88 @@
+//! The two discs, where they came from and where they have gone.
+
+use glam::DVec2;
+
+use super::Moment;
+use crate::widgets::Role;
+use crate::widgets::picture::{Pen, Picture};
+
+/// A way this short, in radii of the disc, is none.
+const STANDS: f64 = 1e-6;
+/// How far from the centre a letter stands that makes room, in radii of the disc.
+const LETTER_ASIDE: f64 = 0.55;
+
+impl Moment<'_> {
+    /// A disc where it is now. While the contact explains itself, and once it has left and
+    /// stands, it is drawn so that it hides nothing, and its letter stands aside.
+    pub(super) fn disc(&self, picture: &mut Picture, body: usize, now: DVec2) {
+        let face = self.watch.faces[body];
+        let radius = self.stage.radius(body);
+        let gone = now - self.stage.centres[body];
+        let has_left = self.watch.clock.has_met() && gone.length() > STANDS * radius;
+        let beside = match gone.try_normalize() {
+            // Its arrow runs through its middle: on the side further from the line of its
+            // old motion.
+            Some(way) if has_left && !self.watch.clock.is_moving() => {
+                let off = self.stage.heading().perp();
+                let away = way.perp().dot(off) * way.dot(off);
+                Some(way.perp() * 1.0_f64.copysign(away))
+            }
+            _ if self.is_explaining() => self.aside(body),
+            _ => None,
+        };
+        match beside {
+            Some(beside) => {
+                let letter = (face.letter, now + LETTER_ASIDE * radius * beside);
+                picture.ring(now, radius, face.role, letter);
+            }
+            None => picture.disc(now, radius, face.role, face.letter),
+        }
+    }
+
+    /// The side of a disc's centre on which no part of its velocity lies.
+    fn aside(&self, body: usize) -> Option<DVec2> {
+        let tangent = self.watch.outcome.tangent?;
+        if self.split_step().is_some() && !self.target_rests() {
+            // All of them lie on the side away from the contact.
+            return (-self.stage.centres[body]).try_normalize();
+        }
+        let collision = &self.stage.collision;
+        let own = self.before()[body];
+        let past = collision.relative_velocity().dot(tangent);
+        let sideways = own.dot(tangent);
+        let sideways = if sideways.abs() > STANDS * own.length() {
+            sideways
+        } else {
+            past
+        };
+        Some(-tangent * 1.0_f64.copysign(sideways))
+    }
+
+    /// Where the discs came from and, after the contact, have gone.
+    pub(super) fn trails(&self, picture: &mut Picture, time: f64) {
+        let contact = self.watch.clock.contact;
+        for body in 0..2 {
+            let until = time.min(contact);
+            let old = Pen::new(Role::Trail).dotted().aged(0.6);
+            let (start, mut end) = (self.place(body, 0.0), self.place(body, until));
+            if self.is_explaining() {
+                // Upon the disc there are arrows to be read.
+                end -= (end - start).clamp_length_max(self.stage.radius(body));
+            }
+            picture.line(start, end, old);
+            if time <= contact {
+                continue;
+            }
+            let fresh = Pen::new(Role::Trail);
+            // A pair that sticks turns, so its trail is a curve.
+            let pieces = if self.sticks() { 48 } else { 1 };
+            let point = |i: usize| {
+                let share = i as f64 / f64::from(pieces);
+                self.place(body, contact + share * (time - contact))
+            };
+            picture.curve((0..=pieces as usize).map(point), fresh);
+            let ghost = Pen::new(Role::Trail).dotted();
+            picture.circle(self.stage.centres[body], self.stage.radius(body), ghost);
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! The picture of a hit at one moment.
+
+mod axes;
+mod discs;
+mod split;
+mod velocities;
+
+use glam::DVec2;
+
+use super::beat::Beat;
+use super::names::VelocityNames;
+use super::sketch::{ArrowScale, Root, Sketch};
+use super::{HitLayout, Overlay, Watch};
+use crate::physics::{Bond, Frame};
+use crate::widgets::Role;
+use crate::widgets::picture::{self, Pen, Picture};
+
+/// The point where the rims touch.
+const CONTACT: &str = "●";
+
+/// What a moment of a hit is drawn from.
+pub(super) struct Moment<'a> {
+    pub(super) watch: &'a Watch,
+    pub(super) stage: HitLayout,
+}
+
+impl Moment<'_> {
+    /// Velocity of the frame it is seen from.
+    fn drift(&self) -> DVec2 {
+        self.watch.frame.velocity(&self.stage.collision)
+    }
+
+    /// Where a disc is at a time of the shot, as seen from the frame.
+    fn place(&self, body: usize, time: f64) -> DVec2 {
+        let position = match &self.watch.shot {
+            Some(shot) => shot.at(body, time).position,
+            // Two that move alike never make a shot; each goes its way.
+            None => {
+                let (p1, p2) = self
+                    .stage
+                    .collision
+                    .positions_before(self.watch.clock.contact - time);
+                [p1, p2][body]
+            }
+        };
+        position - self.drift() * (time - self.watch.clock.contact)
+    }
+
+    /// Whether lines and arrows lie upon the discs at the contact.
+    fn is_explaining(&self) -> bool {
+        self.watch.clock.at_contact() && self.watch.beat() > Some(Beat::Contact)
+    }
+
+    /// Whether they go on as one.
+    fn sticks(&self) -> bool {
+        self.stage.collision.bond == Bond::Stick && self.watch.outcome.hit()
+    }
+
+    /// Velocities before the contact, as seen from the frame.
+    fn before(&self) -> [DVec2; 2] {
+        let collision = &self.stage.collision;
+        [collision.u1, collision.u2].map(|u| u - self.drift())
+    }
+
+    /// Whether the target stands still before the hit, as it is seen.
+    fn target_rests(&self) -> bool {
+        self.before()[1] == DVec2::ZERO
+    }
+
+    /// Velocities after the contact as arrows show them, at a time of the shot. A pair
+    /// that sticks shows that of its centre of mass; seen from there, how its discs go
+    /// round.
+    fn after(&self, time: f64) -> [DVec2; 2] {
+        let shared = [self.watch.outcome.v1, self.watch.outcome.v2];
+        if self.sticks() && self.watch.frame == Frame::CentreOfMass {
+            let turned = -self.watch.outcome.spin * (time - self.watch.clock.contact).max(0.0);
+            let turned = DVec2::from_angle(turned);
+            let centres = self.stage.collision.centres_after();
+            return [0, 1].map(|body| turned.rotate(centres[body] - shared[body]));
+        }
+        shared.map(|v| v - self.drift())
+    }
+
+    /// A pen for the geometry of the contact: over the discs while they are there,
+    /// behind them once they have left.
+    fn pen(&self, role: Role) -> Pen {
+        if self.watch.clock.at_contact() {
+            Pen::new(role)
+        } else {
+            Pen::new(role).on(picture::DrawLayer::Trail)
+        }
+    }
+
+    fn shows(&self, layer: Overlay) -> bool {
+        self.watch.layers.shows(layer)
+    }
+
+    /// Whether the picture is of the split of u alone, with all its room for that.
+    fn is_split_alone(&self) -> bool {
+        self.shows(Overlay::Split) && !self.shows(Overlay::Velocities)
+    }
+
+    /// The step whose velocities are drawn with their parts, and with all the room of the
+    /// picture for that.
+    fn split_step(&self) -> Option<Beat> {
+        let beat = self.watch.beat()?;
+        match beat {
+            Beat::Split | Beat::Coin | Beat::Striker => Some(beat),
+            Beat::Whole if self.is_split_alone() => Some(Beat::Split),
+            _ => None,
+        }
+    }
+
+    /// All of it as it stands: ways, discs, and what the layers add.
+    pub(super) fn picture(&self) -> Picture {
+        let mut sketch = Sketch::new(self.stage);
+        let time = self.watch.clock.time();
+        let met = self.watch.clock.has_met();
+        let now = [self.place(0, time), self.place(1, time)];
+        if self.shows(Overlay::Trails) {
+            self.trails(&mut sketch.picture, time);
+        }
+        for (body, at) in now.into_iter().enumerate() {
+            self.disc(&mut sketch.picture, body, at);
+        }
+        let before = self.before();
+        let after = self.after(time);
+        let (beat, split) = (self.watch.beat(), self.split_step());
+        let told = beat == Some(Beat::Whole);
+        let in_lab = self.watch.frame == Frame::Laboratory;
+        // From the centre of mass the triangle is none: the two cancel.
+        let flat = self.watch.frame == Frame::CentreOfMass || !self.watch.outcome.hit();
+        if told && self.shows(Overlay::Triangle) && !flat {
+            self.triangle(&mut sketch, before, after);
+        }
+        let outcome = &self.watch.outcome;
+        let axes = outcome.normal.zip(outcome.tangent).map(|(n, t)| [n, t]);
+        if let Some(axes @ [n, t]) = axes {
+            if beat >= Some(Beat::Line) && (!told || self.shows(Overlay::Lines)) {
+                self.axes(&mut sketch, split.is_some(), n, t);
+            }
+            if let Some(beat) = split {
+                self.parts(&mut sketch, beat, [before, after], axes);
+            }
+        }
+        if let Some(wanted) = &self.watch.wanted
+            && self.shows(Overlay::Prediction)
+            && in_lab
+        {
+            sketch.wanted_way(wanted);
+        }
+        let scale = ArrowScale::fit(&self.stage, before, after);
+        if split.is_none() && self.shows(Overlay::Velocities) {
+            let at = if met { self.stage.centres } else { now };
+            self.incoming(&mut sketch, &scale, before, at);
+        }
+        if told {
+            if let Some(axes) = axes.filter(|_| split.is_none() && self.shows(Overlay::Split)) {
+                let centre = Root::From(self.stage.centres[0]);
+                self.split_before(&mut sketch, &scale, (0, centre), before[0], axes);
+            }
+            self.departures(&mut sketch, &scale, [before, after], now);
+        }
+        if met && self.watch.outcome.hit() {
+            sketch.picture.reserve(DVec2::ZERO);
+            if split.is_none() && !told {
+                sketch.picture.text(DVec2::ZERO, CONTACT, Role::Contact);
+            }
+        }
+        if self.watch.measured {
+            self.measures(&mut sketch);
+        }
+        sketch.picture
+    }
+
+    fn names(&self) -> VelocityNames {
+        VelocityNames::new(&self.stage.collision, self.watch.frame)
+    }
+}

@@ -1,0 +1,131 @@
+//! The steps that split velocities along n and t.
+
+use glam::DVec2;
+
+use super::Moment;
+use crate::widgets::Role;
+use crate::widgets::hit::beat::Beat;
+use crate::widgets::hit::names::part_name;
+use crate::widgets::hit::sketch::{ArrowScale, NamedVelocity, Root, Sketch};
+
+impl Moment<'_> {
+    /// The velocities of a step, with their parts along n and t.
+    pub(super) fn parts(
+        &self,
+        sketch: &mut Sketch,
+        beat: Beat,
+        [before, after]: [[DVec2; 2]; 2],
+        axes: [DVec2; 2],
+    ) {
+        let after_root = |body: usize| Root::From(self.stage.centres[body]);
+        let all: Vec<_> = (0..2)
+            .flat_map(|body| {
+                let roots = [self.root_before(body, before[body]), after_root(body)];
+                roots.into_iter().zip([before[body], after[body]])
+            })
+            .flat_map(|(root, v)| {
+                let parts = axes.map(|axis| (root, v.dot(axis) * axis));
+                parts.into_iter().chain([(root, v)])
+            })
+            .collect();
+        // One scale for all steps: an arrow is as long in one as in another.
+        let along = before[0].dot(axes[0]) * axes[0];
+        let along = if self.target_rests() {
+            along
+        } else {
+            DVec2::ZERO
+        };
+        let scale = ArrowScale::fit_rooted(&self.stage, along, &all);
+        match beat {
+            Beat::Coin => {
+                if self.target_rests() {
+                    let [along, _] = self.parts_before(0, before[0], axes);
+                    sketch.velocity(&scale, self.root_before(0, before[0]), &along);
+                }
+                self.split_after(sketch, &scale, (1, after_root(1)), after[1], axes);
+            }
+            Beat::Striker => {
+                self.split_after(sketch, &scale, (0, after_root(0)), after[0], axes);
+                sketch.velocity(&scale, after_root(1), &self.velocity_after(1, after[1]));
+            }
+            _ => {
+                for (body, v) in before.into_iter().enumerate() {
+                    let root = self.root_before(body, v);
+                    self.split_before(sketch, &scale, (body, root), v, axes);
+                }
+            }
+        }
+    }
+
+    /// Where the velocity of a disc before the hit is drawn. Where the target rests it
+    /// begins at the centre: what goes along n ends where the target's part begins. Where
+    /// both move it leads up to the centre, unless the other disc is behind: so each has its
+    /// arrows on its own side.
+    fn root_before(&self, body: usize, v: DVec2) -> Root {
+        let centre = self.stage.centres[body];
+        if self.target_rests() || self.stage.runs_ahead(body, v) {
+            Root::From(centre)
+        } else {
+            Root::UpTo(centre)
+        }
+    }
+
+    /// A velocity before the hit with its parts, if there is one.
+    pub(super) fn split_before(
+        &self,
+        sketch: &mut Sketch,
+        scale: &ArrowScale,
+        (body, root): (usize, Root),
+        v: DVec2,
+        axes: [DVec2; 2],
+    ) {
+        if scale.is_still(v) {
+            return;
+        }
+        let name = self.names().before[body].to_owned();
+        let role = Role::Incoming;
+        let parts = self.parts_before(body, v, axes);
+        sketch.split(scale, (body, root), NamedVelocity { name, v, role }, &parts);
+    }
+
+    /// A velocity after the hit with its parts, of which that along t is the old one.
+    fn split_after(
+        &self,
+        sketch: &mut Sketch,
+        scale: &ArrowScale,
+        (body, root): (usize, Root),
+        v: DVec2,
+        axes: [DVec2; 2],
+    ) {
+        let whole = self.velocity_after(body, v);
+        let [mut along, across] = self.parts_before(body, v, axes);
+        along.name = match scale.is_still(across.v) {
+            true => whole.name.clone(),
+            false => part_name(&whole.name, 'ₙ'),
+        };
+        sketch.split(scale, (body, root), whole, &[along, across]);
+    }
+
+    /// A velocity after the hit.
+    fn velocity_after(&self, body: usize, v: DVec2) -> NamedVelocity {
+        NamedVelocity {
+            name: self.names().after[body].to_owned(),
+            v,
+            role: [Role::StrikerOut, Role::CoinOut][body],
+        }
+    }
+
+    /// The parts of a velocity along n and t, named as before the hit.
+    fn parts_before(&self, body: usize, v: DVec2, axes: [DVec2; 2]) -> [NamedVelocity; 2] {
+        let name = self.names().before[body];
+        let part = |axis: DVec2, sign, role| NamedVelocity {
+            name: part_name(name, sign),
+            v: v.dot(axis) * axis,
+            role,
+        };
+        [
+            part(axes[0], 'ₙ', Role::NormalPart),
+            part(axes[1], 'ₜ', Role::TangentPart),
+        ]
+    }
+}
