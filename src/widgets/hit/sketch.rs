@@ -106,6 +106,16 @@ pub(super) enum Root {
     UpTo(DVec2),
 }
 
+impl Root {
+    /// Where the arrow of a whole begins.
+    fn tail(self, way: DVec2) -> DVec2 {
+        match self {
+            Self::From(tail) => tail,
+            Self::UpTo(tip) => tip - way,
+        }
+    }
+}
+
 /// A velocity as an arrow: its name, and what it is drawn as.
 #[derive(Debug, Clone)]
 pub(super) struct NamedVelocity {
@@ -286,10 +296,7 @@ impl Sketch {
                 self.velocity(scale, root, &NamedVelocity { name, ..whole });
             }
             both => {
-                let tail = match root {
-                    Root::From(at) => at,
-                    Root::UpTo(at) => at - scale.per_speed * whole.v,
-                };
+                let tail = root.tail(scale.per_speed * whole.v);
                 let end = |v: DVec2| tail + scale.per_speed * v;
                 // The side beyond a part is as long as the other one, and as it is coloured.
                 for (part, other) in both.iter().zip(both.iter().rev()) {
@@ -324,10 +331,8 @@ impl Sketch {
             return;
         }
         let way = scale.per_speed * velocity.v;
-        let [tail, tip] = match root {
-            Root::From(tail) => [tail, tail + way],
-            Root::UpTo(tip) => [tip - way, tip],
-        };
+        let tail = root.tail(way);
+        let tip = tail + way;
         self.picture
             .arrow(tail, tip, Pen::new(velocity.role).bold());
         let (at, towards) = self.free_end(root, [tail, tip]);
