@@ -373,8 +373,10 @@ fn no_name_stands_at_the_other_disc() {
                     let mut labels = canvas.labels().iter();
                     let label = labels.find(|it| it.text.starts_with(&format!("{name} =")));
                     let label = label.unwrap_or_else(|| panic!("{step}: {name}"));
-                    let middle = label.place.x + label.place.width / 2;
-                    let x = picture.view().world_at(middle, label.place.y).x;
+                    // The end of it that is nearer to the disc's own side.
+                    let ends = [label.place.left(), label.place.right()];
+                    let end = ends[usize::from([c1.x, c2.x][body] > 0.0)];
+                    let x = picture.view().world_at(end, label.place.y).x;
                     let side = (x - (c1.x + c2.x) / 2.0) * [c1.x - c2.x, c2.x - c1.x][body];
                     assert!(side > 0.0, "{area} {step}: {name} at {x}");
                 }
