@@ -3,7 +3,7 @@
 /// The most stars a level gives.
 pub const MOST_STARS: u8 = 3;
 
-/// Up to this many shots a win has the star for few shots.
+/// Up to this many shots, without a hint, a win has the star for few shots.
 pub const FEW_SHOTS: u32 = 3;
 
 /// A level won.
@@ -11,21 +11,24 @@ pub const FEW_SHOTS: u32 = 3;
 pub struct Win {
     /// Shots it took since the level was opened, the winning one included.
     pub shots: u32,
+    /// Hints that were asked for by then.
+    pub hints: usize,
     /// Whether what the player said before the winning shot was right; `None` where
     /// there was nothing to say.
     pub said_right: Option<bool>,
 }
 
 impl Win {
-    /// One star for winning, one for few shots, and one for saying first what would
-    /// come about; where there is nothing to say, for winning with the first shot.
+    /// One star for winning, one for finding the shot oneself in few shots, and one for
+    /// saying first what would come about; where there is nothing to say, for winning with
+    /// the first shot.
     pub fn stars(&self) -> u8 {
         1 + u8::from(self.has_few_shots()) + u8::from(self.is_accurate())
     }
 
-    /// Whether it has the star for few shots.
+    /// Whether it has the star for few shots without a hint.
     pub fn has_few_shots(&self) -> bool {
-        self.shots <= FEW_SHOTS
+        self.shots <= FEW_SHOTS && self.hints == 0
     }
 
     /// Whether it has the star for accuracy.
@@ -51,7 +54,18 @@ mod tests {
 
     #[test]
     fn each_star_is_earned_by_itself() {
-        let stars = |shots, said_right| Win { shots, said_right }.stars();
+        let stars = |shots, said_right| {
+            let hints = 0;
+            let win = Win {
+                shots,
+                hints,
+                said_right,
+            };
+            let hinted = Win { hints: 12, ..win };
+            // A hint costs the star for few shots and no other.
+            assert_eq!(hinted.stars(), win.stars() - u8::from(shots <= FEW_SHOTS));
+            win.stars()
+        };
         assert_eq!(stars(1, Some(true)), MOST_STARS);
         assert_eq!(stars(1, Some(false)), 2);
         assert_eq!(stars(FEW_SHOTS + 1, Some(true)), 2);

@@ -68,11 +68,11 @@ impl Decision {
         self.slip.applied_to(self.meant)
     }
 
-    /// What the opponent says of its stroke afterwards: the shot it saw and why, with
-    /// the angles, and how its hand slipped.
-    pub fn afterwards(&self) -> String {
+    /// What the opponent says of its stroke afterwards, when `played` is what came of it:
+    /// the shot it saw and why, with the angles, and how its hand slipped.
+    pub fn afterwards(&self, played: &Story) -> String {
         let slipped = words::slipped(self.slip, self.meant.velocity);
-        format!("{} {slipped}", self.reason.told())
+        format!("{} {slipped}", self.reason.told(played))
     }
 }
 

@@ -16,9 +16,10 @@ pub struct Reason {
 }
 
 impl Reason {
-    /// The shot that was seen and why, with its angles, told by who struck it.
-    pub fn told(&self) -> String {
-        let plan = words::plan(&self.story, self.breaking);
+    /// The shot that was seen and why, with its angles, told by who struck it, when
+    /// `played` is what came of it.
+    pub fn told(&self, played: &Story) -> String {
+        let plan = words::plan(&self.story, self.breaking, played);
         let odds = self.story.fall.and_then(|_| words::odds(self.chance));
         plan + &odds.map_or(String::new(), |odds| format!(" {odds}"))
     }

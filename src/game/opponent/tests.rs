@@ -65,7 +65,7 @@ fn every_decision_is_a_legal_stroke() {
                 let speed = motion.velocity.length();
                 assert!(speed > 0.0 && speed <= FASTEST * (1.0 + 1e-12), "{speed}");
             }
-            let said = decision.afterwards();
+            let said = decision.afterwards(&decision.reason.story);
             assert!(said.ends_with('.') && !said.contains("NaN"), "{said}");
             apply(&mut game.clone(), decision.struck());
         }

@@ -15,7 +15,7 @@ use crate::physics::units::{deg_from_rad, mm_from_m};
 const FULL: f64 = 0.026;
 
 /// Below this share of its speed a striker is said to stop.
-const ALL_BUT_STOPPED: f64 = 0.05;
+const NEARLY_STOPPED: f64 = 0.05;
 
 /// The smallest slip of the direction that is told, in radians: what rounds to 0.1°.
 const SMALLEST_SLIP: f64 = 0.05 * PI / 180.0;
@@ -85,19 +85,24 @@ impl Side {
     }
 }
 
-/// What was played, and why the aim was where it was.
-pub(super) fn plan(story: &Story, breaking: bool) -> String {
+/// What was meant by a stroke, whether it came about (`played` is the story of what
+/// did), and why the aim was where it was.
+pub(super) fn plan(story: &Story, breaking: bool, played: &Story) -> String {
     let Some(hit) = &story.first_hit else {
         return "I found no coin that I could reach, so I played a quiet stroke.".to_owned();
     };
     let Some(fall) = &story.fall else {
-        let why = if breaking {
-            "I broke the pack to spread the coins."
-        } else {
-            "I saw no coin that I could count on, so I played for a better position."
+        let why = match (breaking, played.first_hit) {
+            (true, Some(_)) => "I broke the pack to spread the coins.",
+            (true, None) => "I wanted to break the pack, to spread the coins.",
+            (false, _) => "I saw no coin that I could count on, so I played for a better position.",
         };
         return format!("{why} {}", capital(&met(story, Teller::I)));
     };
+    let goal = |fall: &Fall| (fall.coin, fall.corner);
+    let came_about =
+        played.fall.as_ref().map(goal) == Some(goal(fall)) && played.also >= story.also;
+    let did = |past: &'static str, wanted: &'static str| if came_about { past } else { wanted };
     let pocket = pocket(fall.corner);
     let also = match story.also {
         0 => String::new(),
@@ -105,13 +110,22 @@ pub(super) fn plan(story: &Story, breaking: bool) -> String {
         more => format!(", and {more} more pieces after it"),
     };
     if story.is_plain_cut() && !breaking {
-        let played = if is_full(hit) { "played" } else { "cut" };
+        let verb = match is_full(hit) {
+            true => did("played", "wanted to play"),
+            false => did("cut", "wanted to cut"),
+        };
         let (piece, met) = (fall.piece, met(story, Teller::I));
-        return format!("I {played} the {piece} into the {pocket}{also}: {met}");
+        return format!("I {verb} the {piece} into the {pocket}{also}: {met}");
     }
-    let broke = if breaking { "broke the pack and " } else { "" };
+    let verb = match breaking {
+        true => did(
+            "broke the pack and sent",
+            "wanted to break the pack and send",
+        ),
+        false => did("sent", "wanted to send"),
+    };
     let (piece, route, met) = (fall.piece, route(fall), capital(&met(story, Teller::I)));
-    format!("I {broke}sent the {piece} into the {pocket}{route}{also}. {met}")
+    format!("I {verb} the {piece} into the {pocket}{route}{also}. {met}")
 }
 
 impl Story {
@@ -149,9 +163,24 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
     let Some(hit) = &story.first_hit else {
         return String::new();
     };
-    let (i_aimed, my, meets, goes, stops) = match teller {
-        Teller::I => ("I aimed", "my", "met", "went", "all but stopped"),
-        Teller::You => ("aim", "your", "meets", "will go", "will all but stop"),
+    // The hand slips, so what the opponent tells is what was to come about.
+    let (i_aimed, my, meets, leaves, goes, stops) = match teller {
+        Teller::I => (
+            "I aimed",
+            "my",
+            "was to meet",
+            "was to leave",
+            "was to go",
+            "was to nearly stop",
+        ),
+        Teller::You => (
+            "aim",
+            "your",
+            "meets",
+            "leaves",
+            "will go",
+            "will nearly stop",
+        ),
     };
     let piece = hit.piece;
     let article = if piece == Piece::Queen { "the" } else { "a" };
@@ -162,20 +191,20 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
         1 => format!("{my} striker {meets} {article} {piece} after one cushion: "),
         more => format!("{my} striker {meets} {article} {piece} after {more} cushions: "),
     };
-    let leaves = if is_full(hit) {
+    let recoil = if is_full(hit) {
         format!("a full hit sends the {piece} straight on along the line of impact.")
     } else {
         // Positive α: the coin lies to the right of the way, so one aims to its left.
         let right = hit.alpha > 0.0;
         format!(
-            "the {piece} leaves along the line of impact, {} {}, so {i_aimed} {:.1} mm {} its centre.",
+            "the {piece} {leaves} along the line of impact, {} {}, so {i_aimed} {:.1} mm {} its centre.",
             degrees(hit.alpha),
             Side::of(hit.heading, !right).towards(),
             mm_from_m(hit.offset.abs()),
             Side::of(hit.heading, right).beside(),
         )
     };
-    let striker = match hit.theta1.filter(|_| hit.kept > ALL_BUT_STOPPED) {
+    let striker = match hit.theta1.filter(|_| hit.kept > NEARLY_STOPPED) {
         None => stops.to_owned(),
         Some(turn) if turn.abs() < FULL => format!("{goes} straight on"),
         Some(turn) if turn.abs() > PI - FULL => format!("{goes} straight back"),
@@ -184,7 +213,7 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
             format!("{goes} on {} {}", degrees(turn), side.towards())
         }
     };
-    format!("{before}{leaves} {} striker {striker}.", capital(my))
+    format!("{before}{recoil} {} striker {striker}.", capital(my))
 }
 
 fn is_full(hit: &FirstContact) -> bool {
@@ -196,12 +225,11 @@ pub(super) fn odds(chance: Chance) -> Option<String> {
     (chance.of >= 4).then(|| {
         let of = chance.of;
         let worked = match chance.fell {
-            0 => "not once".to_owned(),
-            1 => "once".to_owned(),
-            all if all == of => "every time".to_owned(),
-            some => format!("{some} times"),
+            0 => format!("none of {of} tries"),
+            all if all == of => format!("all {of} tries"),
+            some => format!("{some} of {of} tries"),
         };
-        format!("I tried it {of} times in my head with an unsteady hand, and it worked {worked}.")
+        format!("In my head, with an unsteady hand, {worked} worked.")
     })
 }
 
@@ -258,7 +286,8 @@ mod tests {
         game.lay_out(coins.to_vec()).unwrap();
         let (discs, motions) = game.discs(striker);
         let shot = play(&Board::default(), &discs, &motions, Limits::default());
-        plan(&Story::of(&game, &shot.unwrap()), false)
+        let story = Story::of(&game, &shot.unwrap());
+        plan(&story, false, &story)
     }
 
     /// A stroke along +y that meets a coin at (100, 100) mm at `alpha_deg`.
@@ -278,16 +307,16 @@ mod tests {
         let set = PieceSet::EqualMass;
         assert_eq!(
             told(&target, set, at_angle(set, 45.0, 2.0)),
-            "I cut the white coin into the top right pocket: the white coin leaves along \
+            "I cut the white coin into the top right pocket: the white coin was to leave along \
              the line of impact, 45° to the right, so I aimed 25.8 mm to the left of its \
-             centre. My striker went on 45° to the left."
+             centre. My striker was to go on 45° to the left."
         );
         // 15 g on 5.5 g: tan θ₁ = k sin α cos α / (1 − k cos²α) with k = 11/20.5,
         // which is 20.1° at 45°.
         let set = PieceSet::Tournament;
         let words = told(&target, set, at_angle(set, 45.0, 2.0));
         assert!(
-            words.ends_with("My striker went on 20° to the left."),
+            words.ends_with("My striker was to go on 20° to the left."),
             "{words}"
         );
     }
@@ -303,7 +332,7 @@ mod tests {
         assert_eq!(
             told(&one, set, diagonal),
             "I played the queen into the top right pocket: a full hit sends the queen \
-             straight on along the line of impact. My striker all but stopped."
+             straight on along the line of impact. My striker was to nearly stop."
         );
         let two = [
             coin(Piece::Black, 50.0, 50.0),
@@ -312,14 +341,64 @@ mod tests {
         assert_eq!(
             told(&two, set, diagonal),
             "I sent the white coin into the top right pocket by way of a black coin. My \
-             striker met a black coin first: a full hit sends the black coin straight on \
-             along the line of impact. My striker all but stopped."
+             striker was to meet a black coin first: a full hit sends the black coin straight \
+             on along the line of impact. My striker was to nearly stop."
         );
         let aside = [coin(Piece::Black, -300.0, 0.0)];
         assert_eq!(
             told(&aside, set, diagonal),
             "I found no coin that I could reach, so I played a quiet stroke."
         );
+    }
+
+    #[test]
+    fn what_did_not_come_about_is_told_as_wanted() {
+        let hit = FirstContact {
+            coin: 0,
+            piece: Piece::White,
+            cushions: 0,
+            heading: DVec2::Y,
+            alpha: 0.5,
+            offset: 0.02,
+            theta1: None,
+            kept: 0.0,
+        };
+        let fall = Fall {
+            coin: 0,
+            piece: Piece::White,
+            corner: 3,
+            sent_by: Piece::Striker,
+            cushions: 0,
+        };
+        let meant = Story {
+            first_hit: Some(hit),
+            fall: Some(fall),
+            also: 0,
+        };
+        let other = |corner| Story {
+            fall: Some(Fall { corner, ..fall }),
+            ..meant
+        };
+        let first = |meant: &Story, breaking, played: &Story| {
+            let told = plan(meant, breaking, played);
+            told.split([':', '.']).next().unwrap_or_default().to_owned()
+        };
+        let at = "the white coin into the top right pocket";
+        assert_eq!(first(&meant, false, &other(3)), format!("I cut {at}"));
+        for missed in [Story::default(), other(2)] {
+            let wanted = format!("I wanted to cut {at}");
+            assert_eq!(first(&meant, false, &missed), wanted);
+            let wanted = format!("I wanted to break the pack and send {at}");
+            assert_eq!(first(&meant, true, &missed), wanted);
+        }
+        let spread = Story {
+            fall: None,
+            ..meant
+        };
+        let wanted = "I wanted to break the pack, to spread the coins";
+        assert_eq!(first(&spread, true, &Story::default()), wanted);
+        let broke = "I broke the pack to spread the coins";
+        assert_eq!(first(&spread, true, &spread), broke);
     }
 
     #[test]

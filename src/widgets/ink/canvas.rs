@@ -36,6 +36,8 @@ pub(in crate::widgets) struct Canvas {
     pub(super) charset: Charset,
     /// Whether there are colours between that of a disc and the background.
     pub(super) has_shades: bool,
+    /// Whether there are no colours at all.
+    pub(super) is_mono: bool,
     pub(super) cells: Vec<Cell>,
     pub(super) labels: Vec<PlacedLabel>,
     /// What labels are written for, in cells from the corner of the area.
@@ -52,6 +54,7 @@ impl Canvas {
             view,
             charset,
             has_shades: false,
+            is_mono: false,
             cells: vec![Cell::EMPTY; size.0 * size.1],
             labels: Vec::new(),
             expected: Vec::new(),
@@ -63,6 +66,7 @@ impl Canvas {
     pub(in crate::widgets) fn of(picture: &Picture, look: &Look) -> Self {
         let mut canvas = Self::new(*picture.view(), look.charset);
         canvas.has_shades = look.theme.has_shades();
+        canvas.is_mono = look.theme.is_mono();
         for mark in &picture.marks {
             canvas.mark(mark);
         }

@@ -13,6 +13,9 @@ const FARTHEST: i32 = 4;
 /// neighbour takes a bite of it.
 const SMALL_WIDTH: i32 = 3;
 
+/// Below this radius, in columns, a disc is as wide as its [`outline`].
+const OUTLINED: f64 = 2.0;
+
 /// The ring round a disc that is pointed out, in its radii.
 const RING: f64 = 1.25;
 
@@ -29,9 +32,9 @@ impl Canvas {
     /// Discs of one scale: round ones if even the smallest has room for it, else
     /// [tokens](token) for all.
     ///
-    /// Every token and every small disc with a letter has cells of its own. Where two would share one, the one that lies
-    /// farther from the cell's middle moves over to the nearest free cell; the queen
-    /// never does. No stroke and no arrow hides a token, whatever is drawn when.
+    /// Every token and every small disc with a letter has cells of its own. Where two would
+    /// share one, the one that lies farther from the cell's middle moves over to the nearest
+    /// free cell; the queen never does. No stroke and no arrow hides a token, whatever is drawn when.
     pub(super) fn discs(&mut self, bodies: &[Body]) {
         let smallest = bodies.iter().map(|body| body.radius);
         let smallest = smallest.fold(f64::INFINITY, f64::min);
@@ -43,8 +46,14 @@ impl Canvas {
             for body in large {
                 self.round(body);
             }
+            // Without colours blocks that touch are one, so small discs are outlines with
+            // their token, where those are as wide as they.
+            let outlined = self.is_mono && smallest / self.view().per_column() < OUTLINED;
             for (place, body) in self.places(small, |_| SMALL_WIDTH) {
-                self.round_at(middle(place), body);
+                match outlined {
+                    true => self.stamp(middle(place), &outline(body.role), body.role, false),
+                    false => self.round_at(middle(place), body),
+                }
             }
             for body in bodies.iter().filter(|body| body.pointed_out) {
                 self.circle(body.at, RING * body.radius, Role::Good);
@@ -118,6 +127,14 @@ fn middle((column, row): CellPlace) -> DVec2 {
     dvec2(f64::from(column) + 0.5, 2.0 * f64::from(row) + 1.0)
 }
 
+/// A small disc where there is no colour: its token within a rim.
+fn outline(role: Role) -> String {
+    match token(role, Charset::Unicode) {
+        sign @ "(S)" => sign.to_owned(),
+        sign => format!("({sign})"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use ratatui::buffer::Buffer;
@@ -173,6 +190,19 @@ mod tests {
                 let coins = count(&buffer, token(Role::Coin, charset));
                 assert_eq!(coins, 18, "{charset:?} {scale}");
             }
+        }
+    }
+
+    #[test]
+    fn without_colours_each_of_a_tight_pack_is_an_outline_of_its_own() {
+        let area = Rect::new(0, 0, 41, 21);
+        let mut canvas = Canvas::new(View::new(area, DVec2::ZERO, 0.33), Charset::Unicode);
+        canvas.is_mono = true;
+        canvas.discs(&pack());
+        let mut buffer = Buffer::empty(area);
+        canvas.draw(&mut buffer, &Theme::default());
+        for (sign, times) in [("(", 19), (")", 19), ("○", 18), ("Q", 1)] {
+            assert_eq!(count(&buffer, sign), times, "{sign}");
         }
     }
 

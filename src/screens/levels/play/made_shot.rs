@@ -50,12 +50,13 @@ pub(super) struct MadeShot {
 }
 
 impl MadeShot {
-    /// The shot numbered `number`, counted from 1, watched at `rate` if that was chosen.
+    /// The shot numbered `number`, counted from 1, made after so many hints, watched at
+    /// `rate` if that was chosen.
     /// `to_say`: whether there was something to say of it.
     pub(super) fn new(
         level: &Level,
         shot: Shot,
-        number: u32,
+        (number, hints): (u32, usize),
         to_say: bool,
         said: Option<RayInput>,
         (rate, reduced): (Option<WatchRate>, bool),
@@ -75,6 +76,7 @@ impl MadeShot {
         let right = || Some(is_right(said.as_ref()?, player.impacts().first()?));
         let win = Win {
             shots: number,
+            hints,
             said_right: to_say.then(|| right().unwrap_or(false)),
         };
         Self {

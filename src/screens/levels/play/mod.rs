@@ -183,7 +183,8 @@ impl LevelPlay {
         self.shots += 1;
         let settings = &cx.settings;
         let watched = (settings.watch_rate, settings.reduced_motion);
-        let made = MadeShot::new(self.level(), shot, self.shots, to_say, said, watched);
+        let count = (self.shots, self.hints);
+        let made = MadeShot::new(self.level(), shot, count, to_say, said, watched);
         self.enter(LevelPhase::Watch(Box::new(made)));
         self.keep_if_told(cx);
     }
@@ -396,7 +397,7 @@ impl Screen for LevelPlay {
         vec![
             "Set the shot so that all goals of the level are met. The dotted line shows the path up to the first thing the disc meets; what happens then is for you to find out.",
             "Some levels ask first where the discs will go after the first hit. Then watch, read which goals were met and how far off the others were, and look at the impact enlarged.",
-            "Stars: one for winning, one for at most three shots, one for saying the rays within 4° (where nothing is asked: for winning with the first shot).",
+            "Stars: one for winning, one for at most three shots without a hint, one for saying the rays within 4° (where nothing is asked: for winning with the first shot).",
             "With the mouse: point the shot, drag the disc where it may be placed, turn the wheel for the speed.",
         ]
     }

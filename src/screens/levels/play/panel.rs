@@ -187,7 +187,7 @@ fn won(play: &LevelPlay, win: Win, lines: &mut Lines, cx: &Context) {
     lines.paragraph(&play.level().explanation, Role::Text);
     lines.gap();
     if !win.has_few_shots() {
-        let text = format!("A star more: win with at most {FEW_SHOTS} shots.");
+        let text = format!("A star more: win with at most {FEW_SHOTS} shots and no hint.");
         lines.paragraph(&text, Role::Dim);
     }
     if !win.is_accurate() {

@@ -37,9 +37,9 @@ pub(super) fn draw(active: &ActiveGame, replay: &StrokeReplay, lines: &mut Lines
         return;
     }
     rulings(past, lines);
-    if let Some(meant) = &past.meant {
+    if let (Some(meant), Some(played)) = (&past.meant, &past.story) {
         lines.line(&format!("{}:", capital(name)), Role::Title);
-        lines.paragraph(&meant.decision.afterwards(), Role::Text);
+        lines.paragraph(&meant.decision.afterwards(played), Role::Text);
         lines.gap();
     }
     if let Some(called) = &past.called {
@@ -50,12 +50,11 @@ pub(super) fn draw(active: &ActiveGame, replay: &StrokeReplay, lines: &mut Lines
         score::draw(active, lines);
     }
     lines.gap();
-    let enter = match active.history.stroke_from(replay.number + 1) {
+    let next = match active.history.stroke_from(replay.number + 1) {
         Some(_) => "Enter: the next stroke.  Esc: back to the game.",
-        None => "Enter: go on.",
+        None => "Enter: go on.  i: the impacts.",
     };
-    lines.paragraph(enter, Role::Key);
-    lines.paragraph("i: look into the impacts.", Role::Key);
+    lines.paragraph(next, Role::Key);
 }
 
 /// What lies on the board at this moment.
