@@ -9,6 +9,7 @@ use crate::game::laws::Rules;
 use crate::game::pack::pack;
 use crate::game::steps::on_steps;
 use crate::game::{Coin, Game, GameSetup, Hands, Piece, PieceSet, Seat, Stroke, Team};
+use crate::numbers::{FNV_START, fnv1a};
 use crate::physics::{Board, Engine, Limits, Motion, Shot};
 
 /// A board in play with some of its coins scattered anywhere on it.
@@ -192,6 +193,45 @@ fn the_last_coin_is_not_taken_before_the_queen() {
     for strength in [Strength::Expert, Strength::Champion] {
         let decision = think(&game, strength, 1).unwrap();
         assert_eq!(decision.reason.story.fall.unwrap().piece, Piece::Queen);
+    }
+}
+
+/// A stroke to the last bit.
+fn bits(stroke: Motion) -> u64 {
+    let (at, way) = (stroke.position, stroke.velocity);
+    let numbers = [at.x, at.y, way.x, way.y].into_iter();
+    numbers.fold(FNV_START, |hash, number| {
+        fnv1a(hash, &number.to_bits().to_le_bytes())
+    })
+}
+
+/// The search may get faster, but what it finds stays: the stroke of each strength, and the
+/// hint, after so many strokes of club players.
+#[test]
+fn decisions_stay_as_they_were_to_the_last_bit() {
+    use Hands::{Four, Two};
+    use PieceSet::{EqualMass, Tournament};
+    #[rustfmt::skip]
+    let frozen: [(u64, Hands, PieceSet, [u64; 5], u64); 4] = [
+        (0, Two, Tournament, [0x8aa12688c43f559c, 0x3936df2d5f816baf, 0x4a00c36e007cbdc8, 0x8b90239ca39dabcb, 0x8172ca8097607c7a], 0x1165241ed1bc9fdb),
+        (3, Two, EqualMass, [0xe485aacdb8af8cbe, 0x68837243479c3af4, 0xe55a15aec47bf8f1, 0xa35a8b452e42b691, 0x7ccb7d6c411f122e], 0x119724e258a0fe7d),
+        (9, Four, Tournament, [0x26c9e2c2ef121135, 0x26c9e2c2ef121135, 0x042606700528b16d, 0x3fdb5e37c4699001, 0x780d6f6371be1cb2], 0x7a53ba56acc43d91),
+        (20, Two, Tournament, [0x4b82e6a2ce38f31b, 0x76748a83192a73fd, 0x031935dcfe8a8de3, 0x61fb8c20ec3467a5, 0x852300e780bded86], 0xcaf0c0a0e994e46a),
+    ];
+    for (seed, (strokes, hands, set, decided, hinted)) in (1..).zip(frozen) {
+        let mut game = Game::new(GameSetup {
+            seed: Some(seed),
+            hands,
+            set,
+            ..GameSetup::default()
+        });
+        for stroke in 0..strokes {
+            let decision = think(&game, Strength::Club, stroke).unwrap();
+            apply(&mut game, decision.struck());
+        }
+        let meant = Strength::ALL.map(|strength| bits(think(&game, strength, 7).unwrap().meant));
+        assert_eq!(meant, decided, "seed {seed}");
+        assert_eq!(bits(hint(&game, 7).unwrap().stroke), hinted, "seed {seed}");
     }
 }
 
