@@ -114,12 +114,13 @@ impl Source<'_> {
     /// What a reader of TOML found wrong at a byte, with a hint where the reason is likely.
     fn syntax_error(&self, at: usize, message: &str) -> String {
         let line = self.line_near(at);
-        let value = line.split_once('=').map_or("", |(_, value)| value);
-        let value = value.split_whitespace().next().unwrap_or_default();
-        if let Some(number) = with_a_point(value) {
-            return format!("expected a number, found {value}; write {number} with a point");
+        let values = values(line);
+        let first_words = values.iter().filter_map(|it| it.split_whitespace().next());
+        let mut words = first_words.map(|word| word.trim_end_matches([',', '}']));
+        if let Some((word, number)) = words.find_map(|word| Some((word, with_a_point(word)?))) {
+            return format!("expected a number, found {word}; write {number} with a point");
         }
-        if let Some(number) = without_a_unit(line) {
+        if let Some(number) = values.iter().find_map(|value| without_a_unit(value)) {
             return format!("expected a number, found one with a unit; write {number} alone");
         }
         let message = message.trim();
@@ -130,6 +131,15 @@ impl Source<'_> {
     }
 }
 
+/// What a line gives to its key, or to each key of the table in it: "hit = { alpha_deg = 30 }".
+fn values(line: &str) -> Vec<&str> {
+    let value = line.split_once('=').map_or("", |(_, value)| value.trim());
+    match value.strip_prefix('{') {
+        Some(table) => table.split('=').skip(1).map(str::trim).collect(),
+        None => vec![value],
+    }
+}
+
 /// A number that was written with a comma, as it should be.
 fn with_a_point(text: &str) -> Option<String> {
     let number = text.replacen(',', ".", 1);
@@ -137,10 +147,8 @@ fn with_a_point(text: &str) -> Option<String> {
     is_one.then_some(number)
 }
 
-/// The number that a line gives with a unit behind it, which the field's name says: "40 g".
-fn without_a_unit(line: &str) -> Option<&str> {
-    let (_, value) = line.split_once('=')?;
-    let value = value.trim();
+/// The number of a value with a unit behind it, which the field's name says: "40 g".
+fn without_a_unit(value: &str) -> Option<&str> {
     let unit = value.find(|c: char| !c.is_ascii_digit() && !matches!(c, '.' | '-' | '+'))?;
     let (number, unit) = value.split_at(unit);
     let is_unit = unit
@@ -586,5 +594,32 @@ fn shown(value: &DeValue) -> String {
             }
         }
         DeValue::Table(_) => "a table".into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is wrong with a document of this line.
+    fn told(line: &str) -> String {
+        let text = format!("format = 1\n{line}\n");
+        let source = Source::of_bytes("a.toml", text.as_bytes(), 1000).unwrap();
+        let read = source.document("a thing", 1, &["format", "hit", "ask"], |_| Some(()));
+        read.unwrap_err().to_string()
+    }
+
+    #[test]
+    fn what_people_type_gets_a_hint_in_a_table_of_one_line_too() {
+        for (line, hint) in [
+            ("hit = 35,0", "write 35.0 with a point"),
+            ("hit = { m = 5.5, a = 35,0 }", "write 35.0 with a point"),
+            ("hit = 40 g", "write 40 alone"),
+            ("hit = { m = 15 g, a = 35 }", "write 15 alone"),
+            ("ask = “How far?”", "use straight quotes"),
+        ] {
+            let told = told(line);
+            assert!(told.contains(hint), "{line}: {told}");
+        }
     }
 }
