@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::hand::Hand;
 use super::shots::{PocketPath, Unchecked, allowance, ghost, most_allowed, strike, to_the_pockets};
-use super::sight::Sight;
+use super::sight::{ROUNDING, Sight};
 use super::strength::Skill;
 use super::wants::wants_from;
 use crate::game::laws::Rules;
@@ -20,8 +20,6 @@ const TO_STRIKE: f64 = 1.6;
 const TO_WAIT: f64 = 0.5;
 /// Places from which the position is looked over.
 const PLACES: u16 = 7;
-/// More than rounding can make of an allowance.
-const ROUNDING: f64 = 1.0 + 1e-9;
 
 /// How a position is looked at.
 #[derive(Debug, Clone, Copy)]

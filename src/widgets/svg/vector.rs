@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 use std::fmt::{self, Display, Write};
+use std::iter;
 
 use glam::{DVec2, dvec2};
 
@@ -43,7 +44,9 @@ pub(super) fn draw_labelled(picture: &Picture, look: &Look, labels: &[PlacedLabe
          font-size=\"{LETTERS}\">\n<g stroke-linecap=\"round\" \
          stroke-linejoin=\"round\">\n"
     ));
-    marks.iter().for_each(|mark| vectors.mark(mark));
+    for chain in marks.chunk_by(|one, next| goes_on(one, next)) {
+        vectors.chain(chain);
+    }
     vectors.put("</g>\n");
     // What may stand out over the edges of the view.
     for mark in marks {
@@ -80,6 +83,14 @@ fn layer(mark: &Mark) -> DrawLayer {
         Mark::Disc(_) | Mark::Ring { .. } | Mark::Discs(_) => DrawLayer::Disc,
         Mark::Area { .. } | Mark::Axes(_) => DrawLayer::Ground,
         Mark::Text { .. } | Mark::Reserved(_) => DrawLayer::Mark,
+    }
+}
+
+/// Whether a mark is a line, and the next one goes on from its end with the same pen.
+fn goes_on(mark: &Mark, next: &Mark) -> bool {
+    match (mark, next) {
+        (Mark::Line { to, pen, .. }, Mark::Line { from, pen: own, .. }) => to == from && pen == own,
+        _ => false,
     }
 }
 
@@ -150,6 +161,19 @@ impl Vectors<'_> {
 
     fn rgb(&self, role: Role) -> Rgb {
         self.look.theme.rgb(role)
+    }
+
+    /// A mark, or lines that go on from one another: a trail is drawn in one go.
+    fn chain(&mut self, marks: &[&Mark]) {
+        let [Mark::Line { from, pen, .. }, _, ..] = marks else {
+            return marks.iter().for_each(|mark| self.mark(mark));
+        };
+        let ends = marks.iter().filter_map(|mark| match mark {
+            Mark::Line { to, .. } => Some(*to),
+            _ => None,
+        });
+        let points: Vec<_> = iter::once(*from).chain(ends).collect();
+        self.curve(&points, *pen);
     }
 
     fn mark(&mut self, mark: &Mark) {
@@ -417,6 +441,22 @@ mod tests {
             theme: Theme::default(),
         };
         draw(&picture, &look)
+    }
+
+    /// A trail of many legs is one path, but for where its pen changes or it has a gap.
+    #[test]
+    fn lines_that_go_on_are_one_path() {
+        let [a, b, c, d] = [0.0, 1.0, 2.0, 3.0].map(|x| dvec2(x, 0.0));
+        let (young, old) = (Pen::new(Role::Trail), Pen::new(Role::Trail).aged(0.5));
+        let found = drawn(|it| {
+            it.line(a, b, old);
+            it.line(b, c, young);
+            it.line(c, d, young);
+            it.line(a, b, young);
+        });
+        let paths: Vec<_> = found.matches(" d=\"").collect();
+        assert_eq!(paths.len(), 3, "{found}");
+        assert!(found.contains("M58.5 45L67.5 45L76.5 45"), "{found}");
     }
 
     #[test]
