@@ -23,7 +23,7 @@ const FOREVER: f64 = 1e100;
 /// How many boxes are looked at before the discs in them: one a bit.
 const AT_ONCE: usize = u64::BITS as usize;
 
-/// The boxes of all discs, and the working memory of the search for partners.
+/// The boxes of all discs, and the working memory of a scan for partners.
 #[derive(Debug, Default, Clone)]
 pub(super) struct BroadPhase {
     boxes: Vec<TwoBoxes>,
@@ -48,8 +48,8 @@ impl BroadPhase {
     /// Finds the discs that the seeker could meet before either's forecast, and returns how
     /// many: see [`Self::partner`]. They come in the order of their numbers, or of the cells of
     /// the grid.
-    pub(super) fn find(&mut self, search: &Search, grid: &Grid, work: &mut Work) -> usize {
-        let i = search.disc;
+    pub(super) fn find(&mut self, scan: &Scan, grid: &Grid, work: &mut Work) -> usize {
+        let i = scan.disc;
         let limits = self.boxes[i / 2].limits(i % 2);
         let mut count = 0;
         if grid.is_laid() {
@@ -61,40 +61,40 @@ impl BroadPhase {
                     let overlaps = self.boxes[k / 2].overlap(&limits) >> (k % 2) & 1;
                     overlapping |= (overlaps & u64::from(k != i)) << bit;
                 }
-                for seen in search.have_looked {
+                for seen in scan.have_looked {
                     for (bit, k) in near.iter().enumerate() {
                         overlapping &= !(u64::from(k == seen) << bit);
                     }
                 }
                 let partners = &mut self.partners[count..];
-                count += Candidates(overlapping).sift(|bit| near[bit], search, partners);
+                count += Candidates(overlapping).sift(|bit| near[bit], scan, partners);
             }
         } else {
-            work.add(search.bodies.len());
+            work.add(scan.bodies.len());
             for (n, boxes) in self.boxes.chunks(AT_ONCE / 2).enumerate() {
                 let mut overlapping = 0;
                 for (pair, boxes) in boxes.iter().enumerate() {
                     overlapping |= boxes.overlap(&limits) << (2 * pair);
                 }
-                for k in search.have_looked.iter().chain([&i]) {
+                for k in scan.have_looked.iter().chain([&i]) {
                     overlapping &= !(u64::from(k / AT_ONCE == n) << (k % AT_ONCE));
                 }
                 let first = n * AT_ONCE;
                 let partners = &mut self.partners[count..];
-                count += Candidates(overlapping).sift(|bit| first + bit, search, partners);
+                count += Candidates(overlapping).sift(|bit| first + bit, scan, partners);
             }
         }
         count
     }
 
-    /// One of the discs found by the latest search.
+    /// One of the discs found by the latest scan.
     pub(super) fn partner(&self, n: usize) -> usize {
         self.partners[n]
     }
 }
 
 /// What a seeker looks through.
-pub(super) struct Search<'a> {
+pub(super) struct Scan<'a> {
     pub(super) seeker: &'a Seeker,
     /// The seeker's number.
     pub(super) disc: usize,
@@ -114,14 +114,9 @@ impl Candidates {
     /// Each is written in any case, and the next one over it unless it passes: which of them
     /// pass a processor cannot guess, and so there is no branch at which to guess.
     #[inline(always)]
-    fn sift(
-        mut self,
-        disc: impl Fn(usize) -> usize,
-        search: &Search,
-        partners: &mut [usize],
-    ) -> usize {
-        let (seeker, bodies) = (search.seeker, search.bodies);
-        let times = &search.times[..bodies.len()];
+    fn sift(mut self, disc: impl Fn(usize) -> usize, scan: &Scan, partners: &mut [usize]) -> usize {
+        let (seeker, bodies) = (scan.seeker, scan.bodies);
+        let times = &scan.times[..bodies.len()];
         let mut count = 0;
         while let Some((one, other)) = self.next_two() {
             let two = [disc(one), disc(other)];
@@ -313,14 +308,14 @@ mod tests {
                 let seeker = Seeker::new(&bodies[i], 0.0, times[i]);
                 let mut work = Work::up_to(0);
                 let grid = Grid::default();
-                let search = Search {
+                let scan = Scan {
                     seeker: &seeker,
                     disc: i,
                     have_looked: &[],
                     bodies: &bodies,
                     times: &times,
                 };
-                let partners = broad_phase.find(&search, &grid, &mut work);
+                let partners = broad_phase.find(&scan, &grid, &mut work);
                 let partners = &broad_phase.partners[..partners];
                 assert!(partners.is_sorted() && !partners.contains(&i));
                 found += partners.len();

@@ -6,7 +6,7 @@ use super::super::shot::{Event, EventKind};
 use super::super::slide::slowed;
 use super::super::{Board, Motion, Shot};
 use super::body::Body;
-use super::broad_phase::{BroadPhase, Search, Seeker};
+use super::broad_phase::{BroadPhase, Scan, Seeker};
 use super::contact::contact;
 use super::frame::{FrameSide, SlideEnd, end};
 use super::grid::Grid;
@@ -122,14 +122,14 @@ impl ShotInPlay<'_> {
     /// already in the same breath.
     fn forecast_meetings(&mut self, i: usize, now: f64, have_looked: &[usize]) {
         let seeker = Seeker::new(&self.bodies[i], now, self.schedule.time(i));
-        let search = Search {
+        let scan = Scan {
             seeker: &seeker,
             disc: i,
             have_looked,
             bodies: self.bodies,
             times: &self.schedule.times,
         };
-        let count = self.broad_phase.find(&search, self.grid, &mut self.work);
+        let count = self.broad_phase.find(&scan, self.grid, &mut self.work);
         for n in 0..count {
             self.forecast_meeting(&seeker, i, self.broad_phase.partner(n));
         }
