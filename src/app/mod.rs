@@ -470,8 +470,10 @@ impl App {
                 Some(play) => hosted(play),
                 None => return,
             },
-            Place::Class { code, teams } => hosted(Class::new(code.as_ref(), &teams, cx)),
-            Place::Host { code } => hosted(Class::with_devices(code.as_ref(), cx)),
+            Place::Class { code, teams, name } => {
+                hosted(Class::new(code.as_ref(), &teams, &name, cx))
+            }
+            Place::Host { code, name } => hosted(Class::with_devices(code.as_ref(), &name, cx)),
             Place::Join {
                 address,
                 code,

@@ -102,6 +102,8 @@ pub struct ClassRound {
     /// How pupils come in on devices of their own, as long as they may come back.
     pub(super) door: Option<Door>,
     place: ClassPlace,
+    /// What the class is called; perhaps nothing.
+    class: String,
 }
 
 /// How pupils come in, and who sits where.
@@ -143,7 +145,20 @@ impl ClassRound {
             door: None,
             teams,
             place: ClassPlace::default(),
+            class: String::new(),
         }
+    }
+
+    /// The same round of a class of this name, tidied; perhaps nothing.
+    #[must_use]
+    pub fn of_class(self, name: &str) -> Self {
+        let class = tidy(name);
+        Self { class, ..self }
+    }
+
+    /// What the class is called; perhaps nothing.
+    pub fn class(&self) -> &str {
+        &self.class
     }
 
     /// How the class votes.

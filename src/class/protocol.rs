@@ -4,17 +4,21 @@
 //! coming back and going back a question are one and the same; a device shows what it was told
 //! last. `n` is a number that a device counts up with each vote and gets back with its state:
 //! a state whose `n` is not smaller says that the vote is in, on the disk of the host. `rev`
-//! counts the states of one connection.
+//! counts the states of one connection. What was answered alone can be handed in: a file with
+//! an `n` of its own, which comes back in `handed` once the file is on the disk of the host, or
+//! with why it is not.
 //!
 //! ```text
 //! > {"t":"join","v":1,"code":"BCDFGH","name":"Ada","seat":TOKEN?}
 //! > {"t":"vote","q":3,"vote":"first","said":"sure rays 60 still","n":17}   "" takes it back
+//! > {"t":"hand-in","n":1,"file":{…}}
 //! > {"t":"leave"}
 //! < {"t":"state","v":1,"rev":4,"seat":TOKEN,"name":"Ada","q":3,"of":10,"step":"first-vote","n":17,…}
 //! < {"t":"no","why":"code"}                                                then it closes
 //! ```
 
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use strum::IntoStaticStr;
 
 use super::{AskedQuestion, ClassStep, SeatToken, ToldTruth, Vote};
@@ -24,6 +28,9 @@ pub const VERSION: u32 = 1;
 
 /// Most bytes of what a device says at once.
 pub const LARGEST_SAYING: usize = 1024;
+
+/// Most bytes of what is handed in, some two thousand answers.
+pub const LARGEST_HAND_IN: usize = 1 << 20;
 
 /// What a pupil's device says.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -53,6 +60,13 @@ pub enum Saying {
         /// Larger than that of each vote before.
         n: u64,
     },
+    /// What was answered alone, for the teacher.
+    HandIn {
+        /// Larger than that of each before.
+        n: u64,
+        /// The file, as the gradebook reads it.
+        file: Value,
+    },
     /// Good bye.
     Leave,
 }
@@ -61,15 +75,17 @@ impl Saying {
     /// What a message says.
     ///
     /// # Errors
-    /// If it is none, or one of another version.
+    /// If it is none, one of another version, or too long: only what is handed in may be longer
+    /// than [`LARGEST_SAYING`].
     pub fn read(text: &str) -> Result<Self, Refusal> {
-        if text.len() > LARGEST_SAYING {
+        if text.len() > LARGEST_HAND_IN {
             return Err(Refusal::Format);
         }
         match serde_json::from_str(text) {
             Ok(Self::Join { v, .. }) if v != VERSION => Err(Refusal::Version),
-            Ok(saying) => Ok(saying),
-            Err(_) => Err(Refusal::Format),
+            Ok(saying @ Self::HandIn { .. }) => Ok(saying),
+            Ok(saying) if text.len() <= LARGEST_SAYING => Ok(saying),
+            _ => Err(Refusal::Format),
         }
     }
 
@@ -195,6 +211,44 @@ pub struct PupilState {
     /// Their points in the round so far, and their place, once there are any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub score: Option<(f64, usize)>,
+    /// What came of the last that they handed in.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub handed: Option<HandedIn>,
+}
+
+/// What came of the last that a pupil handed in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct HandedIn {
+    /// Its number.
+    pub n: u64,
+    /// How many answers are on the disk of the host, or why none are.
+    pub kept: Result<usize, NotTaken>,
+}
+
+/// Why the host does not take what is handed in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum NotTaken {
+    /// It is no such file, or one of another version.
+    Format,
+    /// They have handed in too often, or all of them too much.
+    TooMany,
+    /// It could not be written.
+    NotWritten,
+}
+
+impl NotTaken {
+    /// What the pupil is told.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Format => {
+                "The teacher's carrom could not read what yours has sent. Open the page from the \
+                 address on the board."
+            }
+            Self::TooMany => "The teacher's carrom takes no more of it today.",
+            Self::NotWritten => "The teacher's carrom could not keep it. Tell your teacher.",
+        }
+    }
 }
 
 /// Where a class is, for a pupil.
@@ -232,6 +286,22 @@ mod tests {
         let vote = r#"{"t":"vote","q":3,"vote":"first","said":"rays 60 still","n":17}"#;
         assert_eq!(Saying::read(vote).unwrap().to_text(), vote);
         assert_eq!(Saying::read(r#"{"t":"leave"}"#), Ok(Saying::Leave));
+        let handed = r#"{"t":"hand-in","n":1,"file":{"carrom":"hand-in"}}"#;
+        assert_eq!(Saying::read(handed).unwrap().to_text(), handed);
+    }
+
+    #[test]
+    fn only_what_is_handed_in_may_be_long() {
+        let hand_in = |bytes: usize| {
+            let text = r#"{"t":"hand-in","n":1,"file":""}"#;
+            let filling = "x".repeat(bytes - text.len());
+            Saying::read(&text.replace("\"\"}", &format!("\"{filling}\"}}")))
+        };
+        assert!(hand_in(LARGEST_SAYING + 1).is_ok() && hand_in(LARGEST_HAND_IN).is_ok());
+        assert_eq!(hand_in(LARGEST_HAND_IN + 1), Err(Refusal::Format));
+        let said = "x".repeat(LARGEST_SAYING);
+        let vote = format!(r#"{{"t":"vote","q":3,"vote":"first","said":"{said}","n":17}}"#);
+        assert_eq!(Saying::read(&vote), Err(Refusal::Format));
     }
 
     #[test]

@@ -6,15 +6,15 @@ use serde::Serialize;
 use strum::VariantArray;
 
 use super::ballot::Door;
-use super::names::names_for;
+use super::names::{names_for, tidy};
 use super::{ClassChange, ClassPlace, ClassRound, ClassStep, NameTrouble, Said, Vote, WayOfVoting};
 use crate::files::{Fields, FileErrors, Source};
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, CourseKind, Question};
 
 /// The format of the files that are written now: since the second there are ways of voting,
-/// people with devices, and changes behind the round.
-const FORMAT: u32 = 2;
+/// people with devices, and changes behind the round; since the third the name of the class.
+const FORMAT: u32 = 3;
 /// The oldest format that still opens.
 const OLDEST: u32 = 1;
 
@@ -27,6 +27,9 @@ const LARGEST: usize = 1 << 22;
 struct Written<'a> {
     format: u32,
     code: String,
+    /// What the class is called.
+    #[serde(skip_serializing_if = "str::is_empty")]
+    class: &'a str,
     way: &'a str,
     teams: &'a [String],
     /// The question the class is at, counted from 1.
@@ -70,9 +73,9 @@ struct Changes {
 }
 
 /// The fields of a file.
-const FIELDS: [&str; 11] = [
-    "format", "code", "way", "teams", "number", "step", "asked", "door", "seats", "question",
-    "then",
+const FIELDS: [&str; 12] = [
+    "format", "code", "class", "way", "teams", "number", "step", "asked", "door", "seats",
+    "question", "then",
 ];
 /// The fields of a question in it.
 const OF_QUESTION: [&str; 4] = ["first", "second", "first_counts", "second_counts"];
@@ -120,6 +123,7 @@ impl ClassRound {
         let written = Written {
             format: FORMAT,
             code: self.code().to_string(),
+            class: self.class(),
             way: self.way().into(),
             teams: self.teams(),
             number: self.place().question + 1,
@@ -189,7 +193,13 @@ impl ClassRound {
         let then = fields.or("then", Vec::new(), |name| {
             fields.tables(name, 0..=usize::MAX, &["changes"])
         });
-        let mut round = Self::voting(way, code?, teams?);
+        let class = fields.or("class", String::new(), |name| {
+            fields.text_as(name, |class| match tidy(class) == class {
+                true => Ok(class.to_owned()),
+                false => Err("expected a name of at most 24 visible letters".into()),
+            })
+        });
+        let mut round = Self::voting(way, code?, teams?).of_class(&class?);
         round.door = Self::door_of(fields, round.teams().len())?;
         if asked?.is_some_and(|asked| round.own_ids() != asked) {
             let message =

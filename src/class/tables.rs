@@ -49,6 +49,7 @@ pub fn answers_csv(round: &ClassRound, date: &str) -> Result<String, String> {
         "first_points",
         "gain",
         "date",
+        "class",
     ];
     let mut rows = Vec::new();
     for (i, question) in round.questions().iter().enumerate() {
@@ -67,7 +68,7 @@ pub fn answers_csv(round: &ClassRound, date: &str) -> Result<String, String> {
             row.push(cell(first, numbers::points));
             let gain = first.zip(last).map(|(first, last)| last - first);
             row.push(cell(gain, |gain| numbers::fixed(gain, 1)));
-            row.push(date.to_owned());
+            row.extend([date, round.class()].map(str::to_owned));
             rows.push(row);
         }
     }
@@ -117,6 +118,7 @@ pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
         "first_counts",
         "second_counts",
         "date",
+        "class",
     ];
     let share = |share: Option<f64>| cell(share, |it| format!("{it:.3}"));
     let rows: Vec<Vec<String>> = items(round, round.questions().len())
@@ -143,7 +145,7 @@ pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
                 row.push(cell(item.changed, |changed| changed[way].to_string()));
             }
             row.extend(Vote::BOTH.map(|vote| counted(question, item, vote)));
-            row.push(date.to_owned());
+            row.extend([date, round.class()].map(str::to_owned));
             Some(row)
         })
         .collect();

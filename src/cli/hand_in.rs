@@ -55,6 +55,9 @@ Examples:
   carrom gather handed-in --out class.csv
                                 class.csv, class-items.csv and class-beliefs.csv
 
+  carrom gather ~/.local/share/carrom/handed-in --class 10b --out class.html
+                                what 10b has handed in on devices (carrom class --host)
+
 Every .json file of the folder is read. Who hands in twice, or the same answer twice, is counted
 once; two pupils of one name are told apart by their answers. What cannot be read is named, and
 the rest goes on. Exit status: 0 done, 2 if there is nothing that can be read.")]
@@ -65,6 +68,9 @@ pub(super) struct GatherArgs {
     /// A name that ends in .html or .csv
     #[arg(long, value_name = "FILE", value_parser = gathered)]
     out: Gathered,
+    /// Only what was handed in by this class, as it is called in the files
+    #[arg(long, value_name = "NAME")]
+    class: Option<String>,
     /// The names of the class, one a line, to say who has handed in nothing
     #[arg(long, value_name = "FILE")]
     class_list: Option<PathBuf>,
@@ -138,7 +144,13 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
             .map_err(|error| error.message)
             .and_then(|bytes| HandIn::read(&bytes));
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        book.add(&name, read);
+        let is_of_class = |it: &HandIn| {
+            let wanted = args.class.as_ref().map(|name| name.to_lowercase());
+            wanted.is_none_or(|wanted| it.class.to_lowercase() == wanted)
+        };
+        if read.as_ref().is_ok_and(is_of_class) || read.is_err() {
+            book.add(&name, read);
+        }
     }
     if let Some(path) = &args.class_list {
         let list = crate::files::read(path, crate::files::LARGEST).map_err(Failure::input)?;
@@ -150,7 +162,11 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
         eprintln!("carrom: {}", escape_control_lines(&note));
     }
     if book.pupils.is_empty() {
-        let message = format!("{shown} has no file in it that carrom hand-in has written");
+        let of = match &args.class {
+            Some(name) => format!(" for the class {name}"),
+            None => String::new(),
+        };
+        let message = format!("{shown} has no file in it that carrom hand-in has written{of}");
         return Err(Failure::input(message));
     }
     let documents = documents(&book, &args.out).map_err(|reason| anyhow!(reason))?;

@@ -71,7 +71,8 @@ Examples:
   carrom quiz --code mixed-7   a round of the quiz that everyone with this code gets
   carrom class --teams Ants,Bees --palette light
                                a round for a class, on a projector
-  carrom class --host          the same, with everyone on a phone or a laptop of their own
+  carrom class --host --class 10b
+                               the same, with everyone on a phone or a laptop of their own
   carrom join 192.168.43.117   join such a class
   carrom levels --levels mine  levels of your own, in the folder mine, with the others
   carrom worksheet --seed 7 --count 12 --out sheets
@@ -181,6 +182,14 @@ enum OpenCommand {
         #[arg(long, value_name = "A,B,C", conflicts_with = "host")]
         #[arg(value_parser = |names: &str| team_names(names.split(',')))]
         teams: Option<Teams>,
+        /// What the class is called: it stands in the tables, and in what pupils hand in
+        #[arg(
+            long,
+            value_name = "NAME",
+            default_value = "",
+            hide_default_value = true
+        )]
+        class: String,
     },
     /// Join a class that plays on devices of its own
     Join {
@@ -279,8 +288,12 @@ impl OpenCommand {
                 code: round(code.as_ref(), options, &data.own)?,
             },
             Self::Class {
-                code, host: true, ..
+                code,
+                host: true,
+                class,
+                ..
             } => Place::Host {
+                name: class.clone(),
                 code: filled(code.as_ref(), &data.own)?
                     .map(Code::same_for_all)
                     .transpose()?,
@@ -290,7 +303,10 @@ impl OpenCommand {
                 address: Some(address.as_deref().and_then(host_of).unwrap_or_default()),
                 again: false,
             },
-            Self::Class { code, teams, .. } => Place::Class {
+            Self::Class {
+                code, teams, class, ..
+            } => Place::Class {
+                name: class.clone(),
                 code: filled(code.as_ref(), &data.own)?
                     .map(Code::same_for_all)
                     .transpose()?,

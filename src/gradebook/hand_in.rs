@@ -82,14 +82,19 @@ impl HandIn {
 
     /// What the file is called: letters and digits that any system takes.
     pub fn file_name(&self) -> String {
+        format!("{}.json", self.file_stem())
+    }
+
+    /// The same without its ending.
+    pub fn file_stem(&self) -> String {
         let plain = |c: char| match c.is_ascii_alphanumeric() {
             true => c.to_ascii_lowercase(),
             false => '-',
         };
         let name: String = self.name.chars().map(plain).collect();
         match name.trim_matches('-') {
-            "" => "hand-in.json".into(),
-            name => format!("hand-in-{name}.json"),
+            "" => KIND.into(),
+            name => format!("{KIND}-{name}"),
         }
     }
 
@@ -98,6 +103,20 @@ impl HandIn {
     /// # Errors
     /// None that can be met in practice; the reason, should it not be writable.
     pub fn text(&self) -> Result<String, String> {
+        let text = serde_json::to_string_pretty(&self.written());
+        text.map(|text| text + "\n")
+            .map_err(|error| error.to_string())
+    }
+
+    /// The same, to be sent.
+    ///
+    /// # Errors
+    /// As for [`Self::text`].
+    pub fn value(&self) -> Result<Value, String> {
+        serde_json::to_value(self.written()).map_err(|error| error.to_string())
+    }
+
+    fn written(&self) -> Written {
         let figures = |text: &str| serde_json::from_str(text).unwrap_or_default();
         let answer = |attempt: &Attempt| WrittenAnswer {
             time_s: attempt.time_s,
@@ -121,7 +140,7 @@ impl HandIn {
             }
         }
         let credit: f64 = self.attempts.iter().map(|it| it.credit).sum();
-        let written = Written {
+        Written {
             format: FORMAT,
             carrom: KIND.into(),
             name: self.name.clone(),
@@ -129,9 +148,7 @@ impl HandIn {
             codes,
             points: (10.0 * Grade::MOST * credit).round() / 10.0,
             answers: self.attempts.iter().map(answer).collect(),
-        };
-        let text = serde_json::to_string_pretty(&written).map_err(|error| error.to_string())?;
-        Ok(text + "\n")
+        }
     }
 
     /// Reads such a file.
@@ -144,8 +161,16 @@ impl HandIn {
             return Err("it is too large for a hand-in".into());
         }
         // Whatever else is in it: what it is and how new it is comes first.
-        let value: Value = serde_json::from_slice(bytes)
+        let value = serde_json::from_slice(bytes)
             .map_err(|error| format!("it is damaged or no hand-in: {error}"))?;
+        Self::of_value(value)
+    }
+
+    /// Reads what was sent.
+    ///
+    /// # Errors
+    /// As for [`Self::read`].
+    pub fn of_value(value: Value) -> Result<Self, String> {
         let kind = value.get("carrom").and_then(Value::as_str);
         let format = value.get("format").and_then(Value::as_u64);
         let (Some(KIND), Some(format)) = (kind, format) else {

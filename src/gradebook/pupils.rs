@@ -48,15 +48,19 @@ impl Pupil {
         self.attempts.iter().any(|it| same(it, answer))
     }
 
-    /// Whether this is who handed that in: the same name and class, and an answer in common, or
-    /// none on one side.
+    /// Whether this is who handed that in: the same name and class, as far as a class is named,
+    /// and an answer in common, or none on one side.
     fn is(&self, other: &HandIn) -> bool {
-        let alike = |a: &str, b: &str| a.to_lowercase() == b.to_lowercase();
         let shares = || other.attempts.iter().any(|it| self.has(it));
         let empty = self.attempts.is_empty() || other.attempts.is_empty();
-        alike(&self.own_name, &other.name)
-            && alike(&self.class, &other.class)
-            && (empty || shares())
+        self.is_called_as(other) && (empty || shares())
+    }
+
+    /// Whether both are called the same and may be of one class.
+    fn is_called_as(&self, other: &HandIn) -> bool {
+        let alike = |a: &str, b: &str| a.to_lowercase() == b.to_lowercase();
+        let unnamed = self.class.is_empty() || other.class.is_empty();
+        alike(&self.own_name, &other.name) && (unnamed || alike(&self.class, &other.class))
     }
 }
 
@@ -93,13 +97,14 @@ impl Gradebook {
                 new => format!("{} of {all} new", counted(new, "answer")),
             };
             self.notes.push(format!("{file}: {name} again; {words}"));
+            if pupil.class.is_empty() {
+                pupil.class = hand_in.class;
+            }
             pupil.attempts.extend(fresh);
             pupil.attempts.sort_by_key(|it| it.time_s);
             return;
         }
-        let lower = name.to_lowercase();
-        let alike = { self.pupils.iter() }
-            .filter(|it| it.own_name.to_lowercase() == lower && it.class == hand_in.class);
+        let alike = { self.pupils.iter() }.filter(|it| it.is_called_as(&hand_in));
         let shown = match alike.count() {
             0 => name.clone(),
             others => {
@@ -120,6 +125,15 @@ impl Gradebook {
         });
         self.pupils
             .sort_by_key(|it| (it.name.to_lowercase(), it.class.to_lowercase()));
+    }
+
+    /// The classes of all pupils, as they are called: "10a; 10b".
+    pub fn classes(&self) -> String {
+        let named = self.pupils.iter().map(|it| it.class.as_str());
+        let mut classes: Vec<&str> = named.filter(|it| !it.is_empty()).collect();
+        classes.sort_unstable();
+        classes.dedup();
+        classes.join("; ")
     }
 
     /// Notes who of these names has handed in nothing; case and blanks around them do not matter.

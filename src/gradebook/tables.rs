@@ -68,6 +68,7 @@ pub fn pupils_csv(book: &Gradebook) -> Result<String, String> {
 /// # Errors
 /// None that can be met in practice; the reason, should a row not be writable.
 pub fn items_csv(book: &Gradebook) -> Result<String, String> {
+    let class = book.classes();
     let rows: Vec<Vec<String>> = { items(book).into_iter() }
         .map(|it| {
             let (belief, count) = it.commonest.map_or_else(Default::default, |(held, count)| {
@@ -83,6 +84,7 @@ pub fn items_csv(book: &Gradebook) -> Result<String, String> {
                 it.discrimination.map_or(String::new(), |it| fixed(it, 3)),
                 belief,
                 count,
+                class.clone(),
             ]
         })
         .collect();
@@ -96,6 +98,7 @@ pub fn items_csv(book: &Gradebook) -> Result<String, String> {
         "discrimination",
         "commonest_misconception",
         "commonest_answers",
+        "class",
     ];
     table(&heads, &rows)
 }
@@ -105,6 +108,7 @@ pub fn items_csv(book: &Gradebook) -> Result<String, String> {
 /// # Errors
 /// None that can be met in practice; the reason, should a row not be writable.
 pub fn beliefs_csv(book: &Gradebook) -> Result<String, String> {
+    let class = book.classes();
     let rows: Vec<Vec<String>> = { beliefs(book).into_iter() }
         .map(|it| {
             vec![
@@ -112,8 +116,10 @@ pub fn beliefs_csv(book: &Gradebook) -> Result<String, String> {
                 it.misconception.name().into(),
                 it.pupils.to_string(),
                 it.answers.to_string(),
+                class.clone(),
             ]
         })
         .collect();
-    table(&["misconception", "in_words", "pupils", "answers"], &rows)
+    let heads = ["misconception", "in_words", "pupils", "answers", "class"];
+    table(&heads, &rows)
 }

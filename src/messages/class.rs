@@ -1,6 +1,8 @@
 //! A class on its own devices: what the teacher's carrom and a pupil's ask of whoever
 //! reaches the other, and what they hear.
 
+use serde_json::Value;
+
 use crate::class::protocol::{PupilState, Refusal};
 use crate::class::{DoorCode, SeatToken, Vote};
 
@@ -48,6 +50,15 @@ pub enum HostNews {
         said: String,
         /// The number of the vote.
         n: u64,
+    },
+    /// Somebody hands in what they have answered alone.
+    HandedIn {
+        /// The connection.
+        line: LineId,
+        /// The number of what is handed in.
+        n: u64,
+        /// The file, as it was sent.
+        file: Value,
     },
     /// Somebody has gone, or cannot be reached.
     Gone(LineId),

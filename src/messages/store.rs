@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use crate::class::{ClassChange, ClassRound};
 use crate::game::{Game, SavedGame};
+use crate::gradebook::HandIn;
 use crate::lessons::{Bookmark, Forget};
 use crate::levels::Starred;
 use crate::progress::{Attempt, Calendar};
@@ -53,6 +54,8 @@ pub enum StoreRequest {
     RemoveClass(String),
     /// Write the tables of a class's round where its teacher finds them.
     ExportClass(Box<ClassRound>),
+    /// Keep what somebody has handed in, unless that is there already.
+    KeepHandIn(Box<HandIn>),
     /// Keep an answer, with the time. It should be safe before the explanation is shown,
     /// so nothing is drawn before it is done, unless that takes long.
     Record(Box<Attempt>),
@@ -108,6 +111,8 @@ pub enum StoreReply {
     Removed(Result<(), String>),
     /// Where it was written.
     Exported(Result<String, String>),
+    /// What was handed in is safe, in this folder.
+    HandedIn(Result<String, String>),
     /// The rounds of classes there are, the newest first.
     Classes(Result<Vec<Kept<ClassRound>>, String>),
     /// The round of a class.
@@ -163,6 +168,7 @@ impl StoreCall {
                 StoreRequest::Export(_) | StoreRequest::ExportClass(_) => {
                     StoreReply::Exported(Err(reason))
                 }
+                StoreRequest::KeepHandIn(_) => StoreReply::HandedIn(Err(reason)),
                 StoreRequest::ListClasses => StoreReply::Classes(Err(reason)),
                 StoreRequest::LoadClass(_) => StoreReply::Class(Err(reason)),
                 StoreRequest::Record(_)

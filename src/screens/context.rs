@@ -7,6 +7,7 @@ use rand_pcg::rand_core::SeedableRng;
 use ratatui::layout::Rect;
 
 use super::lab::LabSettings;
+use super::place::Place;
 use super::settings::KeptSettings;
 use crate::game::Game;
 use crate::lessons::{Book, Bookmark, Forget};
@@ -100,6 +101,8 @@ pub struct Context {
     pub book: Book,
     /// Written questions of a teacher's own.
     pub own: Arc<Library>,
+    /// The class that was left, to come back to.
+    pub(in crate::screens) class: Option<Place>,
     /// How the lab was left.
     pub(in crate::screens) lab: Option<LabSettings>,
     /// The folder where all is kept, in words; `None` where nothing is.
@@ -122,6 +125,7 @@ impl Context {
             shelf: Shelf::default(),
             book: Book::default(),
             own: Arc::default(),
+            class: None,
             lab: None,
             folder: None,
             kept: Some(KeptSettings::default()),

@@ -42,11 +42,15 @@ pub enum Place {
         code: Option<Code>,
         /// The names of the teams, as far as they are known.
         teams: Vec<String>,
+        /// What the class is called; perhaps nothing.
+        name: String,
     },
     /// A round for a class on devices of their own.
     Host {
         /// The code of the round; `None` leaves it to be chosen.
         code: Option<Code>,
+        /// What the class is called; perhaps nothing.
+        name: String,
     },
     /// A pupil's device in a class.
     Join {

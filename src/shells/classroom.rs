@@ -257,6 +257,7 @@ impl Classroom {
                 said,
                 n,
             },
+            Ok(Saying::HandIn { n, file }) => HostNews::HandedIn { line, n, file },
             Ok(Saying::Leave) => HostNews::Gone(line),
             Err(why) => return self.tell(line, &no(why)),
         };

@@ -322,13 +322,13 @@ mod tests {
 
     #[test]
     fn nothing_is_left_where_a_wide_letter_stood() {
-        let (code, teams) = (None, vec![]);
+        let (code, teams, name) = (None, vec![], String::new());
         let settings = Settings {
             charset: Charset::Unicode,
             depth: Depth::None,
             ..Settings::default()
         };
-        let app = App::new(Place::Class { code, teams }, settings, 1);
+        let app = App::new(Place::Class { code, teams, name }, settings, 1);
         let mut game = Headless::new(app, 80, 24);
         game.press("a<Backspace>");
         let before = game.screen();

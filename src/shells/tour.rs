@@ -265,6 +265,7 @@ impl TourStop {
                 Place::Class {
                     code: words.next().and_then(Code::parse),
                     teams: words.map(str::to_owned).collect(),
+                    name: String::new(),
                 }
             }
             "join" => Place::Join {
@@ -306,7 +307,8 @@ fn devices(
         App::new(place, settings, 7)
     };
     let code = Code::parse(code);
-    let mut class = Classroom::new(opened(Place::Host { code }, "teacher").into());
+    let name = String::new();
+    let mut class = Classroom::new(opened(Place::Host { code, name }, "teacher").into());
     let [ada, _] = ["Ada", "Bo"].map(|name| {
         let place = Place::Join {
             address: None,

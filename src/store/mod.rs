@@ -1,5 +1,5 @@
-//! What is kept: saved games and rounds of classes, one file each, exported ones, and in a
-//! database every answer, every level won and how far each chapter was read.
+//! What is kept: saved games and rounds of classes, one file each, exported ones, what a class
+//! has handed in, and in a database every answer, every level won and how far each chapter was read.
 //!
 //! Several carroms may keep their games in one folder, any of them may be killed at
 //! any moment, and any file may be damaged or not ours. So:
@@ -28,6 +28,7 @@ use jiff::tz::{Offset, TimeZone};
 use crate::class::{ClassChange, ClassRound, answers_csv, appended, items_csv};
 use crate::files::{self, Existing};
 use crate::game::{Game, SavedGame};
+use crate::gradebook::HandIn;
 use crate::messages::{History, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use crate::progress::{Attempt, Calendar};
 use crate::quiz::concepts::Library;
@@ -45,6 +46,10 @@ const TEXT: &str = ".toml";
 const NOWHERE: &str = "no folder for data is known; --data-dir gives one";
 /// The folder of rounds of classes.
 const CLASSES: &str = "classes";
+/// The folder of what pupils have handed in.
+const HANDED_IN: &str = "handed-in";
+/// How the names of files end that are handed in.
+const HAND_IN: &str = ".json";
 /// How the names of tables for other programs end.
 const TABLE: &str = ".csv";
 
@@ -67,6 +72,7 @@ pub struct Store {
     classes: OpenFiles<ClassRound>,
     exports: Box<dyn TextStore>,
     tables: Box<dyn TextStore>,
+    handed_in: Box<dyn TextStore>,
     progress: Database,
     /// Files that are kept but not used: databases that were damaged.
     aside: Vec<FileBytes>,
@@ -100,14 +106,15 @@ impl Store {
     }
 
     /// A store in `folder`, which is made when it is first needed: saved games in
-    /// `games`, rounds of classes in `classes`, what is exported in `exports`, settings in
-    /// `settings.toml`, all else in `progress.db`.
+    /// `games`, rounds of classes in `classes`, what is exported in `exports`, what pupils hand in
+    /// in `handed-in`, settings in `settings.toml`, all else in `progress.db`.
     pub fn in_folder(folder: &Path) -> Self {
         let progress = Database::in_folder(folder.to_owned());
         let texts = Self::of(progress, |name, ending, largest| {
             let disk = Disk::new(folder.join(name), ending, largest);
-            // What brings pupils back to their places is for the host alone.
-            Box::new(if name == CLASSES {
+            // What brings pupils back to their places, and what they answered, is for the teacher
+            // alone.
+            Box::new(if [CLASSES, HANDED_IN].contains(&name) {
                 disk.private()
             } else {
                 disk
@@ -186,6 +193,7 @@ impl Store {
             // These are written alone.
             exports: texts("exports", TEXT, 0),
             tables: texts("exports", TABLE, 0),
+            handed_in: texts(HANDED_IN, HAND_IN, HandIn::LARGEST_FILE),
             progress,
             aside: Vec::new(),
             notice: None,
@@ -229,6 +237,7 @@ impl Store {
             }
             StoreRequest::RemoveClass(name) => StoreReply::Removed(self.classes.remove(name)),
             StoreRequest::ExportClass(round) => StoreReply::Exported(self.export_class(round)),
+            StoreRequest::KeepHandIn(hand_in) => StoreReply::HandedIn(self.keep_hand_in(hand_in)),
             StoreRequest::Recall(player) => StoreReply::Recalled(self.recall(player.as_deref())),
             StoreRequest::Stars(player) => StoreReply::Stars(self.progress.stars(player)),
             StoreRequest::Marks(player) => StoreReply::Marks(self.progress.marks(player)),
@@ -291,6 +300,23 @@ impl Store {
             places.push(self.tables.place(&name));
         }
         Ok(places.join(" and "))
+    }
+
+    /// Keeps what was handed in beside what was before; the same once more is there already.
+    fn keep_hand_in(&mut self, hand_in: &HandIn) -> Result<String, String> {
+        let store = &mut self.handed_in;
+        let text = format!("{}\n", hand_in.value()?);
+        let kind = hand_in.file_stem();
+        let of_kind = |name: &String| name.starts_with(&kind);
+        let is_same = |name: &String| store.read(name).is_ok_and(|it| it == text.as_bytes());
+        let mut known = store.names()?.into_iter().filter(of_kind);
+        let name = match known.find(is_same) {
+            Some(name) => name,
+            None => store.add(&kind, &text)?,
+        };
+        let place = store.place(&name);
+        let folder = Path::new(&place).parent().map(Path::to_owned);
+        Ok(folder.unwrap_or_default().display().to_string())
     }
 
     /// Keeps an answer, with the time it was given, or something else that was done, behind

@@ -110,6 +110,15 @@ impl Pupil {
         self.say(&vote.to_string())
     }
 
+    /// Hands a file in, and hears what comes of it.
+    pub(crate) fn hand_in(&mut self, file: &Value) -> io::Result<Value> {
+        let n = self.state["handed"]["n"].as_u64().unwrap_or(0) + 1;
+        let saying = json!({"t": "hand-in", "n": n, "file": file});
+        self.say(&saying.to_string())?;
+        self.hear_until(|state| state["handed"]["n"].as_u64() >= Some(n))?;
+        Ok(self.state["handed"]["kept"].clone())
+    }
+
     /// What is said to whom the host sends away.
     pub(crate) fn why(&self) -> Option<&str> {
         self.state["why"].as_str()

@@ -43,7 +43,8 @@ impl Teacher {
         let (path, shown) = (folder.path().to_owned(), Arc::clone(&screen));
         let thread = thread::spawn(move || {
             let code = carrom::quiz::Code::parse("from-angle2-7");
-            let app = App::new(Place::Host { code }, Settings::default(), 7);
+            let name = "10b".to_owned();
+            let app = App::new(Place::Host { code, name }, Settings::default(), 7);
             let store = Store::in_folder(&path);
             let game = Headless::keeping(app, 80, 24, store);
             teach(game, page, &pressed, &told, &shown);

@@ -2,21 +2,32 @@
 //! back in its place when it was reloaded or out of reach.
 
 use std::fs;
+use std::path::Path;
+use std::process::Command;
+use std::thread;
+use std::time::{Duration, Instant};
 
 use carrom::class::Vote;
-use serde_json::Value;
+use carrom::gradebook::HandIn;
+use carrom::quiz::{Code, Round};
+use serde_json::{Value, json};
 
-use crate::browser::{Browser, page, wait_until_ready};
+use crate::browser::{Browser, SCREEN, page, wait_until_ready};
+use crate::chromium::Chromium;
 use crate::folder::Folder;
+use crate::handed_in::hand_in;
+use crate::keys::said;
 use crate::teacher::{Teacher, kept};
 use crate::touch::Phone;
+
+/// A key of a keyboard.
+const KEY: &str = "document.body.dispatchEvent(new KeyboardEvent('keydown',
+    { key: arguments[0], bubbles: true, cancelable: true }))";
 
 /// Types letters, as the keyboard of a phone does.
 fn type_in(phone: &mut Phone, text: &str) {
     for letter in text.chars() {
-        let script = "document.body.dispatchEvent(new KeyboardEvent('keydown',
-            { key: arguments[0], bubbles: true, cancelable: true }))";
-        phone.0.run(script, &[Value::from(letter.to_string())]);
+        phone.0.run(KEY, &[Value::from(letter.to_string())]);
     }
 }
 
@@ -49,9 +60,151 @@ fn a_phone_joins_votes_and_comes_back() {
     assert!((said.striker.unwrap().abs().to_degrees() - 60.0).abs() < 1e-9);
     // The page is loaded again, as a phone does that was put away.
     phone.0.run("location.reload()", &[]);
-    std::thread::sleep(std::time::Duration::from_millis(500));
+    thread::sleep(Duration::from_millis(500));
     wait_until_ready(&mut phone.0);
     phone.expect("Your vote is in.");
     assert_eq!(kept(&folder).teams(), ["Ada"]);
     assert_eq!(kept(&folder).voted(0, Vote::First), 1);
+}
+
+/// Presses keys as they are written for a tape, and waits until the screen shows this.
+fn press(browser: &mut Chromium, keys: &str, shows: &str) {
+    let mut rest = keys;
+    while let Some(first) = rest.chars().next() {
+        let named = rest.strip_prefix('<').and_then(|it| it.split_once('>'));
+        let (key, after) = named.unwrap_or_else(|| rest.split_at(first.len_utf8()));
+        browser.run(KEY, &[Value::from(key)]);
+        rest = after;
+    }
+    let start = Instant::now();
+    loop {
+        let screen = browser.run(SCREEN, &[]);
+        let screen = screen.as_str().unwrap();
+        if screen.contains(shows) {
+            return;
+        }
+        let late = start.elapsed() > Duration::from_secs(20);
+        assert!(!late, "{keys}: no {shows}:\n{screen}");
+        thread::sleep(Duration::from_millis(50));
+    }
+}
+
+/// How many questions are answered in each page.
+const ALONE: usize = 3;
+
+/// A page that the host has served, on which somebody answers the first questions of mixed-7
+/// alone, all of them right.
+fn answered_alone(teacher: &Teacher, name: &str) -> Option<Chromium> {
+    let mut browser = Chromium::start((1000, 700), false)?;
+    let address = format!("http://127.0.0.1:{}/", teacher.port);
+    browser.open(&format!("{address}#quiz=mixed-7&player={name}"));
+    wait_until_ready(&mut browser);
+    let round = Round::of(Code::parse("mixed-7").unwrap());
+    for (number, question) in { 1.. }.zip(round.questions()).take(ALONE) {
+        press(&mut browser, "", &format!("question {number} of 10"));
+        let keys = said(&question.form, &question.form.truth());
+        press(&mut browser, &keys, "How sure are you?");
+        press(&mut browser, "3<End>", "points");
+        press(&mut browser, "<Enter>", "question");
+    }
+    Some(browser)
+}
+
+/// The files of a folder that are handed in.
+fn files(folder: &Path) -> Vec<HandIn> {
+    let entries = fs::read_dir(folder).into_iter().flatten();
+    let paths = entries.map(|entry| entry.unwrap().path());
+    let paths = paths.filter(|path| path.extension().is_some_and(|it| it == "json"));
+    let bytes = paths.map(|path| fs::read(path).unwrap());
+    bytes.filter_map(|it| HandIn::read(&it).ok()).collect()
+}
+
+/// Thirty-two files of a class: four of pages, three of which send theirs to the host and one
+/// makes a file, the others of programs; two of them damaged, two handed in twice, and two pupils
+/// are called Ada.
+#[test]
+fn what_pages_and_programs_hand_in_is_gathered() {
+    let Some(page) = page() else { return };
+    let page = fs::read_to_string(page.trim_start_matches("file://")).unwrap();
+    let folder = Folder::new("page-hand-in");
+    let teacher = Teacher::gathering(&folder, &page);
+    let handed_in = folder.path().join("handed-in");
+    for name in ["Ada", "Bo", "Ada"] {
+        let Some(mut browser) = answered_alone(&teacher, name) else {
+            return;
+        };
+        let to_class = "location.hash = 'code=' + arguments[0]";
+        browser.run(to_class, &[Value::from(teacher.code.clone())]);
+        press(&mut browser, "", "Your class plays a round");
+        let keys = format!("{name}<Enter><Enter>");
+        press(&mut browser, &keys, "hand in the 3 answers");
+        press(&mut browser, "h", "Send your 3 answers");
+        press(&mut browser, "y", "Handed in: 3 answers.");
+        // Once more is no second file.
+        press(&mut browser, "hy", "Handed in: 3 answers.");
+    }
+    let mut sent = files(&handed_in);
+    sent.sort_by(|a, b| a.name.cmp(&b.name));
+    let names: Vec<&str> = sent.iter().map(|it| it.name.as_str()).collect();
+    assert_eq!(names, ["Ada", "Ada 2", "Bo"]);
+    for it in &sent {
+        assert_eq!((it.class.as_str(), it.attempts.len()), ("10b", ALONE));
+        assert!(it.attempts.iter().all(|it| it.right), "{}", it.name);
+    }
+    // Zoë is at no class just now.
+    let Some(mut browser) = answered_alone(&teacher, "Zoë") else {
+        return;
+    };
+    let place = json!({ "behavior": "allow", "downloadPath": handed_in.to_str().unwrap() });
+    browser.debug("Browser.setDownloadBehavior", &place);
+    browser.run("location.hash = 'progress&player=Zoë'", &[]);
+    press(&mut browser, "", "3 answers");
+    press(&mut browser, "h", "The file to hand in");
+    let start = Instant::now();
+    while files(&handed_in).len() < 4 {
+        let late = start.elapsed() > Duration::from_secs(20);
+        assert!(!late, "nothing is there");
+        thread::sleep(Duration::from_millis(50));
+    }
+    let write = |name: &str, text: &str| fs::write(handed_in.join(name), text).unwrap();
+    for index in 1..=24 {
+        let right = usize::try_from(index).unwrap() % 11;
+        let name = format!("Pupil {index:02}");
+        let text = hand_in(index, &name, 10, right).text().unwrap();
+        write(&format!("{index:02}.json"), &text);
+    }
+    let again = hand_in(4, "Pupil 04", 10, 4).text().unwrap();
+    write("25-again.json", &again);
+    let half = hand_in(5, "pupil 05", 5, 5).text().unwrap();
+    write("26-half.json", &half);
+    let whole = hand_in(6, "Pupil 31", 10, 6).text().unwrap();
+    write("27-cut.json", &whole[..whole.len() / 2]);
+    let newer = whole.replace("\"format\": 1", "\"format\": 9");
+    write("28-newer.json", &newer);
+    let [table, book] = ["class.csv", "class.html"].map(|out| {
+        let out = folder.path().join(out);
+        let mut gather = Command::new(env!("CARGO_BIN_EXE_carrom"));
+        gather.arg("gather").arg(&handed_in).arg("--out").arg(&out);
+        let done = gather.output().unwrap();
+        let told = String::from_utf8(done.stderr).unwrap();
+        assert!(done.status.success(), "{told}");
+        assert_eq!(told.lines().count(), 4, "{told}");
+        fs::read_to_string(out).unwrap()
+    });
+    let rows: Vec<&str> = table.lines().skip(1).collect();
+    assert_eq!(rows.len(), 28, "{table}");
+    for begins in ["Ada,10b,3,3,1.000,30.0,", "Ada 2,10b,3,3,", "Zoë,,3,3,"] {
+        let is_there = rows.iter().any(|row| row.starts_with(begins));
+        assert!(is_there, "{begins}: {table}");
+    }
+    // The first three questions were answered by four more.
+    let items = folder.path().join("class-items.csv");
+    let mut items = csv::Reader::from_path(items).unwrap();
+    let answered = items.records().map(|row| row.unwrap()[3].to_owned());
+    let answered: Vec<String> = answered.take(4).collect();
+    assert_eq!(answered, ["28", "28", "28", "24"]);
+    assert!(book.contains("27-cut.json: left out") && book.contains("Ada 2"));
+    if let Some(place) = std::env::var_os("CARROM_GATHERED") {
+        fs::write(place, book).unwrap();
+    }
 }

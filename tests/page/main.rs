@@ -16,6 +16,10 @@ mod touch;
 #[allow(dead_code, reason = "other programs use the rest")]
 #[path = "../common/folder.rs"]
 mod folder;
+#[path = "../common/handed_in.rs"]
+mod handed_in;
+#[path = "../common/keys.rs"]
+mod keys;
 #[allow(dead_code, reason = "other programs use the rest")]
 #[path = "../common/teacher.rs"]
 mod teacher;

@@ -6,44 +6,15 @@ use std::process::{Command, Output};
 
 use carrom::gradebook::HandIn;
 use carrom::messages::{StoreCall, StoreReply, StoreRequest};
-use carrom::progress::Attempt;
-use carrom::quiz::{Answer, Code, Confidence, Question, Round};
 use carrom::store::Store;
 use scraper::{Html, Selector};
 
 use crate::folder::Folder;
+use crate::handed_in::hand_in;
 
 fn carrom(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_carrom"));
     command.args(arguments).output().unwrap()
-}
-
-/// An answer to a question of mixed-7 at a time of the pupil's own: right, or as somebody who
-/// holds the first belief that the question can show.
-fn answer(player: &str, time_s: i64, number: usize, question: &Question, right: bool) -> Attempt {
-    let code = Code::parse("mixed-7").unwrap();
-    let said = match right {
-        true => question.form.truth(),
-        false => question.beliefs[0].said,
-    };
-    let answer = Answer::new(said, Confidence::Sure);
-    let number = u32::try_from(number + 1).unwrap();
-    Attempt {
-        time_s: Some(time_s),
-        ..Attempt::of_quiz(player, &code, number, question, &answer)
-    }
-}
-
-/// The hand-in of pupil `index`, who has answered the first `count` questions, the first `right`
-/// of them right.
-fn hand_in(index: i64, name: &str, count: usize, right: usize) -> HandIn {
-    let round = Round::of(Code::parse("mixed-7").unwrap());
-    let asked = round.questions().iter().enumerate().take(count);
-    let answers = asked.map(|(i, question)| {
-        let time = 1_770_000_000 + 10_000 * index + 60 * i as i64;
-        answer(name, time, i, question, i < right)
-    });
-    HandIn::new(name, "10b", answers.collect())
 }
 
 /// Thirty-two files: 28 pupils, of whom two are called Ada and two have handed in twice, and two

@@ -1,14 +1,19 @@
 //! A class on its own devices over real connections: the app of the teacher without a
 //! terminal, the server, and devices that are good, slow, clumsy or hostile.
 
+use std::fs;
 use std::io::{ErrorKind, Read, Write};
+use std::path::PathBuf;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use carrom::class::Vote;
+use carrom::gradebook::HandIn;
+use serde_json::{Value, json};
 use tungstenite::Message;
 
 use crate::folder::Folder;
+use crate::handed_in::hand_in;
 use crate::pupil::{Pupil, answer, connect};
 use crate::teacher::{Teacher, kept};
 
@@ -292,4 +297,98 @@ fn who_is_removed_or_comes_when_the_door_is_closed_hears_so() {
     }
     stranger.vote("rays 5 6").unwrap();
     assert_eq!(kept(&folder).teams(), ["Bo", "Bob"]);
+}
+
+/// The files that were handed in, by name.
+fn handed_in(folder: &Folder) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder.path().join("handed-in"));
+    let paths = entries.into_iter().flatten().map(|it| it.unwrap().path());
+    let mut files: Vec<_> = paths
+        .filter(|path| path.extension().is_some_and(|it| it == "json"))
+        .collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn what_is_handed_in_is_on_the_disk_before_its_device_hears_so() {
+    let folder = Folder::new("hosted-hand-in");
+    let teacher = start(&folder);
+    let mut ada = teacher.join("Ada");
+    // Whoever the file says that it is of.
+    let mut half = hand_in(1, "Bo", 10, 4);
+    "9a".clone_into(&mut half.class);
+    half.attempts.truncate(5);
+    assert_eq!(
+        ada.hand_in(&half.value().unwrap()).unwrap(),
+        json!({"Ok": 5})
+    );
+    let files = handed_in(&folder);
+    let first = fs::read(&files[0]).unwrap();
+    let read = HandIn::read(&first).unwrap();
+    assert_eq!((read.name.as_str(), read.class.as_str()), ("Ada", "10b"));
+    let answers = |it: &HandIn| it.attempts.iter().map(|it| it.answer.clone()).collect();
+    let [kept, sent]: [Vec<String>; 2] = [&read, &half].map(answers);
+    assert_eq!(kept, sent);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let mode = fs::metadata(&files[0]).unwrap().permissions().mode();
+        assert_eq!(mode & 0o777, 0o600, "for the teacher alone");
+    }
+    // The same once more is one file; more is another one, and the first stays as it was.
+    ada.hand_in(&half.value().unwrap()).unwrap();
+    assert_eq!(handed_in(&folder).len(), 1);
+    let whole = hand_in(1, "Ada", 10, 4).value().unwrap();
+    assert_eq!(ada.hand_in(&whole).unwrap(), json!({"Ok": 10}));
+    assert_eq!(handed_in(&folder).len(), 2);
+    assert_eq!(fs::read(&files[0]).unwrap(), first);
+    // Who comes back hears that it was taken.
+    let seat = ada.text("seat");
+    let back = Pupil::join(teacher.port, &teacher.code, "Ada", Some(&seat)).unwrap();
+    assert_eq!(back.state["handed"], json!({"n": 3, "kept": {"Ok": 10}}));
+    teacher.press("w", "1 handed in");
+    teacher.wait_for("no vote yet, handed in");
+    teacher.wait_for("carrom gather");
+}
+
+#[test]
+fn what_is_no_hand_in_is_not_kept() {
+    let folder = Folder::new("hosted-no-hand-in");
+    let teacher = start(&folder);
+    let mut bo = teacher.join("../../Bo");
+    let good = hand_in(1, "Bo", 3, 1).value().unwrap();
+    let with = |change: &dyn Fn(&mut Value)| {
+        let mut file = good.clone();
+        change(&mut file);
+        file
+    };
+    for bad in [
+        json!([]),
+        json!("x".repeat(900_000)),
+        with(&|it| it["format"] = json!(9)),
+        with(&|it| it["answers"][1]["credit"] = json!(1e9)),
+        with(&|it| it["answers"] = json!([])),
+    ] {
+        assert_eq!(bo.hand_in(&bad).unwrap(), json!({"Err": "format"}));
+    }
+    assert_eq!(handed_in(&folder), Vec::<PathBuf>::new());
+    // Too large, or before whoever it is has come in: it ends the talk, and nobody else's.
+    let said = |mut pupil: Pupil, file: &Value| {
+        let saying = json!({"t": "hand-in", "n": 1, "file": file});
+        let _ = pupil.say(&saying.to_string());
+        let heard = pupil.hear_until(|state| state["t"] == "no");
+        heard.ok().map(|()| pupil.why().unwrap().to_owned())
+    };
+    let huge = json!("x".repeat(1 << 20));
+    let why = said(teacher.join("Cy"), &huge);
+    assert!(matches!(why.as_deref(), Some("format") | None), "{why:?}");
+    let stranger = || Pupil::dial(teacher.port).unwrap();
+    let why = said(stranger(), &good);
+    assert!(matches!(why.as_deref(), Some("format") | None), "{why:?}");
+    assert_eq!(said(stranger(), &json!({})).as_deref(), Some("join"));
+    assert_eq!(bo.hand_in(&good).unwrap(), json!({"Ok": 3}));
+    let files = handed_in(&folder);
+    assert_eq!(files[0].file_name().unwrap(), "hand-in-bo-1.json");
+    assert_eq!(files.len(), 1);
 }

@@ -49,6 +49,8 @@ mod browser;
 mod chromium;
 #[path = "../common/folder.rs"]
 mod folder;
+#[path = "../common/handed_in.rs"]
+mod handed_in;
 #[path = "../common/keys.rs"]
 mod keys;
 #[cfg(unix)]

@@ -127,6 +127,7 @@ fn class_rounds_of_the_second_format_still_open() {
     let round = ClassRound::read("class-2", bytes, &Default::default()).unwrap();
     // "Bo" was removed behind the round, and "Ada 2" was Ada all along.
     assert_eq!(round.teams(), ["Ada L.", "Cy"]);
+    assert_eq!(round.class(), "");
     assert_eq!(round.door().unwrap().to_string(), "BCDFGH");
     let degrees = |person| {
         let rays = round.ballot(0, person).first.unwrap().rays().unwrap();

@@ -103,6 +103,32 @@ fn what_is_kept_is_taken_up_again() {
     assert_eq!(again.begun(), round.questions().len());
 }
 
+/// What the class is called is kept, and stands at the end of each row of both tables.
+#[test]
+fn the_name_of_the_class_is_in_its_file_and_its_tables() {
+    let named = played().of_class(" 10b\u{202e} \"x\" ");
+    assert_eq!(named.class(), "10b \"x\"");
+    let text = named.text().unwrap();
+    let again = ClassRound::read("round", text.as_bytes(), &Arc::default()).unwrap();
+    assert_eq!(again.class(), named.class());
+    for (round, name) in [(named, "10b \"x\""), (played(), "")] {
+        for table in [answers_csv(&round, ""), items_csv(&round, "")] {
+            let table = table.unwrap();
+            let mut reader = csv::Reader::from_reader(table.as_bytes());
+            let heads = reader.headers().unwrap().clone();
+            assert_eq!(heads.iter().next_back(), Some("class"));
+            let mut rows = reader.records().map(Result::unwrap);
+            assert!(
+                rows.all(|row| row.iter().next_back() == Some(name)),
+                "{table}"
+            );
+        }
+    }
+    let bad = text.replace("class = ", "class = \"\u{7}\" # ");
+    let told = ClassRound::read("round", bad.as_bytes(), &Arc::default()).unwrap_err();
+    assert!(told.to_string().contains("class: "), "{told}");
+}
+
 #[test]
 fn a_file_of_the_first_format_still_opens() {
     let text = "format = 1\ncode = \"7\"\nteams = [\"Ants\", \"Bees\"]\n\n\
@@ -123,7 +149,7 @@ fn a_bad_file_says_what_is_wrong_with_it() {
     let good = "format = 1\ncode = \"7\"\nteams = [\"Ants\"]\n";
     for (text, complaint) in [
         (String::new(), "format"),
-        ("format = 3\n".into(), "newer"),
+        ("format = 4\n".into(), "newer"),
         ("format = \"x\"\n".into(), "format"),
         (good.replace("\"7\"", "\"seven\""), "code"),
         (good.replace("\"Ants\"", "\"Ants\", \"ants\""), "twice"),

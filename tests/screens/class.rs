@@ -37,6 +37,7 @@ fn app(code: &str, teams: &[&str], charset: Charset) -> App {
     let place = Place::Class {
         code: Some(Code::parse(code).unwrap()),
         teams: teams.iter().map(|name| (*name).to_owned()).collect(),
+        name: String::new(),
     };
     App::new(place, settings, 7)
 }
@@ -349,7 +350,7 @@ fn hostile_names_break_neither_screen_nor_table() {
         look(&mut game);
         let rows = records(&exported(folder.path(), "class-answers-1.csv"));
         assert_eq!(rows.len(), 16);
-        assert!(rows.iter().all(|row| row.len() == 21));
+        assert!(rows.iter().all(|row| row.len() == 22));
         for row in &rows {
             assert!(
                 !row[6].starts_with(['=', '+', '-', '@', '\t', '\r']),

@@ -22,6 +22,7 @@ fn places() -> Vec<Place> {
         Place::Class {
             code: None,
             teams: Vec::new(),
+            name: String::new(),
         },
         Place::Foil,
         Place::Table,
@@ -174,6 +175,7 @@ fn class(code: &str, charset: Charset) -> Headless {
     let place = Place::Class {
         code: Code::parse(code),
         teams: ["Ants", "Bees", "Cats"].map(Into::into).into(),
+        name: String::new(),
     };
     opened(place, charset, 1)
 }

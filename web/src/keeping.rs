@@ -227,6 +227,7 @@ fn changes(wish: &StoreRequest) -> bool {
         | R::ListClasses
         | R::LoadClass(_)
         | R::ExportClass(_)
+        | R::KeepHandIn(_)
         | R::Recall(_)
         | R::Stars(_)
         | R::Marks(_) => false,

@@ -90,6 +90,7 @@ impl LinkTarget {
                 self.place = Place::Class {
                     code: code(value, data)?,
                     teams,
+                    name: String::new(),
                 };
             }
             "code" => {
@@ -120,6 +121,7 @@ impl LinkTarget {
                         *place = Place::Class {
                             code: None,
                             teams: names,
+                            name: String::new(),
                         }
                     }
                 }

@@ -123,7 +123,7 @@ fn reason(c: &Collision, separation: f64) -> String {
     let off = separation.to_degrees() - 90.0;
     let elastic = c.restitution >= 1.0;
     let target = if elastic {
-        "the target".to_owned()
+        "the target's".to_owned()
     } else {
         format!(
             "{} times that of the target, which is e m₂",

@@ -192,7 +192,7 @@ impl Summary {
              needs an exact cut."
         } else {
             "Where your answers were off, each was off in its own way: no known belief explains \
-             them. Open them one by one and read the whys; then begin with the first chapters."
+             them. Go through them once more, with the whys; then begin with the first chapters."
         };
         vec![
             "No misconception stands out.".into(),

@@ -107,26 +107,27 @@ pub(crate) struct Class {
 /// What is on the screen.
 #[derive(Debug, Clone)]
 enum ClassScene {
-    SetUp(SetUp),
+    SetUp(Box<SetUp>),
     Earlier(Box<EarlierRounds>),
     Play(Box<ClassPlay>),
 }
 
 impl Class {
     /// The page on which a round is set up, with what is known of it already.
-    pub(crate) fn new(code: Option<&Code>, teams: &[String], cx: &Context) -> Self {
+    pub(crate) fn new(code: Option<&Code>, teams: &[String], name: &str, cx: &Context) -> Self {
+        let set_up = SetUp::new(code, teams, name, Arc::clone(&cx.own));
         Self {
-            scene: ClassScene::SetUp(SetUp::new(code, teams, Arc::clone(&cx.own))),
+            scene: ClassScene::SetUp(Box::new(set_up)),
             paused: false,
         }
     }
 
     /// A round on devices of their own: begun at once if its code is known.
-    pub(crate) fn with_devices(code: Option<&Code>, cx: &mut Context) -> Self {
-        let mut class = Self::new(code, &[], cx);
+    pub(crate) fn with_devices(code: Option<&Code>, name: &str, cx: &mut Context) -> Self {
+        let mut class = Self::new(code, &[], name, cx);
         match code {
             Some(code) => {
-                let round = ClassRound::with_devices(code.clone());
+                let round = ClassRound::with_devices(code.clone()).of_class(name);
                 class.scene = ClassScene::Play(Box::new(ClassPlay::new(round, cx)));
             }
             None => {
@@ -145,7 +146,7 @@ impl Class {
             Outcome::Done(SetUpEnd::Start(play)) => self.scene = ClassScene::Play(play),
             Outcome::Done(SetUpEnd::Earlier) => {
                 if let ClassScene::SetUp(set_up) = &self.scene {
-                    let earlier = EarlierRounds::ask(set_up.clone(), cx);
+                    let earlier = EarlierRounds::ask(*set_up.clone(), cx);
                     self.scene = ClassScene::Earlier(Box::new(earlier));
                 }
             }
@@ -157,7 +158,7 @@ impl Class {
         match &mut self.scene {
             ClassScene::SetUp(_) => Next::Back,
             ClassScene::Earlier(earlier) => {
-                self.scene = ClassScene::SetUp(earlier.set_up.clone());
+                self.scene = ClassScene::SetUp(Box::new(earlier.set_up.clone()));
                 Next::Stay
             }
             ClassScene::Play(play) if !play.asks_before_leaving() => {

@@ -323,6 +323,12 @@ impl ClassPlay {
                     hosting.saved(&self.round, scene, cx);
                 }
             }
+            StoreReply::HandedIn(folder) => {
+                let scene = self.scene();
+                if let Some(hosting) = &mut self.hosting {
+                    hosting.keeps_hand_in(answer.ticket, folder, &self.round, scene, cx);
+                }
+            }
             StoreReply::Exported(exported) => cx.tell(match exported {
                 Ok(place) => format!("Both tables are written: {place}"),
                 Err(reason) => format!("The tables cannot be written: {reason}."),

@@ -24,6 +24,8 @@ const LONGEST: usize = 2 * LONGEST_NAME;
 pub(super) struct SetUp {
     /// Names as typed.
     pub(super) teams: Vec<TextField>,
+    /// What the class is called, as typed.
+    pub(super) class: TextField,
     list: ListView,
     /// The kind of round that is chosen.
     pub(super) kind: RoundKind,
@@ -44,6 +46,8 @@ pub(super) enum SetUpRow {
     Team(usize),
     /// One more team.
     Add,
+    /// What the class is called.
+    Class,
     /// A kind of round.
     Kind(RoundKind),
     /// Off we go.
@@ -89,7 +93,12 @@ pub(super) enum SetUpEnd {
 
 impl SetUp {
     /// The page with what is known already.
-    pub(super) fn new(code: Option<&Code>, teams: &[String], own: Arc<Library>) -> Self {
+    pub(super) fn new(
+        code: Option<&Code>,
+        teams: &[String],
+        class: &str,
+        own: Arc<Library>,
+    ) -> Self {
         let at = match (code, teams.is_empty()) {
             (_, true) => SetUpRow::Add,
             (None, false) => SetUpRow::Kind(RoundKind::Mixed),
@@ -98,6 +107,7 @@ impl SetUp {
         let teams = teams.iter().map(|name| TextField::new(name, LONGEST));
         let mut set_up = Self {
             teams: teams.collect(),
+            class: TextField::new(class, LONGEST),
             list: ListView::default(),
             kind: code.map_or(RoundKind::Mixed, |_| RoundKind::Code),
             topic: 0,
@@ -146,6 +156,7 @@ impl SetUp {
         if self.teams.len() < MOST_TEAMS {
             rows.push(SetUpRow::Add);
         }
+        rows.push(SetUpRow::Class);
         rows.extend(self.kinds().into_iter().map(SetUpRow::Kind));
         rows.extend([
             SetUpRow::Start,
@@ -160,6 +171,7 @@ impl SetUp {
     fn field(&mut self) -> Option<&mut TextField> {
         match self.at() {
             SetUpRow::Team(team) => self.teams.get_mut(team),
+            SetUpRow::Class => Some(&mut self.class),
             SetUpRow::Kind(RoundKind::Code) => Some(&mut self.code),
             _ => None,
         }
@@ -170,14 +182,16 @@ impl SetUp {
         use SetUpAction::{List, Remove, Topic};
         let at = self.at();
         let enter = match at {
-            SetUpRow::Team(_) | SetUpRow::Add => "next",
+            SetUpRow::Team(_) | SetUpRow::Add | SetUpRow::Class => "next",
             SetUpRow::Kind(_) => "choose it",
             SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices => "start",
             SetUpRow::Earlier => "open the list",
         };
         // Where text is typed they lead to its ends.
         let ends = match at {
-            SetUpRow::Team(_) | SetUpRow::Kind(RoundKind::Code) => [Key::Home, Key::End].as_slice(),
+            SetUpRow::Team(_) | SetUpRow::Class | SetUpRow::Kind(RoundKind::Code) => {
+                [Key::Home, Key::End].as_slice()
+            }
             _ => &[],
         };
         KeyTable::new("class")
@@ -303,7 +317,7 @@ impl SetUp {
         let at = self.at();
         match at {
             // An empty name is the way to the next thing.
-            SetUpRow::Add => self.put(SetUpRow::Kind(self.kind)),
+            SetUpRow::Add | SetUpRow::Class => self.put(SetUpRow::Kind(self.kind)),
             SetUpRow::Team(team) => {
                 self.list.choose(team + 1);
                 self.leave(at);
@@ -344,6 +358,7 @@ impl SetUp {
                     SetUpRow::Tally => ClassRound::with_tally(code),
                     _ => ClassRound::new(code, names),
                 };
+                let round = round.of_class(self.class.text());
                 Outcome::Done(SetUpEnd::Start(Box::new(ClassPlay::new(round, cx))))
             }
             Err(trouble) => {

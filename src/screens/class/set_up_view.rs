@@ -45,8 +45,8 @@ fn inside(frame: Rect) -> Rect {
 pub(super) fn row_at(set_up: &SetUp, area: Rect, cell: (u16, u16)) -> Option<SetUpRow> {
     let [teams, round, below] = layout(set_up, area);
     if let Some(row) = ListView::row_at(inside(teams), cell) {
-        let named = |row: &SetUpRow| matches!(row, SetUpRow::Team(_) | SetUpRow::Add);
-        return set_up.rows().into_iter().filter(named).nth(row);
+        let is_here = |row: &SetUpRow| !matches!(row, SetUpRow::Kind(_));
+        return set_up.rows().into_iter().take_while(is_here).nth(row);
     }
     if let Some(row) = ListView::row_at(inside(round), cell) {
         return set_up.kinds().get(row / 2).copied().map(SetUpRow::Kind);
@@ -88,6 +88,15 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
                 line(&format!("{} {name}", team + 1), chosen, &mut lines);
             }
             SetUpRow::Add => line("+ add a team: type its name", chosen, &mut lines),
+            SetUpRow::Class => {
+                let width = lines.width().saturating_sub(8);
+                let name = typed(&set_up.class, width, chosen, look.charset);
+                let words = match set_up.class.text().is_empty() && !chosen {
+                    true => "the class, for tables: no name",
+                    false => &format!("class: {name}"),
+                };
+                line(words, chosen, &mut lines);
+            }
             _ => {}
         }
     }

@@ -21,10 +21,15 @@ impl ClassPlay {
     pub(super) fn heading(&self) -> Option<Heading> {
         let number = format!("Question {}", self.number() + 1);
         let (texts, line): (&[&str], String) = match (&self.phase, self.step()) {
-            (ClassPhase::End(EndPage::Board), _) => (
-                &["The end"],
-                "e: write the answers as tables for a spreadsheet".into(),
-            ),
+            (ClassPhase::End(EndPage::Board), _) => {
+                let tables = "e: write the answers as tables for a spreadsheet";
+                let handed = self.hosting.as_ref().map_or(0, |it| it.handed_in());
+                let line = match handed {
+                    0 => tables.into(),
+                    handed => format!("{handed} handed in their own answers. {tables}"),
+                };
+                (&["The end"], line)
+            }
             (ClassPhase::End(EndPage::Held), _) => (&["What you held", "You held"], String::new()),
             (ClassPhase::End(EndPage::Items), _) => (&["Questions"], String::new()),
             (ClassPhase::Tally(entry), _) => match entry.vote {

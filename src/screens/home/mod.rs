@@ -47,7 +47,7 @@ impl Home {
     }
 
     fn suggestions(&self, cx: &Context) -> Vec<Suggestion> {
-        suggestions(&self.history, &cx.book)
+        suggestions(&self.history, cx)
     }
 
     /// How many lines there are: what is suggested, and the menu.
@@ -131,6 +131,7 @@ static ENTRIES: [Entry; 9] = [
         Place::Class {
             code: None,
             teams: Vec::new(),
+            name: String::new(),
         },
     ),
     Entry::new('t', "Table", "carrom, hits explained", Place::Table),

@@ -10,6 +10,8 @@ use crate::screens::{Context, Place};
 /// Something to do next, above the menu.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Suggestion {
+    /// Back to the class that was left.
+    Class(Place),
     /// Reading on in a chapter.
     Continue {
         /// Its place among all chapters, from 0.
@@ -29,8 +31,15 @@ pub(super) fn is_new(history: &Recall, book: &Book) -> bool {
     nothing && book.is_known() && !book.is_begun()
 }
 
-/// What to do next; nothing before it is known what was done.
-pub(super) fn suggestions(history: &Recall, book: &Book) -> Vec<Suggestion> {
+/// What to do next: back to a class that was left; of what was done nothing before it is known.
+pub(super) fn suggestions(history: &Recall, cx: &Context) -> Vec<Suggestion> {
+    let class = cx.class.clone().map(Suggestion::Class);
+    let next = alone(history, &cx.book).into_iter();
+    class.into_iter().chain(next).collect()
+}
+
+/// What to do next, alone.
+fn alone(history: &Recall, book: &Book) -> Vec<Suggestion> {
     if is_new(history, book) {
         return vec![Suggestion::FindOut];
     }
@@ -56,6 +65,7 @@ impl Suggestion {
     /// The letter that opens it.
     pub(super) fn key(&self) -> char {
         match self {
+            Self::Class(_) => 'j',
             Self::Continue { .. } => 'n',
             Self::Review(_) => 'r',
             Self::FindOut => 'b',
@@ -65,6 +75,7 @@ impl Suggestion {
     /// Its line.
     pub(super) fn text(&self) -> String {
         match self {
+            Self::Class(_) => "Back to your class".into(),
             Self::Continue { text, .. } => text.clone(),
             Self::Review(due) => format!("{} due: review", counted(due.now.len(), "topic")),
             Self::FindOut => "Find out what you believe".into(),
@@ -74,6 +85,7 @@ impl Suggestion {
     /// Where it leads.
     pub(super) fn place(&self, cx: &mut Context) -> Place {
         let kind = match self {
+            Self::Class(place) => return place.clone(),
             Self::Continue { chapter, .. } => return Place::Chapter { number: *chapter },
             Self::Review(due) => due.course(),
             Self::FindOut => CourseKind::with_id("find-out"),

@@ -2,6 +2,7 @@
 
 use crate::class::{DoorCode, LONGEST_NAME};
 use crate::messages::Key;
+use crate::screens::Place;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 use crate::widgets::{Lines, Outcome, Role};
 
@@ -56,6 +57,15 @@ impl DoorForm {
         });
         form.list.choose(missing.unwrap_or(rows.len()));
         form
+    }
+
+    /// The way back to where the form leads.
+    pub(super) fn place(&self) -> Place {
+        Place::Join {
+            address: self.address.as_ref().map(|it| it.text().to_owned()),
+            code: self.code.text().parse().ok(),
+            again: true,
+        }
     }
 
     fn rows(&self) -> Vec<DoorRow> {

@@ -2,7 +2,11 @@
 
 use std::time::Duration;
 
-use crate::class::protocol::{HostSaying, PupilState, Refusal, Saying, VERSION};
+use serde_json::Value;
+
+use crate::class::protocol::{
+    HandedIn, HostSaying, LARGEST_HAND_IN, PupilState, Refusal, Saying, VERSION,
+};
 use crate::class::{Said, SeatToken, Vote};
 use crate::messages::{JoinCall, JoinNews};
 use crate::screens::Context;
@@ -25,6 +29,10 @@ pub(super) struct Link {
     n: u64,
     /// A vote that the host has not taken yet.
     pending: Option<Saying>,
+    /// The number of the last that was handed in here.
+    handed: u64,
+    /// What is handed in and not kept yet.
+    handing_in: Option<Saying>,
 }
 
 /// Whether the host is reached.
@@ -59,6 +67,8 @@ impl Link {
             tries: 0,
             n: 0,
             pending: None,
+            handed: 0,
+            handing_in: None,
         };
         link.redial(cx);
         link
@@ -77,6 +87,11 @@ impl Link {
     /// Whether a vote is still on its way.
     pub(super) fn is_sending(&self) -> bool {
         self.pending.is_some()
+    }
+
+    /// Whether something that is handed in is still on its way.
+    pub(super) fn is_handing_in(&self) -> bool {
+        self.handing_in.is_some()
     }
 
     /// Takes in what was heard.
@@ -131,6 +146,7 @@ impl Link {
                     self.say_again(&state, cx);
                 }
                 self.n = self.n.max(state.n);
+                self.hear_of_hand_in(state.handed, first, cx);
                 LinkNews::State(state)
             }
             Some(HostSaying::No { why }) if why.is_passing() => {
@@ -157,6 +173,33 @@ impl Link {
             }
             _ => self.pending = None,
         }
+    }
+
+    /// Hears what came of what was handed in; after the connection was lost it is sent again.
+    fn hear_of_hand_in(&mut self, handed: Option<HandedIn>, first: bool, cx: &mut Context) {
+        let heard = handed.map_or(0, |it| it.n);
+        if heard >= self.handed {
+            self.handing_in = None;
+        } else if first && let Some(saying) = &self.handing_in {
+            cx.join(JoinCall::Say(saying.to_text()));
+        }
+        self.handed = self.handed.max(heard);
+    }
+
+    /// Hands this file in; says whether it is small enough for that.
+    pub(super) fn hand_in(&mut self, file: Value, cx: &mut Context) -> bool {
+        let n = self.handed + 1;
+        let saying = Saying::HandIn { n, file };
+        let text = saying.to_text();
+        if text.len() > LARGEST_HAND_IN {
+            return false;
+        }
+        if self.is_in() {
+            cx.join(JoinCall::Say(text));
+        }
+        self.handed = n;
+        self.handing_in = Some(saying);
+        true
     }
 
     /// Votes; `None` takes the vote back.

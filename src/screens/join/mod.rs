@@ -14,9 +14,15 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
+use super::recall::Recall;
 use super::{Confirmation, Context, Next, Screen, Settings};
 use crate::class::DoorCode;
+use crate::class::protocol::PupilStep;
+use crate::files::tidy_name;
+use crate::game::is_player_name;
+use crate::gradebook::HandIn;
 use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::numbers::counted;
 use crate::quiz::Confidence;
 use crate::widgets::hit::WatchAction;
 use crate::widgets::input::{KeyTable, ListAction, ListView};
@@ -45,6 +51,8 @@ pub(crate) enum JoinAction {
     Watch(WatchAction),
     /// scroll a text that is longer than its place
     Scroll(i16),
+    /// hand in all that you have answered alone, for the teacher
+    HandIn,
     /// back to the answer, or leave the class
     Leave,
 }
@@ -55,6 +63,8 @@ pub(crate) struct Join {
     form: DoorForm,
     link: Option<Link>,
     desk: Option<Desk>,
+    /// What the pupil has answered alone; nothing is asked for before they are in.
+    history: Recall,
     scroll: Scroll,
 }
 
@@ -76,6 +86,7 @@ impl Join {
             form: DoorForm::new(address, code, name),
             link: None,
             desk: None,
+            history: Recall::Asked(0),
             scroll: Scroll::default(),
         };
         if again {
@@ -94,9 +105,31 @@ impl Join {
         view::layout(self.desk.as_ref(), area)
     }
 
+    /// How many answers there are to be handed in.
+    fn answers(&self) -> usize {
+        let history = self.history.history();
+        history.map_or(0, |history| history.attempts.len())
+    }
+
+    /// Whether they may be handed in now: not while a vote is made or the truth is told.
+    fn may_hand_in(&self) -> bool {
+        let looks = |(desk, _): (&Desk, &Link)| {
+            let is_free = matches!(desk.state.step, PupilStep::Lobby | PupilStep::End);
+            is_free && matches!(desk.doing, Doing::Look)
+        };
+        self.answers() > 0 && self.desk().is_some_and(looks)
+    }
+
     fn write(&self, lines: &mut Lines) {
         match self.desk() {
-            Some((desk, link)) => view::write(desk, link, lines),
+            Some((desk, link)) => {
+                let answers = if self.may_hand_in() {
+                    self.answers()
+                } else {
+                    0
+                };
+                view::write(desk, link, answers, lines);
+            }
             None if self.link.is_some() => lines.paragraph("Knocking at the door ..", Role::Text),
             None => self.form.write(lines),
         }
@@ -104,6 +137,11 @@ impl Join {
 
     fn knock(&mut self, entry: Option<door::Entry>, cx: &mut Context) {
         if let Some(it) = entry {
+            // A page that came from the class belongs to whoever says their name there.
+            let name = tidy_name(&it.name);
+            if it.address.is_empty() && is_player_name(&name) {
+                cx.change_player(name);
+            }
             self.link = Some(Link::dial(&it.address, &it.code, &it.name, cx));
         }
     }
@@ -121,6 +159,23 @@ impl Join {
         }
         self.link = None;
         self.desk = None;
+    }
+
+    /// Hands in all that the pupil has answered alone.
+    fn hand_in(&mut self, cx: &mut Context) {
+        let (Some(history), Some(link)) = (self.history.history(), &mut self.link) else {
+            return;
+        };
+        // The host puts in the name by which the class knows the pupil.
+        let hand_in = HandIn::new(&cx.settings.player, "", history.attempts.clone());
+        let told = match hand_in.value() {
+            Ok(file) => match link.hand_in(file, cx) {
+                true => return,
+                false => "These are too many answers to be sent. On the page Progress, h makes a file of them for your teacher.".to_owned(),
+            },
+            Err(reason) => format!("Your answers cannot be sent: {reason}"),
+        };
+        cx.tell(told);
     }
 
     fn vote(&mut self, sure: Confidence, cx: &mut Context) {
@@ -152,7 +207,9 @@ impl Screen for Join {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<JoinAction> {
-        use JoinAction::{Answer, Form, Leave, MoreSure, Scroll, Sure, Take, TakeBack, Watch};
+        use JoinAction::{
+            Answer, Form, HandIn, Leave, MoreSure, Scroll, Sure, Take, TakeBack, Watch,
+        };
         let keys = KeyTable::new("join");
         let pages = scroll_keys(Scroll);
         let lines = [(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))];
@@ -165,6 +222,8 @@ impl Screen for Join {
         };
         match &desk.doing {
             Doing::Look => keys
+                .on('h', HandIn, "hand in")
+                .when(self.may_hand_in())
                 .on(Key::Escape, Leave, "leave")
                 .each(lines, "")
                 .or(pages),
@@ -199,6 +258,7 @@ impl Screen for Join {
         vec![
             "Your class plays a round, and you vote here, alone. The address and the code are on the board. What you vote is kept on the teacher's computer; only how many voted for what is shown to all.",
             "Vote in silence first, then talk, then vote again if you think otherwise now. The last vote counts, by how near it is; nobody is faster than anybody.",
+            "What you answer alone, in the quiz and in the chapters, stays on this device until you hand it in: h, before the round and after it.",
             "Should the connection be lost, carrom comes back by itself, and your votes are still there.",
         ]
     }
@@ -236,6 +296,16 @@ impl Screen for Join {
                     reveal.act(action);
                 }
             }
+            (JoinAction::HandIn, Some(_)) => {
+                let answers = counted(self.answers(), "answer");
+                return Next::Confirm(Confirmation::new(
+                    format!(
+                        "Send your {answers} to the teacher, with what was right and what was wrong? They were given alone, not in this round."
+                    ),
+                    "hand in",
+                    "not yet",
+                ));
+            }
             (JoinAction::Scroll(rows), _) => self.scroll_by(rows, cx),
             (JoinAction::Leave, Some(desk)) => {
                 if let Doing::Sure(input, _) = &desk.doing {
@@ -255,7 +325,12 @@ impl Screen for Join {
         Next::Stay
     }
 
-    fn confirmed(&mut self, _action: JoinAction, cx: &mut Context) -> Next {
+    fn confirmed(&mut self, action: JoinAction, cx: &mut Context) -> Next {
+        if action == JoinAction::HandIn {
+            self.hand_in(cx);
+            return Next::Stay;
+        }
+        cx.class = Some(self.form.place());
         self.hang_up(cx);
         Next::Back
     }
@@ -276,7 +351,10 @@ impl Screen for Join {
                                 self.scroll = Scroll::default();
                             }
                         }
-                        None => self.desk = Some(Desk::new(*state, pace)),
+                        None => {
+                            self.desk = Some(Desk::new(*state, pace));
+                            self.history = Recall::ask(cx);
+                        }
                     },
                     Some(LinkNews::Refused(why)) => {
                         self.link = None;
@@ -286,6 +364,7 @@ impl Screen for Join {
                     Some(LinkNews::Nothing) | None => {}
                 }
             }
+            Input::Kept(answer) => self.history.take(answer),
             _ => return Next::Ignored,
         }
         Next::Stay
@@ -359,8 +438,9 @@ impl Screen for Join {
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         let look = cx.settings.look();
-        if let Some((desk, link)) = self.desk() {
-            return view::draw(desk, link, &self.scroll, area, buf, &look);
+        if let Some(desk) = self.desk.as_ref().filter(|_| self.link.is_some()) {
+            let write = |lines: &mut Lines| self.write(lines);
+            return view::draw(desk, &self.scroll, area, buf, &look, write);
         }
         let layout = self.layout(area);
         layout.draw(buf, &look, "your class", "your class");

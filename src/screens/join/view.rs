@@ -29,11 +29,11 @@ pub(super) fn layout(desk: Option<&Desk>, area: Rect) -> SplitLayout {
 /// Draws it.
 pub(super) fn draw(
     desk: &Desk,
-    link: &Link,
     scroll: &Scroll,
     area: Rect,
     buf: &mut Buffer,
     look: &Look,
+    write: impl Fn(&mut Lines),
 ) {
     let layout = layout(Some(desk), area);
     let kind = desk
@@ -67,7 +67,7 @@ pub(super) fn draw(
             _ => draw_question(layout.picture, buf, look, question, None),
         }
     }
-    scroll.draw(layout.panel, buf, *look, |lines| write(desk, link, lines));
+    scroll.draw(layout.panel, buf, *look, write);
 }
 
 /// What a step is called.
@@ -87,8 +87,8 @@ fn step_name(step: PupilStep) -> &'static str {
     }
 }
 
-/// Writes what there is to say.
-pub(super) fn write(desk: &Desk, link: &Link, lines: &mut Lines) {
+/// Writes what there is to say, with how many answers may be handed in.
+pub(super) fn write(desk: &Desk, link: &Link, answers: usize, lines: &mut Lines) {
     if !link.is_in() {
         let words = "The teacher's carrom is out of reach. Trying again ..";
         lines.paragraph(words, Role::Warn);
@@ -96,16 +96,41 @@ pub(super) fn write(desk: &Desk, link: &Link, lines: &mut Lines) {
     }
     match (&desk.question, desk.state.step) {
         (Some(question), PupilStep::Asked(step)) => write_step(desk, question, step, link, lines),
-        (_, PupilStep::End) => write_end(desk, lines),
+        (_, PupilStep::End) => write_end(desk, link, answers, lines),
         _ => {
             lines.paragraph(&format!("You are in, {}.", desk.state.name), Role::Title);
             lines.gap();
             lines.paragraph("Look at the board: it begins soon.", Role::Text);
+            write_hand_in(desk, link, answers, lines);
         }
     }
 }
 
-fn write_end(desk: &Desk, lines: &mut Lines) {
+/// Writes what may be handed in, and what came of it.
+fn write_hand_in(desk: &Desk, link: &Link, answers: usize, lines: &mut Lines) {
+    let handed = desk.state.handed.map(|it| it.kept);
+    let (words, role) = match (link.is_handing_in(), handed) {
+        (true, _) => ("Your answers are on their way ..".to_owned(), Role::Warn),
+        (false, Some(Ok(kept))) => {
+            let kept = numbers::counted(kept, "answer");
+            (format!("Handed in: {kept}."), Role::Good)
+        }
+        (false, Some(Err(why))) => (format!("Not handed in. {}", why.words()), Role::Warn),
+        (false, None) => (String::new(), Role::Text),
+    };
+    if !words.is_empty() {
+        lines.gap();
+        lines.paragraph(&words, role);
+    }
+    if answers > 0 && !link.is_handing_in() && !matches!(handed, Some(Ok(_))) {
+        lines.gap();
+        let answers = numbers::counted(answers, "answer");
+        let words = format!("h: hand in the {answers} that you gave alone.");
+        lines.paragraph(&words, Role::Key);
+    }
+}
+
+fn write_end(desk: &Desk, link: &Link, answers: usize, lines: &mut Lines) {
     lines.paragraph("The round is over.", Role::Title);
     if let Some((points, place)) = desk.state.score {
         lines.gap();
@@ -115,6 +140,7 @@ fn write_end(desk: &Desk, lines: &mut Lines) {
         );
         lines.paragraph(&words, Role::Text);
     }
+    write_hand_in(desk, link, answers, lines);
     lines.gap();
     lines.paragraph("Esc: all of carrom, for you alone.", Role::Key);
 }
@@ -278,7 +304,7 @@ pub(super) fn choice_at(
     let Doing::Answer(input) = &desk.doing else {
         return None;
     };
-    let scrolled = scroll.rows(panel, look, |lines| write(desk, link, lines));
+    let scrolled = scroll.rows(panel, look, |lines| write(desk, link, 0, lines));
     let row = ListView::row_at(panel, cell)? as u16 + scrolled;
     rehearsed(panel, look, |lines| {
         let head = head_rows(desk, question, input, link, lines);

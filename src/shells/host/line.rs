@@ -14,7 +14,7 @@ use tungstenite::{Error, Message, WebSocket};
 use super::head::{self, Wish};
 use super::switchboard::{Line, Outgoing, Switchboard};
 use super::{hang_up, random, spawn};
-use crate::class::protocol::{HostSaying, LARGEST_SAYING, Refusal, Saying};
+use crate::class::protocol::{HostSaying, LARGEST_HAND_IN, LARGEST_SAYING, Refusal, Saying};
 use crate::class::{DoorCode, SeatToken};
 use crate::messages::HostNews;
 
@@ -33,6 +33,8 @@ const WRONG_CODE: Duration = Duration::from_secs(1);
 /// Messages a second, and how many at once.
 const RATE: f64 = 10.0;
 const BURST: f64 = 30.0;
+/// For how many messages something that is handed in counts.
+const HAND_IN: f64 = 20.0;
 
 /// Serves a connection until it is gone.
 pub(super) fn serve(board: &Arc<Switchboard>, line: &Arc<Line>) {
@@ -245,6 +247,11 @@ fn join(
     let fresh = SeatToken::of(random().map_err(|_| None)?);
     socket.get_mut().deadline = None;
     line.join();
+    // Whoever is in may hand something in.
+    socket.set_config(|config| {
+        config.max_message_size = Some(LARGEST_HAND_IN);
+        config.max_frame_size = Some(LARGEST_HAND_IN);
+    });
     let writer = Arc::clone(line);
     spawn("outbox", move || write_out(&writer)).map_err(|_| Some(Refusal::Full))?;
     board.hear(HostNews::Came {
@@ -270,7 +277,11 @@ fn listen(
             Err(why) => return why,
         };
         let now = Instant::now();
-        room = (room + RATE * (now - since).as_secs_f64()).min(BURST) - 1.0;
+        let weight = match saying {
+            Saying::HandIn { .. } => HAND_IN,
+            _ => 1.0,
+        };
+        room = (room + RATE * (now - since).as_secs_f64()).min(BURST) - weight;
         since = now;
         if room < 0.0 {
             thread::sleep(Duration::from_secs_f64(-room / RATE));
@@ -282,6 +293,11 @@ fn listen(
                 vote,
                 said,
                 n,
+            }),
+            Saying::HandIn { n, file } => board.hear(HostNews::HandedIn {
+                line: line.id,
+                n,
+                file,
             }),
             Saying::Leave => return None,
             Saying::Join { .. } => return Some(Refusal::Format),

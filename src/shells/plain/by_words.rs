@@ -4,8 +4,9 @@
 pub(super) const KEY: char = '\u{e0f0}';
 
 /// What leads to the words behind it, and is for hands and eyes alone.
-const LEADS: [&str; 3] = [
+const LEADS: [&str; 4] = [
     "Drag the point: ",
+    "Now turn the rays: ",
     "Look at the picture: ",
     "Find the line of impact in the picture, where the two will touch: ",
 ];

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::spoken::sentence;
+use super::working;
 use crate::lessons::{Chapter, ChapterPage, CheckpointKind, Expected, Figure, FigureKind};
 use crate::numbers::{degrees, millimetres, significant, with_unit};
 use crate::physics::beam::Beam;
@@ -207,7 +208,8 @@ fn working(collision: &Collision, figure: &Figure) -> Vec<Vec<String>> {
     let each = (1..).zip(worked::steps(collision, by_offset));
     each.map(|(number, step)| {
         let head = format!("Step {number}: {} {}", sentence(step.title), step.why);
-        std::iter::once(head).chain(step.lines).collect()
+        let lines = working::lines(&step);
+        std::iter::once(head).chain(lines).collect()
     })
     .collect()
 }

@@ -11,27 +11,34 @@ pub(super) fn aloud(formula: &Formula) -> String {
 /// A formula in one line, its fractions in words and its signs as Unicode writes them.
 fn linear(formula: &Formula) -> String {
     let mut line = String::new();
-    let mut after_fraction = false;
+    let (mut after_fraction, mut after_factor) = (false, false);
     for term in &formula.0 {
-        // What follows a fraction would seem to stand under its line.
+        let node = &term.node;
+        // What follows a fraction would seem to stand under its line, and a fraction or a root
+        // that follows something to begin anew.
         line += match () {
-            () if after_fraction && is_factor(&term.node) => " × ",
+            () if after_fraction && is_factor(node) => " × ",
+            () if after_factor && matches!(node, Node::Fraction(..) | Node::Root(_)) => " × ",
             () if term.apart => " ",
             () => "",
         };
-        line += &of_node(&term.node);
-        after_fraction = matches!(&term.node, Node::Fraction(_, under) if !awaits(under));
+        line += &of_node(node);
+        after_fraction = matches!(node, Node::Fraction(_, under) if !awaits(under));
+        after_factor = is_factor(node) && !is_named(node);
     }
     line.trim().to_owned()
 }
 
 /// Whether it ends in a function, whose argument follows.
 fn awaits(formula: &Formula) -> bool {
-    match formula.0.last().map(|term| &term.node) {
-        Some(Node::Word(word)) => is_function(word),
-        Some(Node::Scripts { base, .. }) => {
-            matches!(&**base, Node::Word(word) if is_function(word))
-        }
+    formula.0.last().is_some_and(|term| is_named(&term.node))
+}
+
+/// Whether it is the name of a function, raised to a power or not.
+fn is_named(node: &Node) -> bool {
+    match node {
+        Node::Word(word) => is_function(word),
+        Node::Scripts { base, .. } => is_named(base),
         _ => false,
     }
 }
@@ -112,6 +119,18 @@ mod tests {
                  u 1 n",
             ),
             ("p = 2 m v", "p equals 2 m v"),
+            (
+                "mu = m_1 m_2/(m_1 + m_2)",
+                "mu equals m 1 times the fraction m 2 over m 1 plus m 2, end of fraction",
+            ),
+            (
+                "(3 sqrt(2))/2",
+                "the fraction 3 times the square root of 2, all that, over 2, end of fraction",
+            ),
+            (
+                "v_x = v_n n_x + v_t t_x",
+                "v x equals v n times n x plus v t times t x",
+            ),
             (
                 "v = 4 \"m/s\" + 15 \"mm\"",
                 "v equals 4 metres per second plus 15 millimetres",

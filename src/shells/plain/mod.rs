@@ -18,6 +18,7 @@ mod recorder;
 mod solve;
 mod spoken;
 mod talk;
+mod working;
 
 pub use learn::learn;
 pub use own_shot::lab;

@@ -3,6 +3,7 @@
 use super::number::number;
 use super::spoken::sentence;
 use super::talk::{Leave, Talk};
+use super::working;
 use crate::physics::worked::{self, WorkedStep};
 use crate::physics::{CollisionSpec, ImpactPoint};
 
@@ -18,7 +19,7 @@ pub fn solve(talk: &mut Talk, given: Option<&[WorkedStep]>) -> Result<(), Leave>
     for (count, step) in (1..).zip(&steps) {
         talk.say(&format!("Step {count}: {}", sentence(step.title)))?;
         talk.say(&step.why)?;
-        talk.say_all(&step.lines)?;
+        talk.say_all(working::lines(step))?;
     }
     Ok(())
 }

@@ -5,6 +5,7 @@
 //! at once, and whoever they are of hears of it when that is done.
 
 mod door_page;
+mod handing_in;
 mod people;
 mod qr;
 
@@ -15,7 +16,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use crate::class::protocol::{PupilState, PupilStep, Refusal, VERSION};
+use crate::class::protocol::{HandedIn, PupilState, PupilStep, Refusal, VERSION};
 use crate::class::{
     AskedQuestion, Ballot, ClassChange, ClassRound, ClassStep, Said, ToldTruth, Vote, standings,
 };
@@ -24,6 +25,7 @@ use crate::quiz::{Answer, Confidence, Form, Response, explain};
 use crate::screens::Context;
 use crate::widgets::Look;
 use crate::widgets::input::{KeyTable, ListAction};
+use handing_in::HandingIn;
 use people::People;
 
 /// How long nobody may have come before the screen says what may be in the way.
@@ -62,6 +64,7 @@ pub(in crate::screens::class) struct Hosting {
     /// Whether nobody new is let in.
     shut: bool,
     keeping: Keeping,
+    handing_in: HandingIn,
     /// How long the door has been open without anybody coming in.
     waited: Duration,
     page: Option<HostPage>,
@@ -86,6 +89,11 @@ struct Presence {
     n: u64,
     /// The number of the last state that this connection was told.
     rev: u64,
+    /// What came of the last that they handed in.
+    handed: Option<HandedIn>,
+    /// How often they did, and whether something of it is kept.
+    times: usize,
+    has_handed_in: bool,
 }
 
 /// What is on its way to the disk, and who waits for it.
@@ -128,6 +136,7 @@ impl Hosting {
             presence: vec![Presence::default(); round.teams().len()],
             shut: false,
             keeping: Keeping::default(),
+            handing_in: HandingIn::default(),
             waited: Duration::ZERO,
             page: Some(HostPage::Door),
             gathers: true,
@@ -212,6 +221,11 @@ impl Hosting {
                         }
                     }
                 }
+                HostNews::HandedIn { line, n, file } => {
+                    if let Some(person) = self.person(*line) {
+                        self.hand_in(person, *line, *n, file, round, cx);
+                    }
+                }
                 HostNews::Gone(line) => {
                     if let Some(person) = self.person(*line) {
                         self.presence[person].line = None;
@@ -230,16 +244,9 @@ impl Hosting {
 
     /// Puts somebody in their place; whoever sat there has to leave.
     fn seat(&mut self, person: usize, line: LineId, cx: &mut Context) {
-        let n = self.presence[person].n;
-        let before = std::mem::replace(
-            &mut self.presence[person],
-            Presence {
-                line: Some(line),
-                n,
-                rev: 0,
-            },
-        );
-        if let Some(before) = before.line {
+        let presence = &mut self.presence[person];
+        presence.rev = 0;
+        if let Some(before) = presence.line.replace(line) {
             cx.host(HostCall::Refuse(before, Refusal::Elsewhere));
         }
         self.keeping.wait(line);
@@ -485,6 +492,9 @@ impl Hosting {
                 let stranger = self.presence[*from];
                 if let Some(line) = stranger.line {
                     let before = std::mem::replace(&mut self.presence[*into], stranger);
+                    let one = &mut self.presence[*into];
+                    one.handed = one.handed.or(before.handed);
+                    one.has_handed_in |= before.has_handed_in;
                     if let Some(before) = before.line {
                         cx.host(HostCall::Refuse(before, Refusal::Elsewhere));
                     }
@@ -620,6 +630,7 @@ impl Told {
             spread: self.spread.clone(),
             told: is_told.then(|| truth(round, person, &ballot)).flatten(),
             score: self.scores.get(person).copied().flatten(),
+            handed: presence.handed,
         })
     }
 }

@@ -174,11 +174,11 @@ impl People {
         look: &Look,
     ) {
         let frame = column(area);
-        let title = format!(
-            "{} in, {} on the list",
-            hosting.present(),
-            round.teams().len()
-        );
+        let (present, all) = (hosting.present(), round.teams().len());
+        let title = match hosting.handed_in() {
+            0 => format!("{present} in, {all} on the list"),
+            handed => format!("{present} in, {all} on the list, {handed} handed in"),
+        };
         draw_panel(buf, frame, &title, look.charset, &look.theme);
         let [above, below] = Self::places(area);
         let question = round.place().question;
@@ -201,20 +201,22 @@ impl People {
                 Doing::Rename(field) if row == at => field.shown(),
                 _ => name.to_owned(),
             };
-            let here = hosting
-                .presence
-                .get(*person)
-                .is_some_and(|it| it.line.is_some());
             let ballot = round.ballot(question, *person);
             let voted = match (ballot.first, ballot.second) {
                 (_, Some(_)) => "voted again",
                 (Some(_), None) => "has voted",
                 (None, None) => "no vote yet",
             };
-            let state = match here {
-                true => voted.to_owned(),
-                false => format!("{voted}, away"),
+            let presence = hosting.presence.get(*person);
+            let handed = match presence.is_some_and(|it| it.has_handed_in) {
+                true => ", handed in",
+                false => "",
             };
+            let away = match presence.is_some_and(|it| it.line.is_some()) {
+                true => "",
+                false => ", away",
+            };
+            let state = format!("{voted}{handed}{away}");
             let room = usize::from(lines.width()).saturating_sub(text::width(&state) + 5);
             let name = text::clipped(&look.charset.text(&name), room);
             lines.pair(&format!("{mark} {name} "), &state, role, Role::Dim);
@@ -228,7 +230,10 @@ impl People {
             }
             Doing::Rename(_) => "Type the name, then Enter.".into(),
             Doing::Nothing if hosting.shut => "The door is closed: nobody new can come in.".into(),
-            Doing::Nothing => String::new(),
+            Doing::Nothing => match hosting.handed_in_where() {
+                Some(folder) => format!("Handed in: carrom gather {folder} --out class.html"),
+                None => String::new(),
+            },
         };
         lines.paragraph(&words, Role::Key);
     }

@@ -103,6 +103,13 @@ mod tests {
             ),
             ("60.0 g m/s", "60.0 gram metres per second"),
             ("(60, 0) g m/s", "(60, 0) gram metres per second"),
+            ("in g m/s?", "in gram metres per second?"),
+            ("(1, −1) m/s", "(1, minus 1) metres per second"),
+            ("44.4 rad/s", "44.4 radians per second"),
+            (
+                "30 mm · sin 45°",
+                "30 millimetres times the sine of 45 degrees",
+            ),
             ("Forward is +.", "Forward is plus."),
             (
                 "v₁ = v₁ₙ n + v₁ₜ t",

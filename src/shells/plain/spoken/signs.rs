@@ -77,6 +77,7 @@ fn one(letter: char, before: &[char], after: &[char]) -> String {
         '/' if is_word(before.iter().rev()) && is_word(after.iter()) => "/",
         '/' if name(last) && name(next) => " over ",
         '*' if name(last) && name(next) => " times ",
+        '·' | '∙' if begins_function(after) => " times ",
         '·' | '∙' if is_quantity(before.iter().rev()) && is_quantity(after.iter()) => " dot ",
         '√' if digit(last) => " times the square root of ",
         '°' if is_one(before) => " degree",
@@ -98,9 +99,17 @@ fn is_greek(letter: char) -> bool {
     spelling(letter).is_none() && greek(letter).is_some()
 }
 
-/// Whether a direction by its letter alone comes next.
+/// Whether the name of a function comes first, after blanks.
+fn begins_function(letters: &[char]) -> bool {
+    let word = letters.iter().skip_while(|c| **c == ' ');
+    let word: String = word.take_while(|c| c.is_ascii_alphabetic()).collect();
+    functions::is_function(&word)
+}
+
+/// Whether a direction by its letter, or one of its components, comes next.
 fn is_direction(letters: &[char]) -> bool {
     match letters {
+        [' ', 'n' | 't', 'ₓ' | 'ᵧ', ..] => true,
         [' ', 'n' | 't', after @ ..] => !after.first().is_some_and(|c| c.is_alphanumeric()),
         _ => false,
     }

@@ -1,8 +1,9 @@
 //! Units as they are read aloud, and as they are typed.
 
 /// Units as texts write them, with their names after one and after many.
-const UNITS: [(&str, &str, &str); 16] = [
+const UNITS: [(&str, &str, &str); 17] = [
     ("m/s", "metre per second", "metres per second"),
+    ("rad/s", "radian per second", "radians per second"),
     ("mm", "millimetre", "millimetres"),
     ("mm²", "square millimetre", "square millimetres"),
     ("cm", "centimetre", "centimetres"),
@@ -40,8 +41,8 @@ pub(super) fn spell(text: &str) -> String {
         let next = tokens.peek().map(|next| without_stop(next).0);
         let speed_follows = stop.is_empty() && next == Some("m/s");
         let name = match (count, bare) {
-            (Some(_), "g" | "kg") if speed_follows => {
-                // The number counts what follows: "gram metres per second".
+            (_, "g" | "kg") if speed_follows => {
+                // A number counts what follows: "gram metres per second".
                 words.extend(name(bare, Count::One).map(str::to_owned));
                 continue;
             }
@@ -103,8 +104,9 @@ fn counted(token: &str) -> Option<Count> {
         && number.contains(|c: char| c.is_ascii_digit())
         && !number.starts_with('e')
         && !number.ends_with(['.', ',']);
+    let is_pair = token.ends_with(')') && !token.starts_with('(');
     is_number.then(|| match number.trim_start_matches(['-', '−']) {
-        "1" => Count::One,
+        "1" if !is_pair => Count::One,
         _ => Count::Many,
     })
 }
