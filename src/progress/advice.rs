@@ -35,8 +35,8 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     let lately = &attempts[attempts.len().saturating_sub(LATELY)..];
     if let Some(missed) = lately.iter().rev().find(|it| it.is_surely_wrong()) {
         return format!(
-            "You were sure, and it came out otherwise: {}. Take one of its kind again, and \
-             stay with the why.",
+            "You were sure, and it came out differently: {}. Try one of its kind again, and \
+             take your time over the why.",
             missed.topic_name()
         );
     }
@@ -49,7 +49,7 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
             share(a).total_cmp(&share(b))
         });
     match weakest {
-        Some(topic) => format!("What has the most to give you now: {}.", topic.name),
+        Some(topic) => format!("What can teach you most now: {}.", topic.name),
         None => "All you have met is solid. Try the levels, or a game at the table.".into(),
     }
 }
@@ -68,13 +68,13 @@ mod tests {
             advice(&attempts, &Calendar::utc(now_s))
         };
         assert!(says(None, None).contains("Play a round"));
-        assert!(says(Some(attempt("a", 9.0)), None).contains("most to give you now: a"));
+        assert!(says(Some(attempt("a", 9.0)), None).contains("teach you most now: a"));
         let sure = Attempt {
             confidence: Some(Confidence::Sure),
             time_s: Some(1000),
             ..attempt("equal-masses", 9.0)
         };
-        assert!(says(Some(sure), None).contains("came out otherwise: equal masses"));
+        assert!(says(Some(sure), None).contains("came out differently: equal masses"));
         assert!(says(None, Some(1000)).contains("Due again: equal masses"));
         let held = |number: u32| Attempt {
             question: format!("{{\"number\":{number},\"by_chance\":0.01}}"),

@@ -90,8 +90,8 @@ pub const TOUR: &[TourStop] = &[
     moment("lab, live", "lab", THREE_RIGHT),
     moment("lab, saying where", "lab", "<Enter>"),
     moment("lab, an angle typed", "lab", "<Enter>6"),
-    moment("lab, watched", "lab", "<Enter>80<Enter>10<Enter><End><End>"),
-    moment("lab, told", "lab", "<Enter>80<Enter>10<Enter><End>"),
+    moment("lab, watched", "lab", "<Enter>45<Enter>45<Enter><End><End>"),
+    moment("lab, told", "lab", "<Enter>45<Enter>45<Enter><End>"),
     moment("lab, watching", "lab", "<Enter>60<Enter>30<Enter>"),
     moment(
         "lab, a mystery coin",

@@ -122,7 +122,7 @@ fn the_place_is_kept_and_can_be_reset() {
     game.press("Ry");
     let screen = game.screen();
     assert!(
-        screen.contains("page 1 of 5") && screen.contains("begins anew"),
+        screen.contains("page 1 of 5") && screen.contains("starts over"),
         "{screen}"
     );
     let mark = game.app().book().mark(&chapter.id);

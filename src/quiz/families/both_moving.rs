@@ -210,7 +210,7 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -
             "They came the same way, more or less, and so they go on:",
         ),
         90 => (1, "They came at right angles, and so they part:"),
-        _ => (2, "They came against each other, and so they part:"),
+        _ => (2, "They came towards each other, and so they part:"),
     };
     if right != 1 && (deg_from_rad(separation) - 90.0).abs() < NEAR_SQUARE_DEG {
         return None;

@@ -104,8 +104,8 @@ fn parting(dice: &mut Dice) -> Option<Question> {
         .wrong(Lossless, 1.0)
         .says("e = 1 is a hit without loss: the striker would have stopped.")
         .why(format!(
-            "They part at {v2_words} - {v1_words} = {} m/s and met at {u_words} m/s. e is the one \
-             over the other: {}.",
+            "They part at {v2_words} - {v1_words} = {} m/s and met at {u_words} m/s. e is the first \
+             over the second: {}.",
             significant(v2 - v1),
             significant(e)
         ))
@@ -181,7 +181,7 @@ fn corner(dice: &mut Dice) -> Option<Question> {
         .says("You made the angle larger by as much as loss makes it smaller.")
         .why(format!(
             "Of its speed the striker keeps sin {} = {} across the line and (1 - e) / 2 cos {0} = \
-             {} along it, the coin's direction. The one over the other is the tangent of {}.",
+             {} along it, the coin's direction. The first over the second is the tangent of {}.",
             bare_degrees(alpha),
             significant(alpha.sin()),
             significant(0.5 * (1.0 - e) * alpha.cos()),

@@ -58,8 +58,8 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
     let not_here = if m1_g == m2_g {
         "Equal masses part at a right angle if no energy is lost. Here some is."
     } else if lossy {
-        "With loss it is not equal masses that part at a right angle, but m₁ = e m₂. Here they \
-         are others."
+        "With loss it is not equal masses that part at a right angle, but m₁ = e m₂. These \
+         two do not fit that."
     } else {
         "The right angle without loss is that of equal masses. Here they differ."
     };
@@ -82,7 +82,7 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
         .chooses(AlwaysSquare, EXACTLY)
         .says(not_here)
         .chooses(Lossless, lossy.then(|| place(m1_g.cmp(&m2_g))))
-        .says("That is so without loss. Loss makes the angle smaller, and more loss still smaller.")
+        .says("That is so without loss. Loss makes the angle smaller, and more loss makes it smaller still.")
         .chooses(SpeedOpensAngle, square.then_some(MORE))
         .says("Does a hard hit drive them wider apart? Speed alone changes no angle.")
         .chooses(PushedAhead, square.then_some(LESS))

@@ -118,8 +118,8 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
             ),
         ),
         Rims::Stick => (
-            "You let them slip along each other. So it would be with smooth rims and e = 0; these \
-             hold fast.",
+            "You let them slip along each other. That is what smooth rims do at e = 0; these hold \
+             fast.",
             "",
             format!(
                 "Stuck together they go on with their centre of mass, at {} m/s. Off-centre, the \

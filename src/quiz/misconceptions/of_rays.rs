@@ -102,15 +102,15 @@ impl Misconception {
             },
             Self::HeavyUnmoved if hit.mass_ratio() > 1.0 => {
                 "You let the heavy striker go straight on. But the push that moves the coin \
-                 pushes the striker back as hard."
+                 pushes the striker back just as hard."
                     .into()
             }
             Self::HeavyUnmoved => "You left the heavy marble at rest. But the push that turns the \
-                                   striker pushes the marble as hard."
+                                   striker pushes the marble just as hard."
                 .into(),
             Self::StraightOn => format!(
                 "You let the striker go straight on. But it pushes the {name}, and the {name} \
-                 pushes it back as hard."
+                 pushes it back just as hard."
             ),
             Self::PushedAhead => format!(
                 "You sent the {name} straight ahead. But smooth discs push only along the line \

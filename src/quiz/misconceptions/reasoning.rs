@@ -19,7 +19,7 @@ pub fn reasoning(hit: &Hit) -> String {
             format!("The {name} leaves along the line of impact: {alpha}.")
         }
         ImpactPoint::Offset { offset_mm } => format!(
-            "{} / {} = sin {alpha}: there lies the line of impact, the {name}'s path.",
+            "{} / {} = sin {alpha} gives the line of impact, the {name}'s path.",
             bare_millimetres(offset_mm.abs()),
             bare_millimetres(hit.reach_mm())
         ),

@@ -208,7 +208,7 @@ impl Summary {
             0 if self.right() == self.lines.len() => {
                 format!("Settled, as far as a check can tell: {name}. It does not show any more.")
             }
-            0 => format!("It does not show any more: {name}. But not all was right yet."),
+            0 => format!("It does not show any more: {name}. But not everything was right yet."),
             _ => format!("It still shows: {name}. Read the page once more, and take your time."),
         }
     }
@@ -234,7 +234,7 @@ impl Summary {
             0 => "Answer a question first.".into(),
             // As a topic is solid: from four right in five on.
             asked if 5 * self.right() >= 4 * asked => {
-                "You have this. Try a new round, or a level that needs an exact cut.".into()
+                "You know this. Try a new round, or a level that needs an exact cut.".into()
             }
             _ => "In the lab, take one hit at a time: first the line of impact, then the \
                   striker's part across it."
@@ -341,7 +341,7 @@ mod tests {
                 .collect();
             Summary::new(round.questions().iter().zip(&answers))
         };
-        assert!(summary(3).advice().starts_with("You have this."));
+        assert!(summary(3).advice().starts_with("You know this."));
         assert!(summary(2).advice().starts_with("In the lab,"));
     }
 

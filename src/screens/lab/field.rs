@@ -159,7 +159,10 @@ impl LabField {
                 "impact angle",
                 "the same offset, as the angle between the striker's way and n",
             ),
-            Self::Aim => ("aim", "which way the striker comes; all turns with it"),
+            Self::Aim => (
+                "aim",
+                "which way the striker slides; everything turns with it",
+            ),
             Self::Speed => (
                 "speed",
                 "how fast the striker comes; no angle depends on it",
@@ -192,7 +195,7 @@ impl LabField {
                 "coin speed",
                 "how fast the coin moves before; 0: it is at rest",
             ),
-            Self::CoinAim => ("coin aim", "which way the coin moves before"),
+            Self::CoinAim => ("coin aim", "which way the coin moves before, if it moves"),
         }
     }
 

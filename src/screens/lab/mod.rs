@@ -283,7 +283,7 @@ impl Screen for Lab {
             "The line of impact n joins the two centres at the contact. Along it the discs push each other; across it, along t, nothing pushes, so nothing changes. Everything else follows from that.",
             "Angles count from the striker's direction: for the striker to the side away from the coin, for the coin to its own side.",
             "The coin can be moved by the mouse, the rays too; the wheel changes the speed.",
-            "Say three times rightly where both will go, and v switches the live picture on: arrows, angles and curves follow the offset as you turn it. What you have set up is still there when you come back.",
+            "Once you have said three times correctly where both will go, v switches on the live picture: arrows, angles and curves follow the offset as you change it. What you have set up is still there when you come back.",
         ]
     }
 

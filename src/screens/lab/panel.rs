@@ -37,28 +37,24 @@ pub(super) fn draw_settings(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Contex
     } else {
         "Enter: shoot. (p: predict first)"
     };
-    let about = |lines: &mut Lines| lab.form.write_about(&lab.settings, lines);
-    let followed = if live { ANSWER_ROWS } else { 0 };
-    let mut spare = lines.spare(GEOMETRY_ROWS + followed + lines.rows_of(next));
-    let apart = spare.take(1);
-    if spare.take(lines.rows_by(about)) {
-        about(&mut lines);
-    }
-    if spare.take(1) {
-        lines.gap();
-    }
     geometry(lab, &mut lines);
     if live {
         answers(&live_hit(lab), &mut lines);
+    }
+    let about = |lines: &mut Lines| lab.form.write_about(&lab.settings, lines);
+    let mut spare = lines.spare(lines.rows_of(next));
+    let apart = spare.take(1);
+    if spare.take(lines.rows_by(about)) {
+        if spare.take(1) {
+            lines.gap();
+        }
+        about(&mut lines);
     }
     if apart {
         lines.gap();
     }
     lines.paragraph(next, Role::Key);
 }
-
-/// Rows that [`geometry`] takes at most.
-const GEOMETRY_ROWS: u16 = 2;
 
 /// b/(r₁+r₂), and that they miss if they do.
 fn geometry(lab: &Lab, lines: &mut Lines) {

@@ -55,7 +55,7 @@ fn compared(first: f64, last: f64) -> &'static str {
     } else if last < 0.8 * first {
         "You come closer than you did: that is what practice looks like."
     } else if last > 1.25 * first {
-        "Lately it was harder. New kinds of hits do that; the line comes down again."
+        "Lately it was harder. New kinds of hits do that; the line will come down again."
     } else {
         "Steady. The next step comes from the ones you miss: read why."
     }

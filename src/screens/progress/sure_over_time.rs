@@ -19,7 +19,7 @@ const SHOWN: usize = 200;
 /// to draw.
 pub(super) fn plot(history: &History, area: Rect, look: Look) -> Result<Picture, &'static str> {
     let picture = sureness_picture(&history.attempts, SHOWN, REACH, area, look);
-    picture.ok_or("Three answers of one confidence, and its line begins here.")
+    picture.ok_or("A line begins here after three answers of one confidence.")
 }
 
 /// Where each line should be, and where it ended.

@@ -496,7 +496,7 @@ impl Screen for Quiz {
         vec![
             "Answer each question, say how sure you are, then watch what happens and read why. In an exam you hear nothing until the end, nor while carrom finds out what you believe: there each question follows from your answers. Rims are smooth unless a question says otherwise.",
             "Rays: angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side. A shot: set the offset that sends the disc along the dashed way to the mark.",
-            "A ray is right within 4°, and so is a shot that sends its disc that near the way. Of numbers an angle, a share or e is right within a tenth of the truth, but never further off than 4°, 4 % or 0.04; any other within a twentieth.",
+            "A ray is right within 4°, and so is a shot that sends its disc that near the way. An angle, a share or e that you give as a number is right within a tenth of the truth, but never further off than 4°, 4 % or 0.04; any other number within a twentieth.",
             "A ray within 2° earns all its credit, one that is 30° off none. \"Sure\" brings most points if you are right and costs most if you are not, so the honest answer is the one that pays. The sum may fall below zero: otherwise a wrong \"sure\" would cost nothing there.",
             "A wrong answer names the page of the chapters that settles it: c opens it, Esc brings you back to where you were.",
             "After the last question each one can be opened again; an exam that is left shows what was answered. The code at the top fixes the questions: with the same code a friend gets the same round.",

@@ -85,7 +85,7 @@ impl Screen for SettingsScreen {
         if self.typed.is_some() {
             return keys
                 .on(Key::Enter, Take, "take it")
-                .on(Key::Escape, Back, "give it up");
+                .on(Key::Escape, Back, "cancel");
         }
         let enter = match self.is_at_player(cx) {
             true => "type a name",

@@ -113,7 +113,7 @@ impl AnswerInput {
                 KeyTable::new("answer")
                     .by([Key::Up, Key::Down], Move, [-1, 1], "choose")
                     .or([(Key::BackTab, Move(-1)), (Key::Tab, Move(1))])
-                    .each(each('a'), "likewise")
+                    .each(each('a'), "pick")
                     .or(each('1'))
                     .on(Key::Enter, Enter, "next")
             }

@@ -148,7 +148,7 @@ impl<'a> BeatWords<'a> {
                 speed(u.n),
                 speed(u.t)
             ),
-            (false, false) => "So split both velocities. The parts along t do not notice the hit; it is all between the parts along n.".into(),
+            (false, false) => "So split both velocities. The parts along t do not notice the hit: only those along n take part in it.".into(),
         }
     }
 
@@ -180,7 +180,7 @@ impl<'a> BeatWords<'a> {
                 format!("The {name} has no uₜ to keep, and of uₙ nothing is left: it stands still.")
             }
             (true, false) => format!(
-                "The {name} keeps uₜ as it was. Of uₙ nothing is left, so v₁ = uₜ = {whole}, along t."
+                "The {name} keeps uₜ as it was. Of uₙ nothing is left, so v₁ = uₜ = {whole}."
             ),
             (false, across) => {
                 let keeps = if across {

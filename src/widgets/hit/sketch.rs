@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::stage::HitLayout;
 use crate::quiz::AimTask;
 use crate::widgets::Role;
-use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture};
+use crate::widgets::picture::{DrawLayer, Label, LabelSide, Pen, Picture};
 
 /// Longest arrow, in radii of the larger disc.
 const LONGEST: f64 = 2.8;
@@ -143,9 +143,9 @@ impl Sketch {
         anchor: DVec2,
         towards: DVec2,
         role: Role,
-    ) {
+    ) -> &mut Label {
         self.picture
-            .label(text, anchor, &LabelSide::towards(towards), role);
+            .label(text, anchor, &LabelSide::towards(towards), role)
     }
 
     /// The arc from one direction to another round the centre of `body`, with the line it
@@ -231,7 +231,7 @@ impl Sketch {
         let pen = Pen::new(Role::Incoming).bold();
         self.picture.arrow(tip - way, tip, pen);
         let text = format!("{name} = {:.2} m/s", v.length());
-        self.label(text, anchor, across, Role::Incoming);
+        self.label(text, anchor, across, Role::Incoming).short(name);
     }
 
     /// An arrow away from the rim of a disc that leaves, with its speed at the tip; or
@@ -313,9 +313,10 @@ impl Sketch {
                     match root {
                         Root::From(_) => self.velocity(scale, root, part),
                         Root::UpTo(_) => {
-                            let aside = tip - end(whole.v / 2.0);
                             self.picture.arrow(tail, tip, Pen::new(part.role).bold());
-                            self.name(part, tip, aside);
+                            // Out of the rectangle, and away from the other disc.
+                            let aside = (tip - end(whole.v / 2.0)).normalize_or_zero();
+                            self.name(part, tip, aside + tip.normalize_or_zero());
                         }
                     }
                 }
@@ -363,7 +364,8 @@ impl Sketch {
     /// The name and the speed of a velocity, on the side of `at` that lies in a direction.
     fn name(&mut self, velocity: &NamedVelocity, at: DVec2, towards: DVec2) {
         let text = format!("{} = {:.2} m/s", velocity.name, velocity.v.length());
-        self.label(text, at, towards, velocity.role);
+        self.label(text, at, towards, velocity.role)
+            .short(&velocity.name);
     }
 
     /// The triangle of momenta in kg·m/s: total = p₁ + p₂, tail to tip, in the corner

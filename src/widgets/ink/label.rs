@@ -40,6 +40,14 @@ const ASIDE: i32 = 2;
 /// How far from its anchor a label may stand, in rows.
 const FARTHEST: i32 = 4;
 
+/// What may be in the cells right beside the two ends of a label.
+#[derive(Debug, Clone, Copy)]
+enum Ends {
+    Blank,
+    NoArrow,
+    Any,
+}
+
 /// Whether a point in cells may be on some screen.
 fn is_within_reach(cell: DVec2) -> bool {
     cell.is_finite() && cell.abs().max_element() < f64::from(u16::MAX)
@@ -48,7 +56,8 @@ fn is_within_reach(cell: DVec2) -> bool {
 impl Canvas {
     /// Writes labels once all is drawn; the first ones have the first choice. Each leaves
     /// the surroundings of the others' anchors to them. What has found no place near by
-    /// stands farther away, but clear of what others name.
+    /// says less; if that finds none either all of it stands farther away, but clear of
+    /// what others name.
     pub(super) fn write(&mut self, labels: &[Label]) {
         let (near, apart): (Vec<_>, Vec<_>) = labels.iter().partition(|it| it.keeps_others_off);
         let mut left = self.write_near(apart);
@@ -60,23 +69,32 @@ impl Canvas {
             .collect();
         left.extend(self.write_near(near));
         for label in left {
+            let short = label.short.as_deref();
+            if short.is_some_and(|short| self.write_at_places(short, label)) {
+                continue;
+            }
             let (anchor, sides) = &label.places[0];
-            let places = [(2 * FARTHEST, true, false, None)];
+            let places = [(2 * FARTHEST, true, Ends::Any, None)];
             self.label_at(&label.text, *anchor, sides, label.role, &places);
         }
     }
 
     /// Writes what finds a place near by, and gives the rest.
     fn write_near<'a>(&mut self, labels: Vec<&'a Label>) -> Vec<&'a Label> {
-        let mut write = |label: &Label| {
-            let mut places = label.places.iter();
-            places.any(|(at, sides)| self.label(&label.text, *at, sides, label.role))
-        };
-        labels.into_iter().filter(|label| !write(label)).collect()
+        let is_left = |label: &&Label| !self.write_at_places(&label.text, label);
+        labels.into_iter().filter(is_left).collect()
     }
 
-    /// Writes `text` (in the canvas's charset) beside a point of the world: on the
-    /// first of `sides` that is free, near before far; then on the other sides.
+    /// Writes a text near one of the places of a label, if there is room.
+    fn write_at_places(&mut self, text: &str, label: &Label) -> bool {
+        let mut places = label.places.iter();
+        let clear = label.short.is_some();
+        places.any(|(at, sides)| self.label(text, *at, sides, label.role, clear))
+    }
+
+    /// Writes `text` (in the canvas's charset) beside a point of the world: on the first of
+    /// `sides` that is free, near before far; then on the other sides. It may have to keep
+    /// clear of arrows: not even its ends touch one.
     ///
     /// A label never leaves the area, whose first and last column stay free beside what
     /// is there (unless it is as wide), and never covers another label, a disc, a
@@ -88,14 +106,16 @@ impl Canvas {
         anchor: DVec2,
         sides: &[LabelSide],
         role: Role,
+        clear: bool,
     ) -> bool {
         // Free paper first, with a blank at both ends; then without the blanks, then
         // over boards and trails, then over geometry.
+        let ends = if clear { Ends::NoArrow } else { Ends::Any };
         let places = [
-            (FARTHEST, true, true, None),
-            (FARTHEST, true, false, None),
-            (FARTHEST, false, false, Some(DrawLayer::Trail)),
-            (FARTHEST, false, false, Some(DrawLayer::Construction)),
+            (FARTHEST, true, Ends::Blank, None),
+            (FARTHEST, true, ends, None),
+            (FARTHEST, false, ends, Some(DrawLayer::Trail)),
+            (FARTHEST, false, ends, Some(DrawLayer::Construction)),
         ];
         self.label_at(text, anchor, sides, role, &places)
     }
@@ -108,14 +128,14 @@ impl Canvas {
     }
 
     /// Writes a label at the first free place: up to so many rows away, beside its own
-    /// anchor or not, with blanks at both ends or not, over strokes up to a layer.
+    /// anchor or not, with such cells at both ends, over strokes up to a layer.
     fn label_at(
         &mut self,
         text: &str,
         anchor: DVec2,
         sides: &[LabelSide],
         role: Role,
-        places: &[(i32, bool, bool, Option<DrawLayer>)],
+        places: &[(i32, bool, Ends, Option<DrawLayer>)],
     ) -> bool {
         let text = self.charset.text(text).into_owned();
         let cell = self.view().to_cell(anchor);
@@ -130,7 +150,7 @@ impl Canvas {
         let last = spare - margin;
         let others = LabelSide::ALL.iter().filter(|side| !sides.contains(side));
         let sides: Vec<LabelSide> = sides.iter().chain(others).copied().collect();
-        let place = places.iter().find_map(|&(farthest, own, blank, over)| {
+        let place = places.iter().find_map(|&(farthest, own, ends, over)| {
             let all = (1..=farthest)
                 .flat_map(|away| sides.iter().map(move |side| (*side, away)))
                 .flat_map(|(side, away)| (0..=ASIDE).map(move |aside| (side, away, aside)));
@@ -147,7 +167,9 @@ impl Canvas {
                 (margin..=last).contains(&x)
                     && self.has_room((x, y), width, over)
                     && (!own || self.is_beside_own_anchor((x, y), width, at))
-                    && (!blank || self.is_blank((x - 1, y)) && self.is_blank((x + width, y)))
+                    && [x - 1, x + width]
+                        .iter()
+                        .all(|&x| self.may_end((x, y), ends))
             })
         });
         let Some((side, x, y)) = place else {
@@ -163,6 +185,18 @@ impl Canvas {
             anchor: at,
         });
         true
+    }
+
+    /// Whether a label may end beside this cell.
+    fn may_end(&self, at: (i32, i32), ends: Ends) -> bool {
+        match ends {
+            Ends::Blank => self.is_blank(at),
+            Ends::NoArrow => {
+                let layer = self.cell(at).and_then(|cell| cell.layer());
+                layer < Some(DrawLayer::Vector)
+            }
+            Ends::Any => true,
+        }
     }
 
     /// Whether nothing is drawn or written beside a cell and in it, or it lies outside.

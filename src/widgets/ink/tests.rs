@@ -213,8 +213,13 @@ fn labels_keep_off_each_other_and_off_what_matters() {
         for turn in 0..120 {
             let out = DVec2::from_angle(TAU * f64::from(turn) / 120.0);
             let text = format!("θ = {turn}°");
-            placed +=
-                usize::from(canvas.label(&text, out * 12.0, &LabelSide::towards(out), Role::Arc));
+            placed += usize::from(canvas.label(
+                &text,
+                out * 12.0,
+                &LabelSide::towards(out),
+                Role::Arc,
+                false,
+            ));
         }
         assert!((30..120).contains(&placed), "{placed}");
         assert_eq!(placed, canvas.labels.len());
@@ -239,11 +244,12 @@ fn a_label_without_room_is_left_out() {
         &"long ".repeat(20),
         DVec2::ZERO,
         &LabelSide::ALL,
-        Role::Text
+        Role::Text,
+        false
     ));
-    assert!(!canvas.label("far", dvec2(1e9, 0.0), &LabelSide::ALL, Role::Text));
-    assert!(!canvas.label("nowhere", DVec2::NAN, &LabelSide::ALL, Role::Text));
-    assert!(!canvas.label("", DVec2::ZERO, &LabelSide::ALL, Role::Text));
+    assert!(!canvas.label("far", dvec2(1e9, 0.0), &LabelSide::ALL, Role::Text, false));
+    assert!(!canvas.label("nowhere", DVec2::NAN, &LabelSide::ALL, Role::Text, false));
+    assert!(!canvas.label("", DVec2::ZERO, &LabelSide::ALL, Role::Text, false));
     assert!(inked(&drawn(&canvas)).is_empty());
 }
 

@@ -18,13 +18,13 @@ pub struct NumberEntry {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum EntryAction {
-    /// type a number; Enter sets it, Esc gives it up
+    /// type a number; Enter sets it, Esc cancels it
     Type(char),
     /// take back the last digit
     Erase,
     /// set the number that was typed
     Enter,
-    /// give up the number that is being typed
+    /// cancel the number that is being typed
     GiveUp,
 }
 
@@ -68,7 +68,7 @@ impl NumberEntry {
             .when(open)
             .on(Key::Enter, EntryAction::Enter, "set")
             .when(open)
-            .on(Key::Escape, EntryAction::GiveUp, "give up")
+            .on(Key::Escape, EntryAction::GiveUp, "cancel")
             .when(open)
     }
 

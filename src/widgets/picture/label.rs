@@ -9,6 +9,8 @@ use crate::widgets::Role;
 pub struct Label {
     /// What is written.
     pub text: String,
+    /// What is written instead where there is no room near by for all of it.
+    pub short: Option<String>,
     /// What it is.
     pub role: Role,
     /// The points it may stand beside, the dearest first, each with the sides it would
@@ -23,6 +25,12 @@ impl Label {
     /// else: it has the first choice, and need not keep away from the points of others.
     pub fn apart(&mut self) -> &mut Self {
         self.keeps_others_off = false;
+        self
+    }
+
+    /// Fewer letters, where there is no room near by for all of them.
+    pub fn short(&mut self, text: impl Into<String>) -> &mut Self {
+        self.short = Some(text.into());
         self
     }
 

@@ -248,6 +248,7 @@ impl Picture {
             text: text.into(),
             role,
             places: vec![(anchor, sides.to_vec())],
+            short: None,
             keeps_others_off: true,
         });
         let last = self.labels.len() - 1;

@@ -15,6 +15,9 @@ pub(crate) struct Tick {
 /// More ticks than any screen has room for.
 const MOST: usize = 100;
 
+/// From steps as large as this on, numbers are written with a power of ten.
+const LARGE: f64 = 1e5;
+
 /// At most `most` ticks at the multiples of `step`, of twice that and so on; without a
 /// step, at those of 1, 2 or 5 times a power of ten.
 pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Vec<Tick> {
@@ -25,6 +28,14 @@ pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Ve
         _ => round_up(wanted),
     };
     let decimals = decimals(step);
+    let written = |value: f64| {
+        if step < LARGE || value == 0.0 {
+            return fixed(value, decimals);
+        }
+        let exponent = (step.log10() + 1e-9).floor() as i32;
+        let digits = fixed(value / 10_f64.powi(exponent), 0);
+        format!("{digits}×{}", power_of_ten(exponent))
+    };
     // A hair's breadth of rounding must not cost the ticks at the ends.
     let (first, last) = ((from / step - 1e-9).ceil(), (to / step + 1e-9).floor());
     let count = (last - first).clamp(-1.0, MOST as f64);
@@ -35,7 +46,7 @@ pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Ve
             let value = (first + i as f64) * step + 0.0;
             Tick {
                 place: value,
-                text: true_minus(&fixed(value, decimals)),
+                text: true_minus(&written(value)),
             }
         })
         .collect()
@@ -71,7 +82,7 @@ fn fine_decades(from: f64, to: f64) -> Vec<Tick> {
             let text = match decade {
                 0..=3 => value.to_string(),
                 -3..0 => fixed(value, decade.unsigned_abs() as usize),
-                _ => format!("{digit}·{}", power_of_ten(decade)),
+                _ => format!("{digit}×{}", power_of_ten(decade)),
             };
             let place = f64::from(decade) + f64::log10(digit);
             Tick { place, text }
@@ -133,6 +144,7 @@ mod tests {
             ["0", "50", "100", "150"]
         );
         assert_eq!(texts(&even((-1.0, 1.0), None, 2)), ["−1", "0", "1"]);
+        assert_eq!(texts(&even((0.0, 4.2e7), None, 3)), ["0", "2×10⁷", "4×10⁷"]);
     }
 
     #[test]

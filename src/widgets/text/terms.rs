@@ -13,6 +13,11 @@ const UNITS: [&str; 21] = [
 /// Functions of an angle or of a number.
 const FUNCTIONS: [&str; 5] = ["sin", "cos", "tan", "sqrt", "√"];
 
+/// What is referred to by its number: "law 21", "chapter 7".
+const NUMBERED: [&str; 8] = [
+    "law", "laws", "chapter", "page", "level", "question", "step", "board",
+];
+
 /// How firmly a blank holds the two words beside it together. Where not all of a formula fits
 /// into a row, it breaks at the weakest of its blanks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -153,7 +158,9 @@ fn by_rules(before: &str, after: &str, in_brackets: bool) -> Hold {
     let times_x = after == "x" && before.ends_with(|last: char| last.is_ascii_digit());
     let after_x = before == "x" && after.trim_start_matches(['(', '-']).starts_with(digit);
     let operand = is_operand(before);
-    if measured || follows || after_x || before == "." || is_function(before) && is_operand(after) {
+    let reference = is_numbered(before) && after.starts_with(digit);
+    let applied = is_function(before) && is_operand(after);
+    if measured || follows || after_x || before == "." || applied || reference {
         Hold::Fast
     } else if after == "=" && is_sign(before) {
         Hold::Equality
@@ -172,6 +179,12 @@ fn by_rules(before: &str, after: &str, in_brackets: bool) -> Hold {
     } else {
         Hold::Free
     }
+}
+
+/// Whether a word is the name of something that has a number.
+fn is_numbered(word: &str) -> bool {
+    let name = word.trim_start_matches(['(', '[']);
+    NUMBERED.iter().any(|it| it.eq_ignore_ascii_case(name))
 }
 
 fn digit(letter: char) -> bool {
@@ -247,6 +260,9 @@ fn is_function_of(word: &str) -> bool {
 
 /// Whether two words stand beside each other in a product.
 fn is_product(before: &str, after: &str) -> bool {
+    if before.ends_with([',', ';', ':', '.']) {
+        return false;
+    }
     let brackets = ['(', '[', ')', ']'];
     let factor = before.trim_start_matches(brackets);
     let is_letter = |word: &str| word.chars().count() == 1 && word.starts_with(char::is_alphabetic);
@@ -305,6 +321,23 @@ mod tests {
             }
         }
         assert_eq!(words.iter().filter(|word| is_prose(word)).count(), 7);
+    }
+
+    #[test]
+    fn no_product_goes_on_behind_a_colon() {
+        assert_eq!(
+            parts("all of u_n: v2 = 1.85 m/s", 30),
+            ["all", "of", "u_n:", "v2 = 1.85 m/s"]
+        );
+    }
+
+    /// The number of a law stays with the law, the rest of the sentence is free.
+    #[test]
+    fn a_reference_stays_whole() {
+        assert_eq!(
+            parts("foul (law 21): see Chapter 7, page 2", 30),
+            ["foul", "(law 21):", "see", "Chapter 7,", "page 2"]
+        );
     }
 
     #[test]

@@ -126,7 +126,7 @@ impl Screen for Contents {
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
             "Everything about glancing collisions, as things to do: short texts beside figures that obey you, and questions to which you first say what you think.",
-            "The chapters build on each other, but all of them are open. Beside each stands how many of its pages you have read, and at its end how many of your answers are right. A + stands before those with every answer right, a ~ before those that are done but for some answers: r asks a page's question again. Your place is kept, until the next time too.",
+            "The chapters build on each other, but all of them are open. Beside each stands how many of its pages you have read, and at its end how many of your answers are right. A + stands before those with every answer right, a ~ before those read to the end with answers still to get right: r asks a page's question again. Your place is kept, until the next time too.",
             "R forgets your place and your answers in the chosen chapter, A those in all of them, once you have said yes. What you have answered still counts in your progress.",
             "Chapters of your own: carrom learn --lessons DIR. A file that cannot be read is listed at the end with what is wrong with it.",
         ]
@@ -151,7 +151,7 @@ impl Screen for Contents {
         };
         Next::Confirm(Confirmation::new(
             format!(
-                "Forget {title}? Your place and your answers in {of} are forgotten, so that you can begin anew. Your progress goes on counting every answer that you have ever given."
+                "Forget {title}? Your place and your answers in {of} are forgotten, so that you can start over. Your progress goes on counting every answer that you have ever given."
             ),
             "forget it",
             "leave it",

@@ -132,7 +132,7 @@ fn summary(book: &Book, lines: &mut Lines) {
         .max_by_key(|(missed, chapter)| (*missed, std::cmp::Reverse(chapter.number)));
     if let Some((_, chapter)) = weakest {
         let advice = format!(
-            "Worth another look: chapter {}, {}. A week from now it will teach you more than today.",
+            "Worth another look: chapter {}, {}. In a week it will teach you more than it would today.",
             chapter.number, chapter.title
         );
         lines.paragraph(&advice, Role::Text);

@@ -43,7 +43,7 @@ pub(crate) enum ReadingAction {
     ShowIt,
     /// ask this page's question again
     AskAgain,
-    /// forget all answers of this chapter and begin anew
+    /// forget all answers of this chapter and start it over
     Forget,
     /// open the figure full-size: in the lab, or on the foil
     FullSize,
@@ -267,7 +267,7 @@ impl Reading {
         cx.forget(Forget::Chapter(self.chapter.id.clone()));
         self.alpha_deg = None;
         self.open(0, cx);
-        self.notice = Some("The chapter begins anew.".into());
+        self.notice = Some("The chapter starts over.".into());
     }
 
     /// Notes the impact angle that the student has set.
@@ -536,8 +536,8 @@ impl Screen for Reading {
             ReadingAction::AskAgain => self.ask_again(cx),
             ReadingAction::Forget => {
                 return Next::Confirm(Confirmation::new(
-                    "Forget your answers in this chapter, and begin it anew?",
-                    "begin the chapter anew",
+                    "Forget your answers in this chapter, and start it over?",
+                    "start it over",
                     "leave it",
                 ));
             }

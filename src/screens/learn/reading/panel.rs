@@ -171,7 +171,7 @@ fn told(reading: &Reading, checkpoint: &Checkpoint, answer: Response, lines: &mu
         _ => number_told(&answer, checkpoint, collision, lines),
     }
     if reading.first.is_some() && checkpoint.is_right(&answer, collision) {
-        lines.paragraph("At the second try: half the credit.", Role::Dim);
+        lines.paragraph("On the second try: half the credit.", Role::Dim);
     }
     if !checkpoint.after.is_empty() {
         lines.gap();

@@ -150,11 +150,11 @@ const fn words(dial: Dial) -> (&'static str, &'static str, &'static str) {
         Dial::Direction => (
             "direction",
             "°",
-            "its direction, anticlockwise from the right",
+            "the direction of the shot, anticlockwise from the right",
         ),
-        Dial::Speed => ("speed", " m/s", "how fast it sets off"),
-        Dial::Place => ("place", " mm", "where it starts, from the middle"),
-        Dial::Mass => ("mass", " g", "how heavy it is"),
+        Dial::Speed => ("speed", " m/s", "how fast the disc sets off"),
+        Dial::Place => ("place", " mm", "where the disc starts, from the middle"),
+        Dial::Mass => ("mass", " g", "how heavy the disc is"),
         Dial::Restitution => (
             "restitution",
             "",

@@ -137,7 +137,7 @@ fn rounds(choosing: &Choosing, book: &Book, each: u16, lines: &mut Lines) {
 fn about_round(choosing: &Choosing, book: &Book, lines: &mut Lines) {
     let text = match choosing.choice() {
         RoundChoice::Always(CourseKind::Quick) => {
-            "Five questions, each of another kind, the first ones in their plainest form. Any kind may come, even one you have not met yet: for a break between two lessons."
+            "Five questions, each of another kind, the first ones in their plainest form. Any kind may come up, even one you have not met yet: just right for a short break."
         }
         RoundChoice::Always(CourseKind::FindOut) => {
             "Up to twelve questions, each chosen by your answers before it. You hear nothing until the end; then you see what you seem to believe about hits, which answers say so, and what settles it."
@@ -149,10 +149,10 @@ fn about_round(choosing: &Choosing, book: &Book, lines: &mut Lines) {
         RoundChoice::Own => return about_own(choosing, lines),
         RoundChoice::Read => return about_read(book, lines),
         RoundChoice::Always(CourseKind::Hits) => {
-            "Ten hits on the board: say where the striker and the coin will go. Masses and losses change on the way."
+            "Ten hits on the board: say where the striker and the coin will go. Masses and losses change from hit to hit."
         }
         RoundChoice::Topic => {
-            "Six questions of one kind, which get harder: when you have just read about it. Then come back to mixed rounds."
+            "Six questions of one kind, which get harder: good when you have just read about it. Then come back to mixed rounds."
         }
         RoundChoice::Always(_) => {
             "Fifteen questions of all kinds. You hear nothing until the end; then you can open each one with its picture and its why."
@@ -221,7 +221,7 @@ fn about_review(choosing: &Choosing, lines: &mut Lines) {
         let text = match choosing.history.history() {
             None => "Nothing to come back to yet. Play any round; what you miss will wait here.",
             Some(history) if history.calendar.now_s.is_none() => {
-                "Nobody knows what day it is here, so nothing can be due. Any other round is as good."
+                "The date is not known here, so nothing can be due. Any other round is just as good."
             }
             Some(_) => {
                 "Nothing is due: well done. Let what you know rest; it comes back here by itself."
