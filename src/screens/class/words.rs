@@ -7,7 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::widgets::bar::bar;
-use crate::widgets::big::{BigPages, LetterSize};
+use crate::widgets::big::{BigPages, BigText, LetterSize};
 use crate::widgets::{Charset, Look, Role, areas};
 
 /// Rows between two paragraphs, and where that saves a page.
@@ -93,9 +93,6 @@ impl PlacedWords {
         screen_rows: u16,
         look: &Look,
     ) -> Option<Self> {
-        let texts: Vec<_> = { paragraphs.iter() }
-            .map(|it| (it.text.as_str(), it.whole))
-            .collect();
         // A bar below the last paragraph has its row too.
         let last = u16::from(paragraphs.last().is_some_and(|it| it.share.is_some()));
         let alone = Layout::new(area, Beside::Nothing, 0);
@@ -104,11 +101,11 @@ impl PlacedWords {
             .flat_map(|with| [[with, with], [with, alone]])
             .collect();
         let has_bars = paragraphs.iter().any(|it| it.share.is_some());
-        let placed = |gap, size, layouts: [Layout; 2], spelling| {
+        let placed = |texts: &[_], gap, size, layouts: [Layout; 2]| {
             let set = |foot: u16| {
                 let rows = |it: Layout| it.words.height.saturating_sub(last + foot);
                 let rooms = layouts.map(|it| (it.words.width, rows(it)));
-                BigPages::set(&texts, gap, size, rooms, spelling)
+                BigPages::set(texts, gap, size, rooms)
             };
             // The last row of several pages says which one it is.
             let one = set(u16::from(more)).filter(|pages| pages.count() == 1);
@@ -119,7 +116,11 @@ impl PlacedWords {
                 layouts,
             })
         };
-        let best = |spelling| {
+        let best = |spelling: Charset| {
+            let each = paragraphs.iter();
+            let texts = each.map(|it| (BigText::new(&it.text, spelling).into(), it.whole));
+            let texts: Vec<_> = texts.collect();
+            let texts = &texts;
             // The largest letters and pictures come first.
             let gaps = GAPS.into_iter().filter(|gap| *gap > 0 || !has_bars);
             let sizes = gaps.flat_map(|gap| {
@@ -128,7 +129,7 @@ impl PlacedWords {
             });
             fewest_pages(sizes.flat_map(|(gap, size)| {
                 let layouts = all_layouts.iter();
-                layouts.filter_map(move |layouts| placed(gap, size, *layouts, spelling))
+                layouts.filter_map(move |layouts| placed(texts, gap, size, *layouts))
             }))
         };
         [look.charset, Charset::Ascii].into_iter().find_map(best)

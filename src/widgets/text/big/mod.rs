@@ -6,20 +6,20 @@
 //! `strokes`, for no part of a cell is small enough for a pixel. Else the smallest have a dot
 //! of braille for a pixel.
 
+mod measured;
 mod pages;
 mod size;
 mod strokes;
 
-use std::borrow::Cow;
 use std::ops::Range;
-use std::sync::LazyLock;
+use std::rc::Rc;
 
 use font8x8::{BASIC_FONTS, GREEK_FONTS, LATIN_FONTS, UnicodeFonts};
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use crate::widgets::text::blocks::{BRAILLE, QUARTERS};
-use crate::widgets::text::terms;
 use crate::widgets::{Charset, Look, Role};
+pub(crate) use measured::BigText;
 pub(crate) use pages::BigPages;
 pub(crate) use size::LetterSize;
 use strokes::LetterRows;
@@ -28,8 +28,6 @@ use strokes::LetterRows;
 const GAP: usize = 1;
 /// Pixels of a blank.
 const BLANK: usize = 4;
-/// Most letters that are held together on a line.
-const HELD: usize = 14;
 /// Pixels from the top of a letter to its foot.
 const HEIGHT: usize = 8;
 /// Pixels from the foot of a small letter, such as an x, to its top.
@@ -52,6 +50,7 @@ pub(crate) enum Align {
 /// A text in large type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Big {
+    text: Rc<BigText>,
     size: LetterSize,
     lines: Vec<BigLine>,
 }
@@ -59,9 +58,9 @@ pub(crate) struct Big {
 /// A line of letters.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct BigLine {
-    ink: Ink,
-    /// How many words it has.
-    words: usize,
+    words: Range<usize>,
+    /// The columns it takes.
+    columns: usize,
     /// Its rows, from the first of the text. Lines of strokes may have rows in common.
     rows: Range<usize>,
     /// Rows of its ink that are left out at the top.
@@ -69,21 +68,11 @@ struct BigLine {
 }
 
 /// What letters are made of.
-#[derive(Debug, Clone, PartialEq, Eq)]
 enum Ink {
     /// Columns of pixels.
     Pixels(Vec<u8>),
     /// Rows of strokes.
     Strokes(LetterRows),
-}
-
-impl Ink {
-    fn strokes(&self) -> Option<&LetterRows> {
-        match self {
-            Self::Strokes(rows) => Some(rows),
-            Self::Pixels(_) => None,
-        }
-    }
 }
 
 impl Big {
@@ -113,64 +102,55 @@ impl Big {
         charset: Charset,
         fit: impl Fn(&[Self]) -> bool,
     ) -> Option<Vec<Self>> {
-        let texts: Vec<_> = texts.iter().map(|text| charset.text(text)).collect();
+        let texts = { texts.iter() }.map(|text| Rc::new(BigText::new(text, charset)));
+        let texts: Vec<_> = texts.collect();
         let set = |size: &LetterSize| -> Option<Vec<Self>> {
             let each = texts.iter();
-            let set = |text: &str| {
-                let words: Vec<&str> = text.split_whitespace().collect();
-                Self::set(&words, *size, columns)
-            };
-            each.map(|text| set(text)).collect()
+            each.map(|text| Self::set(text, *size, columns)).collect()
         };
         sizes.iter().filter_map(set).find(|all| fit(all))
     }
 
-    /// Words in lines of so many columns, broken between them but not between a number and its
+    /// A text in lines of so many columns, broken between words but not between a number and its
     /// unit; `None` if a word is too long for any line, or a letter is not to be had.
-    fn set(words: &[&str], size: LetterSize, columns: u16) -> Option<Self> {
-        Self::begin(words, size, columns, false).filter(|big| big.words() == words.len())
+    fn set(text: &Rc<BigText>, size: LetterSize, columns: u16) -> Option<Self> {
+        Self::begin(text, 0, size, columns, false).filter(|big| big.words() == text.len())
     }
 
-    /// The same as far as to the first word that is too long for a line; `at_top` of a page without
-    /// an empty row above it.
-    fn begin(words: &[&str], size: LetterSize, columns: u16, at_top: bool) -> Option<Self> {
-        let columns = usize::from(columns);
-        let lines: Vec<(Ink, usize)> = match size {
-            LetterSize::Strokes => {
-                let wide = |rows: &LetterRows| rows[0].len();
-                let lines = broken(words, columns, strokes::BLANK, strokes::set, wide)?;
-                let lines = lines.into_iter();
-                lines.map(|(rows, it)| (Ink::Strokes(rows), it)).collect()
-            }
-            _ => {
-                let wide = |pixels: &Vec<u8>| size.columns(pixels.len());
-                let lines = broken(words, columns, size.columns(BLANK), pixels, wide)?;
-                let lines = lines.into_iter();
-                lines.map(|(it, words)| (Ink::Pixels(it), words)).collect()
-            }
-        };
+    /// The same from one of its words on and as far as to the first word that is too long for a
+    /// line; `at_top` of a page without an empty row above it.
+    fn begin(
+        text: &Rc<BigText>,
+        from: usize,
+        size: LetterSize,
+        columns: u16,
+        at_top: bool,
+    ) -> Option<Self> {
+        let lines = text.lines(from, size, columns.into())?;
         let mut big = Self {
+            text: Rc::clone(text),
             size,
             lines: Vec::with_capacity(lines.len()),
         };
-        for (number, (ink, words)) in lines.into_iter().enumerate() {
-            let above = big.lines.last();
-            let (rows, left_out) = match &ink {
-                Ink::Pixels(_) => (size.rows(number)..size.rows(number + 1), 0),
-                Ink::Strokes(rows) => {
-                    let left_out = strokes::empty_rows(rows).min(usize::from(at_top));
-                    let all = strokes::rows_of(rows);
-                    match above.and_then(|it| Some((it, it.ink.strokes()?))) {
+        for (number, words) in lines.into_iter().enumerate() {
+            let (rows, left_out) = match size {
+                LetterSize::Strokes => {
+                    let ink = text.strokes(words.clone())?;
+                    let left_out = strokes::empty_rows(&ink).min(usize::from(at_top));
+                    let all = strokes::rows_of(&ink);
+                    match big.lines.last() {
                         None => (0..all - left_out, left_out),
-                        Some((it, ink)) => {
-                            let start = it.rows.start + strokes::apart(ink, rows) - it.left_out;
+                        Some(it) => {
+                            let above = text.strokes(it.words.clone())?;
+                            let start = it.rows.start + strokes::apart(&above, &ink) - it.left_out;
                             (start..start + all, 0)
                         }
                     }
                 }
+                _ => (size.rows(number)..size.rows(number + 1), 0),
             };
             big.lines.push(BigLine {
-                ink,
+                columns: text.columns(words.clone(), size)?,
                 words,
                 rows,
                 left_out,
@@ -181,7 +161,7 @@ impl Big {
 
     /// How many words it has.
     fn words(&self) -> usize {
-        self.lines.iter().map(|line| line.words).sum()
+        self.lines.iter().map(|line| line.words.len()).sum()
     }
 
     /// Lines that fit into so many rows.
@@ -193,16 +173,8 @@ impl Big {
     /// The columns it takes.
     #[must_use]
     pub(crate) fn columns(&self) -> u16 {
-        let widest = self.lines.iter().map(|line| self.width(line)).max();
+        let widest = self.lines.iter().map(|line| line.columns).max();
         u16::try_from(widest.unwrap_or(0)).unwrap_or(u16::MAX)
-    }
-
-    /// Columns of one of its lines.
-    fn width(&self, line: &BigLine) -> usize {
-        match &line.ink {
-            Ink::Pixels(pixels) => self.size.columns(pixels.len()),
-            Ink::Strokes(rows) => rows[0].len(),
-        }
     }
 
     /// The rows it takes.
@@ -216,7 +188,10 @@ impl Big {
     pub(crate) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, role: Role, align: Align) {
         let style = look.theme.style(role);
         for (i, line) in self.lines.iter().enumerate() {
-            let width = self.width(line);
+            let Some(ink) = self.text.ink(line.words.clone(), self.size) else {
+                continue;
+            };
+            let width = line.columns;
             let free = usize::from(area.width).saturating_sub(width);
             let start = match align {
                 Align::Left => 0,
@@ -225,7 +200,7 @@ impl Big {
             };
             for (row, y) in (line.left_out..).zip(line.rows.clone()) {
                 for column in 0..width {
-                    let symbol = match &line.ink {
+                    let symbol = match &ink {
                         Ink::Pixels(pixels) => {
                             let above = self.size.pixels_above(i);
                             symbol(pixels, column, row, above, self.size, look.charset)
@@ -287,78 +262,15 @@ fn symbol(
     }
 }
 
-/// The columns of pixels of words with blanks between them; `None` where a letter has none.
-fn pixels(words: &[&str]) -> Option<Vec<u8>> {
-    let mut columns: Vec<u8> = Vec::new();
-    for word in words {
-        if !columns.is_empty() {
-            columns.extend([0; BLANK]);
-        }
-        for (i, letter) in word.chars().enumerate() {
-            if i > 0 {
-                columns.extend([0; GAP]);
-            }
-            columns.extend(letter_columns(letter)?.iter());
-        }
-    }
-    Some(columns)
+/// The columns of pixels of a word; `None` where a letter has none.
+fn pixels_of(word: &str) -> Option<Vec<u8>> {
+    let letters: Option<Vec<_>> = word.chars().map(letter_columns).collect();
+    Some(letters?.join(&[0; GAP][..]))
 }
-
-/// Words in lines of so many columns, each line `set` and with the number of its words, as far as
-/// to the first word that is too long for a line; `None` if a letter is not to be had. What
-/// `terms` hold together stays together where it fits.
-fn broken<T>(
-    words: &[&str],
-    columns: usize,
-    blank: usize,
-    set: impl Fn(&[&str]) -> Option<T>,
-    wide: impl Fn(&T) -> usize,
-) -> Option<Vec<(T, usize)>> {
-    let mut parts: Vec<(Range<usize>, usize)> = Vec::new();
-    'words: for range in terms::held(words, HELD) {
-        let width = wide(&set(&words[range.clone()])?);
-        if width <= columns {
-            parts.push((range, width));
-            continue;
-        }
-        for word in range {
-            let width = wide(&set(&words[word..=word])?);
-            if width > columns {
-                break 'words;
-            }
-            parts.push((word..word + 1, width));
-        }
-    }
-    let mut lines: Vec<(Range<usize>, usize)> = Vec::new();
-    for (part, width) in parts {
-        match lines.last_mut() {
-            Some((line, taken)) if *taken + blank + width <= columns => {
-                line.end = part.end;
-                *taken += blank + width;
-            }
-            _ => lines.push((part, width)),
-        }
-    }
-    let each = lines.into_iter();
-    each.map(|(line, _)| Some((set(&words[line.clone()])?, line.len())))
-        .collect()
-}
-
-/// The columns of pixels of the letters of ASCII. Many places and sizes are tried for a text.
-static ASCII: LazyLock<Vec<Option<Vec<u8>>>> =
-    LazyLock::new(|| ('\0'..='~').map(worked_out_columns).collect());
 
 /// The columns of pixels of a letter, without the empty ones beside it; `None` if the
 /// font has no such letter.
-fn letter_columns(letter: char) -> Option<Cow<'static, [u8]>> {
-    match ASCII.get(letter as usize) {
-        Some(columns) => columns.as_deref().map(Cow::Borrowed),
-        None => worked_out_columns(letter).map(Cow::Owned),
-    }
-}
-
-/// The same from the font itself.
-fn worked_out_columns(letter: char) -> Option<Vec<u8>> {
+fn letter_columns(letter: char) -> Option<Vec<u8>> {
     if letter.is_control() {
         return None;
     }
@@ -441,13 +353,8 @@ mod tests {
     fn lines_of_dots_have_air_between_them() {
         let pages = |rows| {
             let room = [(30, rows), (30, rows)];
-            BigPages::set(
-                &[("One coin and two", true)],
-                0,
-                LetterSize::Dots,
-                room,
-                Charset::Unicode,
-            )
+            let text = BigText::new("One coin and two", Charset::Unicode);
+            BigPages::set(&[(text.into(), true)], 0, LetterSize::Dots, room)
         };
         let look = Look {
             charset: Charset::Unicode,

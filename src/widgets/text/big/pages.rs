@@ -1,9 +1,11 @@
 //! Long texts in large type, on as many pages as they need.
 
+use std::rc::Rc;
+
 use ratatui::{buffer::Buffer, layout::Rect};
 
-use super::{Align, Big, LetterSize};
-use crate::widgets::{Charset, Look, Role};
+use super::{Align, Big, BigText, LetterSize};
+use crate::widgets::{Look, Role};
 
 /// Paragraphs in letters of one size, on pages.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -37,25 +39,23 @@ impl BigPages {
     /// one; the others go on over the edge. What is too long for a line of the first page begins the
     /// next one. `None` if a word is too long for any line, or a letter is not to be had.
     pub(crate) fn set(
-        texts: &[(&str, bool)],
+        texts: &[(Rc<BigText>, bool)],
         gap: u16,
         size: LetterSize,
         [first, rest]: [(u16, u16); 2],
-        charset: Charset,
     ) -> Option<Self> {
         let mut pages = vec![BigPage::default()];
         let mut ends_early = false;
         for (paragraph, (text, whole)) in texts.iter().enumerate() {
-            let text = charset.text(text);
-            let mut words: Vec<&str> = text.split_whitespace().collect();
-            while !words.is_empty() {
+            let mut from = 0;
+            while from < text.len() {
                 let (columns, rows) = if pages.len() == 1 { first } else { rest };
                 let page = pages.last_mut()?;
                 let room = rows.saturating_sub(page.taken);
                 let is_fresh = page.parts.is_empty();
-                let mut big = Big::begin(&words, size, columns, is_fresh)?;
+                let mut big = Big::begin(text, from, size, columns, is_fresh)?;
                 let fits = big.lines_in(room);
-                let too_long = fits == big.lines.len() && big.words() < words.len();
+                let too_long = fits == big.lines.len() && from + big.words() < text.len();
                 ends_early |= too_long;
                 let is_whole = fits == big.lines.len() && !too_long;
                 let most = match is_whole || is_fresh || !whole {
@@ -71,17 +71,16 @@ impl BigPages {
                     continue;
                 }
                 big.lines.truncate(most);
-                let set = big.words();
+                from += big.words();
                 let part = BigPart {
                     row: page.taken,
                     paragraph,
-                    ends: set == words.len(),
+                    ends: from == text.len(),
                     big,
                 };
                 page.taken += part.big.rows() + gap;
                 page.parts.push(part);
-                words.drain(..set);
-                if !words.is_empty() {
+                if from < text.len() {
                     pages.push(BigPage::default());
                 }
             }

@@ -59,22 +59,17 @@ pub(super) fn apart(above: &LetterRows, below: &LetterRows) -> usize {
     ROWS - usize::from(!touch)
 }
 
-/// The letters of words of ASCII in a line; `None` if a letter has no strokes.
-pub(super) fn set(words: &[&str]) -> Option<LetterRows> {
-    let mut line = LetterRows::default();
-    for (i, word) in words.iter().enumerate() {
-        for (line, word) in line.iter_mut().zip(joined(word)?) {
-            if i > 0 {
-                line.extend([' '; BLANK]);
-            }
-            line.extend(word);
-        }
-    }
-    Some(line)
+/// Words in a line.
+pub(super) fn beside(words: &[&LetterRows]) -> LetterRows {
+    std::array::from_fn(|row| {
+        let words: Vec<_> = words.iter().map(|word| word[row].as_slice()).collect();
+        words.join(&[' '; BLANK][..])
+    })
 }
 
-/// The letters of a word, as close together as they go without touching.
-fn joined(word: &str) -> Option<LetterRows> {
+/// The letters of a word of ASCII, as close together as they go without touching; `None` if a
+/// letter has no strokes.
+pub(super) fn joined(word: &str) -> Option<LetterRows> {
     let mut joined = LetterRows::default();
     for letter in word.chars() {
         let letter = LETTERS.get((letter as usize).checked_sub(' ' as usize)?)?;
@@ -135,7 +130,8 @@ mod tests {
 
     #[test]
     fn words_are_set_in_a_line() {
-        let line = set(&["a", "coin", "of"]).unwrap();
+        let words = ["a", "coin", "of"].map(|word| joined(word).unwrap());
+        let line = beside(&words.each_ref());
         let text: Vec<String> = line.iter().map(|row| row.iter().collect()).collect();
         assert_eq!(
             text,
@@ -146,12 +142,12 @@ mod tests {
                 "                           ",
             ]
         );
-        assert!(set(&["α"]).is_none());
+        assert!(joined("α").is_none());
     }
 
     #[test]
     fn tails_and_capitals_share_a_row_unless_they_touch() {
-        let line = |word: &str| set(&[word]).unwrap();
+        let line = |word: &str| joined(word).unwrap();
         assert_eq!([rows_of(&line("coin")), rows_of(&line("gap"))], [3, 4]);
         assert_eq!([empty_rows(&line("coin")), empty_rows(&line("25"))], [1, 0]);
         assert_eq!(apart(&line("coin"), &line("To")), 3);

@@ -1,0 +1,136 @@
+//! The words of a text to be set in large type. Many places and sizes are tried for them, so the
+//! letters of each are put together once.
+
+use std::cell::OnceCell;
+use std::ops::Range;
+
+use super::strokes::{self, LetterRows};
+use super::{BLANK, Ink, LetterSize, pixels_of};
+use crate::widgets::Charset;
+use crate::widgets::text::terms;
+
+/// Most letters that are held together on a line.
+const HELD: usize = 14;
+
+/// A text in words.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct BigText {
+    words: Vec<BigWord>,
+    /// Words that belong together, in their order.
+    held: Vec<Range<usize>>,
+}
+
+/// A word in pixels and in strokes; `None` where a letter is not to be had.
+#[derive(Debug, PartialEq, Eq)]
+struct BigWord {
+    text: String,
+    pixels: OnceCell<Option<Vec<u8>>>,
+    strokes: OnceCell<Option<LetterRows>>,
+}
+
+impl BigText {
+    /// The words of a text, spelt in a charset.
+    pub(crate) fn new(text: &str, charset: Charset) -> Self {
+        let text = charset.text(text);
+        let words: Vec<&str> = text.split_whitespace().collect();
+        let held = terms::held(&words, HELD);
+        let word = |text: &str| BigWord {
+            text: text.to_owned(),
+            pixels: OnceCell::new(),
+            strokes: OnceCell::new(),
+        };
+        let words = words.into_iter().map(word).collect();
+        Self { words, held }
+    }
+
+    /// How many words it has.
+    pub(super) fn len(&self) -> usize {
+        self.words.len()
+    }
+
+    /// Its words from one of them on in lines of so many columns, as far as to the first word that
+    /// is too long for a line; `None` if a letter is not to be had. What belongs together stays
+    /// together where it fits.
+    pub(super) fn lines(
+        &self,
+        from: usize,
+        size: LetterSize,
+        columns: usize,
+    ) -> Option<Vec<Range<usize>>> {
+        let mut parts: Vec<(Range<usize>, usize)> = Vec::new();
+        'words: for held in self.held.iter().filter(|held| held.end > from) {
+            let held = held.start.max(from)..held.end;
+            let width = self.columns(held.clone(), size)?;
+            if width <= columns {
+                parts.push((held, width));
+                continue;
+            }
+            for word in held {
+                let width = self.columns(word..word + 1, size)?;
+                if width > columns {
+                    break 'words;
+                }
+                parts.push((word..word + 1, width));
+            }
+        }
+        let blank = match size {
+            LetterSize::Strokes => strokes::BLANK,
+            _ => size.columns(BLANK),
+        };
+        let mut lines: Vec<(Range<usize>, usize)> = Vec::new();
+        for (part, width) in parts {
+            match lines.last_mut() {
+                Some((line, taken)) if *taken + blank + width <= columns => {
+                    line.end = part.end;
+                    *taken += blank + width;
+                }
+                _ => lines.push((part, width)),
+            }
+        }
+        Some(lines.into_iter().map(|(line, _)| line).collect())
+    }
+
+    /// The columns of words beside each other.
+    pub(super) fn columns(&self, words: Range<usize>, size: LetterSize) -> Option<usize> {
+        let blanks = words.len().saturating_sub(1);
+        let mut words = self.words[words].iter();
+        match size {
+            LetterSize::Strokes => {
+                let letters = words.try_fold(0, |sum, it| Some(sum + it.strokes()?[0].len()));
+                Some(letters? + blanks * strokes::BLANK)
+            }
+            _ => {
+                let letters = words.try_fold(0, |sum, it| Some(sum + it.pixels()?.len()));
+                Some(size.columns(letters? + blanks * BLANK))
+            }
+        }
+    }
+
+    /// Words in a line.
+    pub(super) fn ink(&self, words: Range<usize>, size: LetterSize) -> Option<Ink> {
+        if size == LetterSize::Strokes {
+            return self.strokes(words).map(Ink::Strokes);
+        }
+        let words = self.words[words].iter();
+        let words: Option<Vec<&[u8]>> = words.map(|it| it.pixels().map(Vec::as_slice)).collect();
+        Some(Ink::Pixels(words?.join(&[0; BLANK][..])))
+    }
+
+    /// Words in a line of strokes.
+    pub(super) fn strokes(&self, words: Range<usize>) -> Option<LetterRows> {
+        let words: Option<Vec<_>> = self.words[words].iter().map(BigWord::strokes).collect();
+        Some(strokes::beside(&words?))
+    }
+}
+
+impl BigWord {
+    fn pixels(&self) -> Option<&Vec<u8>> {
+        let pixels = self.pixels.get_or_init(|| pixels_of(&self.text));
+        pixels.as_ref()
+    }
+
+    fn strokes(&self) -> Option<&LetterRows> {
+        let strokes = self.strokes.get_or_init(|| strokes::joined(&self.text));
+        strokes.as_ref()
+    }
+}
