@@ -178,7 +178,9 @@ fn play(number: u64) -> Result<u64, Box<dyn Error>> {
             if painted.pictures.iter().any(|it| it.svg.contains("NaN")) {
                 return Err(format!("session {number} draws NaN at {step}").into());
             }
-            meant = (painted.keys.into_iter().flat_map(|it| it.keys)).collect();
+            if let Some(keys) = painted.keys {
+                meant = keys.into_iter().flat_map(|it| it.keys).collect();
+            }
         }
     }
     Ok(most)

@@ -50,8 +50,7 @@ const input = (() => {
     if (name) key(name);
     if (does === "digits") {
       digits = !digits;
-      shown = "";
-      say({ do: "paint" });
+      show();
     }
     if (does === "type") typing.focus();
     if (does === "menu") openMenu();
@@ -141,7 +140,8 @@ const input = (() => {
 
   // The keys of the moment. Digits are folded away, arrows are a pad, and q has no button:
   // a page is left as pages are.
-  function show(rows) {
+  // Shows the keys of the moment: others than before, or the same in another place.
+  function show(rows = last) {
     last = rows;
     const buttons = layout(rows);
     if (buttons === shown) return;

@@ -9,7 +9,7 @@ const page = (() => {
   const menu = document.getElementById("menu");
   const chooser = document.getElementById("file");
   const typing = document.getElementById("typing");
-  let ready = false, lived = 0, frame = 0, timer = 0, outdated = true, failedOnce = false;
+  let colours = "", ready = false, lived = 0, frame = 0, timer = 0, outdated = true, failedOnce = false;
   let touched = matchMedia("(pointer: coarse)").matches;
 
   // For tests: when the first frame was there, frames drawn, and how often the page woke.
@@ -101,7 +101,7 @@ const page = (() => {
     const beside = touched && innerWidth > innerHeight && innerHeight < 600;
     body.classList.toggle("fine", !touched);
     body.classList.toggle("beside", beside);
-    if (!bar.innerHTML) input.show([]);
+    input.show();
     bar.style.height = touched && !beside ? "156px" : "";
     // A keyboard on the screen leaves less room than the window says.
     const height = self.visualViewport && Math.round(visualViewport.height);
@@ -192,10 +192,13 @@ const page = (() => {
   function draw() {
     outdated = false;
     const { painted } = program.call({ do: "paint" });
-    const [ink, paper] = painted.colours.map((it) => "#" + it.toString(16).padStart(6, "0"));
-    body.style.setProperty("--ink", ink);
-    body.style.setProperty("--paper", paper);
-    input.show(painted.keys);
+    if (String(painted.colours) !== colours) {
+      colours = String(painted.colours);
+      const [ink, paper] = painted.colours.map((it) => "#" + it.toString(16).padStart(6, "0"));
+      body.style.setProperty("--ink", ink);
+      body.style.setProperty("--paper", paper);
+    }
+    if (painted.keys) input.show(painted.keys);
     painter.paint(painted);
     seen.frames += 1;
     seen.first ||= performance.now();

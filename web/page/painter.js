@@ -138,7 +138,8 @@ const painter = (() => {
     pen.fill(own);
     pen.clip(own);
     pen.scale(cell.width / 9, cell.height / 18);
-    pen.lineCap = pen.lineJoin = "round";
+    pen.lineCap = "round";
+    pen.lineJoin = "bevel";
     for (const [, name, attributes, text] of picture.svg.matchAll(/<(\w+)([^>]*)>([^<]*)/g)) {
       const of = {};
       for (const [, key, value] of attributes.matchAll(/([\w-]+)="([^"]*)"/g)) of[key] = value;
@@ -155,28 +156,42 @@ const painter = (() => {
     const number = (key, otherwise = 0) => (key in of ? Number(of[key]) : otherwise);
     if (name === "text") return writing(of, text, number);
     const path = name === "path" ? new Path2D(of.d) : null;
-    if (!path) pen.beginPath();
-    if (name === "circle") pen.arc(number("cx"), number("cy"), Math.max(0, number("r")), 0, 2 * Math.PI);
-    else if (name === "rect") pen.rect(number("x"), number("y"), number("width"), number("height"));
-    else if (!path) return;
-    const opacity = number("opacity", 1);
-    if (of.fill && of.fill !== "none") {
-      pen.globalAlpha = opacity * number("fill-opacity", 1);
+    const [filled, stroked] = [of.fill, of.stroke].map((colour) => colour && colour !== "none");
+    const wide = number("stroke-width", 1);
+    const circle = (radius) => {
+      pen.beginPath();
+      pen.arc(number("cx"), number("cy"), Math.max(0, radius), 0, 2 * Math.PI);
+    };
+    if (name === "circle") {
+      if (filled) disc = of.fill;
+      if (filled && stroked) {
+        // A rim lies under its disc: to fill is less work than to stroke.
+        pen.fillStyle = of.stroke;
+        circle(number("r") + wide / 2);
+        pen.fill();
+        pen.fillStyle = of.fill;
+        circle(number("r") - wide / 2);
+        pen.fill();
+        return;
+      }
+      circle(number("r"));
+    } else if (name === "rect") {
+      pen.beginPath();
+      pen.rect(number("x"), number("y"), number("width"), number("height"));
+    } else if (!path) return;
+    if (filled) {
       pen.fillStyle = of.fill;
-      if (name === "circle") disc = of.fill;
       if (path) pen.fill(path);
       else pen.fill();
     }
-    if (of.stroke && of.stroke !== "none") {
-      pen.globalAlpha = opacity * number("stroke-opacity", 1);
+    if (stroked) {
       pen.strokeStyle = of.stroke;
-      pen.lineWidth = number("stroke-width", 1);
+      pen.lineWidth = wide;
       const dashes = of["stroke-dasharray"];
       pen.setLineDash(dashes ? dashes.split(/[ ,]+/).map(Number) : []);
       if (path) pen.stroke(path);
       else pen.stroke();
     }
-    pen.globalAlpha = 1;
   }
 
   const SIGNS = { "&amp;": "&", "&lt;": "<", "&gt;": ">", "&quot;": '"' };

@@ -231,8 +231,8 @@ pub struct Painted {
     pub size: [u16; 2],
     /// The pictures.
     pub pictures: Vec<Picture>,
-    /// The keys that mean something just now.
-    pub keys: Vec<Keys>,
+    /// The keys that mean something just now, if they are others than before.
+    pub keys: Option<Vec<Keys>>,
     /// The colours of plain text and of what is behind it, 0xRRGGBB.
     pub colours: [u32; 2],
 }
@@ -249,7 +249,7 @@ pub struct Picture {
 }
 
 /// Keys that belong together.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Keys {
     /// The name of what they do in `keys.toml`: "everywhere.help".
     pub id: String,

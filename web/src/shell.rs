@@ -1,7 +1,7 @@
 //! The app with its screen, its searches and what is kept.
 
 use std::collections::VecDeque;
-use std::convert::Infallible;
+use std::mem;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -33,6 +33,7 @@ pub struct Shell {
     /// What was drawn last, and how it is painted.
     drawn: Buffer,
     painted: Vec<PaintedCell>,
+    told_keys: Vec<Keys>,
     keeping: Keeping,
     searches: VecDeque<SearchTask>,
     downloads: Vec<Download>,
@@ -59,6 +60,7 @@ impl Shell {
             screen,
             drawn: Buffer::default(),
             painted: Vec::new(),
+            told_keys: Vec::new(),
             keeping,
             searches: VecDeque::new(),
             downloads: Vec::new(),
@@ -275,12 +277,16 @@ impl Shell {
     fn paint(&mut self) -> Painted {
         let app = &self.app;
         let screen = &mut self.screen;
-        let (drawn, pictures): (Result<_, Infallible>, _) = gather(|| {
-            let drawn = screen.draw(|frame| app.draw(frame));
-            // Not what the backend has: it keeps what once stood where a wide letter goes on.
-            drawn.map(|drawn| drawn.buffer.clone())
+        let Ok(()) = screen.autoresize();
+        // Who compares cells wants them as a terminal has them.
+        let hides_cells = !self.opening.simulated;
+        // Nothing is sent to a terminal, so what it would have to be sent is not worked out.
+        let (drawn, pictures) = gather(hides_cells, || {
+            let mut frame = screen.get_frame();
+            let area = frame.area();
+            app.draw(&mut frame);
+            mem::replace(screen.current_buffer_mut(), Buffer::empty(area))
         });
-        let Ok(drawn) = drawn;
         let (cells, pictures) = painted(&drawn, &pictures);
         self.painted = cells;
         self.drawn = drawn;
@@ -299,7 +305,7 @@ impl Shell {
                     svg: picture.svg,
                 })
                 .collect(),
-            keys: self.keys(),
+            keys: self.changed_keys(),
             colours: self.colours(),
         }
     }
@@ -310,6 +316,16 @@ impl Shell {
         blank.set_style(blank.area, self.app.settings().theme().base());
         let (cells, _) = painted(&blank, &[]);
         cells.first().map_or([0, 0], |cell| [cell.ink, cell.paper])
+    }
+
+    /// The keys of the moment, if they are others than when they were told last.
+    fn changed_keys(&mut self) -> Option<Vec<Keys>> {
+        let keys = self.keys();
+        if self.told_keys == keys {
+            return None;
+        }
+        self.told_keys.clone_from(&keys);
+        Some(keys)
     }
 
     /// The keys of the moment. What lies over a screen has keys of its own, or goes at any.

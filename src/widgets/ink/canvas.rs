@@ -11,6 +11,7 @@ use ratatui::{
 
 use super::{
     cell::Cell,
+    gallery,
     glyphs::{ascii, block, braille},
     grid,
     label::PlacedLabel,
@@ -65,7 +66,8 @@ impl Canvas {
     /// A canvas with all of a picture on it.
     pub(in crate::widgets) fn of(picture: &Picture, look: &Look) -> Self {
         let mut canvas = Self::new(*picture.view(), look.charset);
-        canvas.has_shades = look.theme.has_shades();
+        let is_hidden = look.charset == Charset::Unicode && gallery::hides_cells();
+        canvas.has_shades = look.theme.has_shades() && !is_hidden;
         canvas.is_mono = look.theme.is_mono();
         for mark in &picture.marks {
             canvas.mark(mark);
@@ -237,7 +239,7 @@ impl Canvas {
             let hollow = theme.is_hollow(disc.role);
             return (if hollow { ' ' } else { '█' }, theme.fill(disc.role));
         }
-        if theme.has_shades() {
+        if self.has_shades {
             let (symbol, [ink, paper]) = Shades::of(cell, theme).fitted();
             let style = Style::new().fg(theme.shade(ink)).bg(theme.shade(paper));
             return (symbol, style);

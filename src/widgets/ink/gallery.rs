@@ -4,7 +4,7 @@
 //! can paint true circles: its shell gathers the pictures while it has the screen drawn.
 //! They go only to whoever asked, for the one call it asked for.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use ratatui::buffer::Buffer;
 
@@ -14,6 +14,7 @@ use crate::widgets::picture::Picture;
 
 thread_local! {
     static GATHERED: RefCell<Option<Vec<DrawnPicture>>> = const { RefCell::new(None) };
+    static HIDES_CELLS: Cell<bool> = const { Cell::new(false) };
 }
 
 /// A picture that was drawn into cells.
@@ -29,11 +30,19 @@ pub struct DrawnPicture {
     pub(in crate::widgets) cells: Buffer,
 }
 
-/// Does what draws, and gives the pictures that were drawn by it.
-pub fn gather<T>(draw: impl FnOnce() -> T) -> (T, Vec<DrawnPicture>) {
+/// Does what draws, and gives the pictures that were drawn by it. Who `hides_cells` behind
+/// vectors is spared the shades at the edges of discs, which are half the work.
+pub fn gather<T>(hides_cells: bool, draw: impl FnOnce() -> T) -> (T, Vec<DrawnPicture>) {
     GATHERED.set(Some(Vec::new()));
+    HIDES_CELLS.set(hides_cells);
     let drawn = draw();
+    HIDES_CELLS.set(false);
     (drawn, GATHERED.take().unwrap_or_default())
+}
+
+/// Whether nobody sees the cells of pictures.
+pub(super) fn hides_cells() -> bool {
+    HIDES_CELLS.get()
 }
 
 /// Notes a picture that has just been drawn into cells, if anyone gathers them.

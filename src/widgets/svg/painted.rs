@@ -143,7 +143,7 @@ mod tests {
         };
         let mut picture = Picture::new(View::new(Rect::new(2, 1, 16, 8), DVec2::ZERO, 1.0));
         picture.disc(DVec2::ZERO, 5.0, Role::Coin, 'C');
-        let ((), pictures) = gather(|| picture.draw(&mut screen, &look));
+        let ((), pictures) = gather(false, || picture.draw(&mut screen, &look));
         (screen, pictures)
     }
 
@@ -172,7 +172,7 @@ mod tests {
         let (screen, pictures) = drawn(Charset::Ascii);
         let (cells, vectors) = painted(&screen, &pictures);
         assert!(vectors[0].svg.is_empty() && cells.iter().all(|cell| !cell.is_vector));
-        let ((), none) = gather(|| ());
+        let ((), none) = gather(false, || ());
         assert!(none.is_empty());
     }
 }

@@ -22,6 +22,8 @@ const HEAD: (f64, f64) = (11.0, 4.2);
 const POINTED_OUT: f64 = 1.25;
 /// Pieces of an arc that is not wholly in the view.
 const PIECES: u32 = 180;
+/// A line leaves out what lies nearer than this to the point before it.
+const NEAR: f64 = 0.3;
 /// A disc of a smaller radius is a plain dot of this one.
 const DOT: f64 = 3.5;
 
@@ -240,8 +242,12 @@ impl Vectors<'_> {
         let mut path = String::new();
         let mut last = None;
         let [low, high] = self.corners();
+        let mut points: Vec<_> = points.iter().map(|point| self.at(*point)).collect();
+        let end = points.pop();
+        points.dedup_by(|next, kept| next.distance(*kept) < NEAR);
+        points.extend(end);
         for pair in points.windows(2) {
-            let Some([from, to]) = clipped([self.at(pair[0]), self.at(pair[1])], low, high) else {
+            let Some([from, to]) = clipped([pair[0], pair[1]], low, high) else {
                 continue;
             };
             if last != Some(from) {
