@@ -114,41 +114,47 @@ impl Big {
     /// A text in lines of so many columns, broken between words but not between a number and its
     /// unit; `None` if a word is too long for any line, or a letter is not to be had.
     fn set(text: &Rc<BigText>, size: LetterSize, columns: u16) -> Option<Self> {
-        Self::begin(text, 0, size, columns, false).filter(|big| big.words() == text.len())
+        Self::begin(text, 0, size, (columns, u16::MAX), false)
+            .filter(|big| big.words() == text.len())
     }
 
-    /// The same from one of its words on and as far as to the first word that is too long for a
-    /// line; `at_top` of a page without an empty row above it.
+    /// The same from one of its words on, as far as to the first word that is too long for a line
+    /// or the first line that is too low for a room of so many columns and rows; `at_top` of a
+    /// page without an empty row above it.
     fn begin(
         text: &Rc<BigText>,
         from: usize,
         size: LetterSize,
-        columns: u16,
+        (columns, rows): (u16, u16),
         at_top: bool,
     ) -> Option<Self> {
-        let lines = text.lines(from, size, columns.into())?;
         let mut big = Self {
             text: Rc::clone(text),
             size,
-            lines: Vec::with_capacity(lines.len()),
+            lines: Vec::new(),
         };
-        for (number, words) in lines.into_iter().enumerate() {
+        let (mut end, mut above) = (0, None);
+        for (number, words) in (0..).zip(text.lines(from, size, columns.into())?) {
+            if end > rows.into() {
+                break;
+            }
             let (rows, left_out) = match size {
                 LetterSize::Strokes => {
                     let ink = text.strokes(words.clone())?;
-                    let left_out = strokes::empty_rows(&ink).min(usize::from(at_top));
-                    let all = strokes::rows_of(&ink);
-                    match big.lines.last() {
-                        None => (0..all - left_out, left_out),
-                        Some(it) => {
-                            let above = text.strokes(it.words.clone())?;
-                            let start = it.rows.start + strokes::apart(&above, &ink) - it.left_out;
-                            (start..start + all, 0)
+                    let (start, left_out) = match big.lines.last().zip(above) {
+                        None => (0, strokes::empty_rows(&ink).min(usize::from(at_top))),
+                        Some((line, above)) => {
+                            let apart = strokes::apart(&above, &ink);
+                            (line.rows.start + apart - line.left_out, 0)
                         }
-                    }
+                    };
+                    let end = start + strokes::rows_of(&ink) - left_out;
+                    above = Some(ink);
+                    (start..end, left_out)
                 }
                 _ => (size.rows(number)..size.rows(number + 1), 0),
             };
+            end = rows.end;
             big.lines.push(BigLine {
                 columns: text.columns(words.clone(), size)?,
                 words,

@@ -53,7 +53,7 @@ impl BigPages {
                 let page = pages.last_mut()?;
                 let room = rows.saturating_sub(page.taken);
                 let is_fresh = page.parts.is_empty();
-                let mut big = Big::begin(text, from, size, columns, is_fresh)?;
+                let mut big = Big::begin(text, from, size, (columns, room), is_fresh)?;
                 let fits = big.lines_in(room);
                 let too_long = fits == big.lines.len() && from + big.words() < text.len();
                 ends_early |= too_long;
