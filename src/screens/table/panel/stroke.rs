@@ -28,7 +28,7 @@ pub(super) fn draw(active: &ActiveGame, replay: &StrokeReplay, lines: &mut Lines
     let name = active.options.seat_name(past.before.seat());
     if !clock.is_over() {
         let speed = player.shot().start(0).velocity.length();
-        lines.fact("stroke of", name);
+        lines.fact("struck by", name);
         lines.fact("at", &format!("{speed:.1} m/s"));
         let so_far = player.impacts().iter().filter(|it| it.time <= clock.time());
         lines.fact("impacts", &so_far.count().to_string());
