@@ -143,6 +143,14 @@ fn class_rounds_of_the_second_format_still_open() {
 }
 
 #[test]
+fn a_class_round_of_the_third_format_still_opens() {
+    let bytes = include_bytes!("../saves/class-3.toml");
+    let round = ClassRound::read("class-3", bytes, &Default::default()).unwrap();
+    assert_eq!(round.class(), "10b");
+    assert_eq!(round.tally(0, Vote::Second), Some(&[1, 28, 2, 1][..]));
+}
+
+#[test]
 fn an_exported_game_of_the_first_format_still_opens() {
     let bytes = include_bytes!("../saves/export-1.toml");
     let (saved, game) = SavedGame::read("export-1.toml", bytes).unwrap();

@@ -111,7 +111,7 @@ fn handed_in(folder: &Folder) -> Vec<HandIn> {
 fn what_a_pupil_answered_alone_is_handed_in_by_a_key() {
     let folder = Folder::new("hand-in-by-key");
     let (mut class, ada) = answered_alone(&folder);
-    press(&mut class, ada, "h", "Send your 1 answer");
+    press(&mut class, ada, "h", "answered alone (1 answer)");
     assert_eq!(handed_in(&folder), []);
     press(&mut class, ada, "y", "Handed in: 1 answer.");
     let files = handed_in(&folder);

@@ -35,6 +35,8 @@ const program = (() => {
 
   // Says a command, and bytes of files behind it; gives what is told, with its bytes.
   function call(command, bytes) {
+    // Who begins anew knows no time yet.
+    if (command.do === "open") told = 0;
     const json = encoder.encode(JSON.stringify(command));
     const length = json.length + (bytes ? 1 + bytes.length : 0);
     const room = memory(wasm.carrom_room(length), length);

@@ -300,7 +300,7 @@ impl Screen for Join {
                 let answers = counted(self.answers(), "answer");
                 return Next::Confirm(Confirmation::new(
                     format!(
-                        "Send your {answers} to the teacher, with what was right and what was wrong? They were given alone, not in this round."
+                        "Send the teacher what you answered alone ({answers}), with how right it was? Your votes in this round are not part of it."
                     ),
                     "hand in",
                     "not yet",

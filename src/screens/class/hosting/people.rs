@@ -231,7 +231,7 @@ impl People {
             Doing::Rename(_) => "Type the name, then Enter.".into(),
             Doing::Nothing if hosting.shut => "The door is closed: nobody new can come in.".into(),
             Doing::Nothing => match hosting.handed_in_where() {
-                Some(folder) => format!("Handed in: carrom gather {folder} --out class.html"),
+                Some(folder) => format!("Handed in: carrom gather \"{folder}\" --out class.html"),
                 None => String::new(),
             },
         };
