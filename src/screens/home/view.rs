@@ -13,7 +13,7 @@ use crate::widgets::{Lines, Role, areas, text};
 /// Columns of the menu.
 const MENU: u16 = 42;
 /// The same where there is no room for what each line is about.
-const NARROW: u16 = 30;
+const NARROW: u16 = 31;
 const WIDE: u16 = 78;
 /// Rows above the first choice.
 const HEAD_ROWS: u16 = 3;
