@@ -62,7 +62,8 @@ const painter = (() => {
       if (stale && picture.svg) paintPicture(picture, painted.colours[1], cells, columns);
     });
     picturesBefore = painted.pictures.map((picture) => picture.svg);
-    before = cells.slice();
+    if (all) before = cells.slice();
+    else before.set(cells);
   }
 
   function paintCell(cells, i, column, row) {

@@ -189,17 +189,17 @@ impl Shell {
     /// The cells that were painted last, four numbers each.
     #[must_use]
     pub fn cells(&self) -> Vec<u32> {
-        let cells = self.drawn.content().iter();
-        let each = cells.zip(&self.painted);
-        each.flat_map(|(cell, painted)| {
+        let drawn = self.drawn.content();
+        let mut cells = Vec::with_capacity(4 * drawn.len());
+        for (cell, painted) in drawn.iter().zip(&self.painted) {
             let letter = cell.symbol().chars().next().unwrap_or(' ');
             let hidden = cell.modifier.contains(Modifier::HIDDEN);
             let letter = if hidden { ' ' } else { letter };
             let vector = if painted.is_vector { VECTOR } else { 0 };
             let bits = u32::from(painted.modifier.bits()) | vector;
-            [u32::from(letter), painted.ink, painted.paper, bits]
-        })
-        .collect()
+            cells.extend([u32::from(letter), painted.ink, painted.paper, bits]);
+        }
+        cells
     }
 
     fn input(&mut self, input: &Input) {

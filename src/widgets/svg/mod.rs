@@ -183,10 +183,18 @@ struct Number(f64);
 
 impl std::fmt::Display for Number {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let rounded = (100.0 * self.0).round() / 100.0;
-        // Adding 0 makes a plain 0 of −0.
-        let number = Some(rounded).filter(|it| it.is_finite());
-        write!(f, "{}", number.unwrap_or_default() + 0.0)
+        let number = if self.0.is_finite() { self.0 } else { 0.0 };
+        let hundredths = (100.0 * number).round() as i64;
+        let sign = if hundredths < 0 { "-" } else { "" };
+        let (whole, part) = (
+            hundredths.unsigned_abs() / 100,
+            hundredths.unsigned_abs() % 100,
+        );
+        match (part, part % 10) {
+            (0, _) => write!(f, "{sign}{whole}"),
+            (_, 0) => write!(f, "{sign}{whole}.{}", part / 10),
+            _ => write!(f, "{sign}{whole}.{part:02}"),
+        }
     }
 }
 

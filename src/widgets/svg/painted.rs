@@ -106,15 +106,11 @@ impl DrawnPicture {
         area.rows().flat_map(move |row| {
             let changed = |at: &Position| screen.cell(*at) != self.cells.cell(*at);
             let first = row.positions().find(changed);
-            let last = row.positions().filter(changed).last();
-            let covered = move |at: &Position| {
-                first
-                    .zip(last)
-                    .is_some_and(|(first, last)| (first.x..=last.x).contains(&at.x))
-            };
-            row.positions()
-                .filter(move |at| !covered(at))
-                .collect::<Vec<_>>()
+            let last = first.and_then(|_| row.positions().filter(changed).last());
+            row.positions().filter(move |at| {
+                let ends = first.zip(last);
+                ends.is_none_or(|(first, last)| !(first.x..=last.x).contains(&at.x))
+            })
         })
     }
 }
