@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::active_game::ActiveGame;
 use super::keys::TableAction;
 use super::options::Options;
-use super::picture;
+use super::{picture, words};
 use crate::game::{ByTeam, Game, GameStage, Rules, SavedGame, Team};
 use crate::messages::{KeptGame, Key, Mouse, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::{capital, counted};
@@ -174,10 +174,10 @@ fn about(saved: &SavedGame, game: &Game) -> String {
         _ if options.rules == Rules::Practice => String::new(),
         GameStage::Playing => match options.seat_name(game.seat()) {
             "you" => " It is your turn.".into(),
-            name => format!(" It is the turn of {name}."),
+            name => format!(" It is the turn of {}.", words::player(name)),
         },
         GameStage::BoardOver(won) => {
-            let winner = options.team_name(won.winner);
+            let winner = words::player(options.team_name(won.winner));
             format!(" The board went to {winner}.")
         }
         GameStage::GameOver(team) => format!(" {}.", options.wins(team, "game")),

@@ -28,6 +28,14 @@ pub(super) const fn masses(set: PieceSet) -> &'static str {
     }
 }
 
+/// A player in the midst of a sentence, as in "goes to the computer".
+pub(super) fn player(name: &'static str) -> &'static str {
+    match name {
+        "computer" => "the computer",
+        name => name,
+    }
+}
+
 /// What somebody does, as in "South plays" but "you play".
 pub(super) fn does(name: &str, third_person: &str) -> String {
     let verb = match name {

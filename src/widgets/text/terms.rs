@@ -271,7 +271,7 @@ fn is_product(before: &str, after: &str) -> bool {
     let after_function = is_function(after) || is_function_of(after);
     let number = before.ends_with(char::is_numeric);
     first && is_indexed(bare(after))
-        || number && is_greek(bare(after))
+        || number && (is_greek(bare(after)) || is_indexed(bare(after)))
         || (first || number) && after_function
 }
 
@@ -295,6 +295,19 @@ mod tests {
             parts("so tan θ₁ = sin Θ / (cos Θ + m₁ / m₂) here", 27),
             ["so", "tan θ₁", "= sin Θ / (cos Θ + m₁ / m₂)", "here"]
         );
+    }
+
+    #[test]
+    fn a_number_stays_with_what_it_multiplies() {
+        for text in [
+            "m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁.",
+            "m1 / m2 = sin(theta1 + 2 theta2) / sin theta1.",
+        ] {
+            for columns in 12..40 {
+                let parts = parts(text, columns);
+                assert!(!parts.iter().any(|it| it.ends_with(" 2")), "{parts:?}");
+            }
+        }
     }
 
     #[test]

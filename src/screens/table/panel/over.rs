@@ -24,7 +24,10 @@ pub(super) fn draw(active: &ActiveGame, lines: &mut Lines) {
         GameStage::BoardOver(_) if active.is_practice() => "The board is empty.".into(),
         GameStage::BoardOver(won) => {
             let hints = with_hints(active, won.winner);
-            format!("The board goes to {}{hints}.", name(won.winner))
+            format!(
+                "The board goes to {}{hints}.",
+                words::player(name(won.winner))
+            )
         }
         GameStage::Playing => String::new(),
     };
