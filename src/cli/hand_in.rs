@@ -28,13 +28,8 @@ The file holds the name, the class, and each answer with what was asked, what is
 points. The teacher puts all files into one folder: carrom gather FOLDER --out class.html")]
 pub(super) struct HandInArgs {
     /// The class, as your teacher calls it
-    #[arg(
-        long,
-        value_name = "NAME",
-        default_value = "",
-        hide_default_value = true
-    )]
-    class: String,
+    #[arg(long, value_name = "NAME")]
+    class: Option<String>,
     /// Only the answers of this round; may be given several times
     #[arg(long, value_name = "CODE", value_parser = Code::read)]
     code: Vec<Code>,
@@ -118,7 +113,7 @@ pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), 
         let message = format!("{player} has no answer{of} to hand in; --player gives another name");
         return Err(Failure::input(message));
     }
-    let hand_in = HandIn::new(&player, &args.class, attempts);
+    let hand_in = HandIn::new(&player, args.class.as_deref().unwrap_or_default(), attempts);
     let path = args
         .out
         .clone()

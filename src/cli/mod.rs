@@ -183,13 +183,8 @@ enum OpenCommand {
         #[arg(value_parser = |names: &str| team_names(names.split(',')))]
         teams: Option<Teams>,
         /// What the class is called: it stands in the tables, and in what pupils hand in
-        #[arg(
-            long,
-            value_name = "NAME",
-            default_value = "",
-            hide_default_value = true
-        )]
-        class: String,
+        #[arg(long, value_name = "NAME")]
+        class: Option<String>,
     },
     /// Join a class that plays on devices of its own
     Join {
@@ -293,7 +288,7 @@ impl OpenCommand {
                 class,
                 ..
             } => Place::Host {
-                name: class.clone(),
+                name: class.clone().unwrap_or_default(),
                 code: filled(code.as_ref(), &data.own)?
                     .map(Code::same_for_all)
                     .transpose()?,
@@ -306,7 +301,7 @@ impl OpenCommand {
             Self::Class {
                 code, teams, class, ..
             } => Place::Class {
-                name: class.clone(),
+                name: class.clone().unwrap_or_default(),
                 code: filled(code.as_ref(), &data.own)?
                     .map(Code::same_for_all)
                     .transpose()?,

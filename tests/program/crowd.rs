@@ -440,7 +440,7 @@ fn a_host_is_killed_in_the_midst_of_votes_and_loses_none() {
             pty.press("\r\r");
             pty.wait_for("have voted");
         } else {
-            pty.wait_for("take up an earlier round");
+            pty.wait_for("Take up an earlier round");
             pty.press("\x1b[F\r");
             pty.wait_for("from-angle2-7");
             pty.press("\r");

@@ -116,14 +116,14 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
     );
     let tally = set_up.at() == SetUpRow::Tally;
     line(
-        "start with hands or cards that are counted",
+        "Start with hands or cards that are counted",
         tally,
         &mut lines,
     );
     let devices = set_up.at() == SetUpRow::Devices;
-    line("start on devices of their own", devices, &mut lines);
+    line("Start on devices of their own", devices, &mut lines);
     let earlier = set_up.at() == SetUpRow::Earlier;
-    line("take up an earlier round", earlier, &mut lines);
+    line("Take up an earlier round", earlier, &mut lines);
     if let Some(trouble) = &set_up.trouble {
         lines.paragraph(trouble, Role::Warn);
     }

@@ -31,7 +31,7 @@ pub struct DrawnPicture {
 }
 
 /// Does what draws, and gives the pictures that were drawn by it. Who `hides_cells` behind
-/// vectors is spared the shades at the edges of discs, which are half the work.
+/// vectors is spared the shades at the edges of discs.
 pub fn gather<T>(hides_cells: bool, draw: impl FnOnce() -> T) -> (T, Vec<DrawnPicture>) {
     GATHERED.set(Some(Vec::new()));
     HIDES_CELLS.set(hides_cells);
