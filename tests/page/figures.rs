@@ -32,6 +32,24 @@ const PRESS: &str = "
       document.body.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
     }";
 
+/// Keeps the time of each frame from now on.
+const TIME_FRAMES: &str = "
+    window.frameTimes = [];
+    const request = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (draw) => request((time) => {
+      window.frameTimes.push(time);
+      draw(time);
+    });";
+
+/// After so many ms without a frame what moved is at rest: from then on none is wanted.
+const REST: f64 = 250.0;
+
+/// The ms between one frame and the next, until all is at rest.
+fn gaps(times: &[f64]) -> Vec<f64> {
+    let pairs = times.windows(2).map(|pair| pair[1] - pair[0]);
+    pairs.take_while(|gap| *gap < REST).collect()
+}
+
 /// The milliseconds that frames take, one after the other.
 const WORK: &str = "
     return Array.from({ length: 45 }, () => {
@@ -72,25 +90,23 @@ fn figures_of_the_page() {
         ("a break watched", "table&seed=3", vec!["Enter", " "]),
     ] {
         open(&mut chromium, &format!("{page}#{fragment}"), 4.0);
+        chromium.run(TIME_FRAMES, &[]);
         chromium.run(PRESS, &[json!(keys)]);
-        std::thread::sleep(std::time::Duration::from_millis(300));
-        let frames = |chromium: &mut Chromium| {
-            chromium
-                .run("return window.carrom.seen().frames", &[])
-                .as_u64()
-                .unwrap()
-        };
-        let (before, start) = (frames(&mut chromium), Instant::now());
-        std::thread::sleep(std::time::Duration::from_millis(1000));
-        let after = frames(&mut chromium);
-        let each = (after - before) as f64 / start.elapsed().as_secs_f64();
+        std::thread::sleep(std::time::Duration::from_millis(2500));
+        let times = chromium.run("return window.frameTimes", &[]);
+        let times = times.as_array().unwrap().iter().filter_map(Value::as_f64);
+        let gaps = gaps(&times.collect::<Vec<_>>());
+        let seconds = gaps.iter().sum::<f64>() / 1e3;
+        let each = gaps.len() as f64 / seconds;
         // On a busy computer frames are late; what each of them takes is told beside it.
         open(&mut chromium, &format!("{page}#{fragment}"), 4.0);
         chromium.run(PRESS, &[json!(keys)]);
         let work = chromium.run(WORK, &[]);
         let work = work.as_array().unwrap().iter().filter_map(Value::as_f64);
         let work = median(work.collect());
-        println!("{what} at 4x: {each:.0} frames a second, {work:.1} ms of work for each");
+        println!(
+            "{what} at 4x: {each:.0} frames a second for {seconds:.1} s, {work:.1} ms of work for each"
+        );
     }
     open(&mut chromium, &page, 1.0);
     let wakes = "return window.carrom.seen().wakes";
