@@ -8,14 +8,22 @@ use crate::chromium::Chromium;
 /// A phone with the page open, and a finger.
 pub(crate) struct Phone(pub(crate) Chromium);
 
+/// A phone held upright.
+const UPRIGHT: (u32, u32) = (390, 844);
+
 impl Phone {
     pub(crate) fn open(page: &str, fragment: &str) -> Option<Self> {
-        let mut chromium = Chromium::start((390, 844), true)?;
-        chromium.open(&format!("{page}#{fragment}"));
-        wait_until_ready(&mut chromium);
-        let mut phone = Self(chromium);
-        phone.wait();
+        let mut phone = Self(Chromium::start(UPRIGHT, true)?);
+        phone.go_to(page, fragment);
         Some(phone)
+    }
+
+    /// Opens the page anew at a place.
+    fn go_to(&mut self, page: &str, fragment: &str) {
+        self.0.open("about:blank");
+        self.0.open(&format!("{page}#{fragment}"));
+        wait_until_ready(&mut self.0);
+        self.wait();
     }
 
     /// Waits for a few frames.
@@ -60,6 +68,15 @@ impl Phone {
     pub(crate) fn tap(&mut self, at: [f64; 2]) {
         self.touch("touchStart", &[at]);
         self.touch("touchEnd", &[]);
+        self.wait();
+    }
+
+    /// A key, as a keyboard beside the phone gives it.
+    fn key(&mut self, key: &str) {
+        let script = "
+            document.body.dispatchEvent(
+              new KeyboardEvent('keydown', { key: arguments[0], bubbles: true }));";
+        self.0.run(script, &[json!(key)]);
         self.wait();
     }
 
@@ -147,13 +164,54 @@ impl Phone {
         self.wait();
     }
 
-    /// No part of the page is cut off at a side.
+    /// No part of the page is cut off at a side, no button among them.
     fn assert_fits(&mut self) {
-        let wide = self.0.run(
-            "return document.documentElement.scrollWidth - innerWidth",
-            &[],
+        let script = "
+            const keys = document.getElementById('keys');
+            return [document.documentElement.scrollWidth - innerWidth,
+              keys.scrollWidth - keys.clientWidth];";
+        let wide = self.0.run(script, &[]);
+        assert_eq!(
+            wide,
+            json!([0, 0]),
+            "it scrolls sideways: {}",
+            self.buttons()
         );
-        assert_eq!(wide, json!(0), "it scrolls sideways");
+    }
+}
+
+/// Every screen, held upright and on its side: nothing is cut off, and no button beside it.
+#[test]
+fn no_screen_scrolls_sideways() {
+    let Some(page) = page() else { return };
+    for size in [UPRIGHT, (UPRIGHT.1, UPRIGHT.0)] {
+        let Some(chromium) = Chromium::start(size, true) else {
+            return;
+        };
+        let mut phone = Phone(chromium);
+        // The keys lead to what can be reached from there; a first Tab is the browser's.
+        for (screen, keys) in [
+            ("home", "? Escape s Enter"),
+            ("lab", "Enter Enter Enter"),
+            ("learn", "ArrowDown Enter"),
+            ("lesson=3", "ArrowDown Tab Enter"),
+            ("quiz", "Enter a Enter"),
+            ("quiz=mixed-7", "Enter Enter"),
+            ("class", "Enter Enter"),
+            ("table&seed=3", "Enter c Enter Enter"),
+            ("levels", "Enter"),
+            ("level=dead-stop", "h Enter Enter"),
+            ("foil", "ArrowDown Tab Enter"),
+            ("foil", "ArrowDown Tab Tab"),
+            ("progress", "ArrowDown Tab Tab Tab Tab"),
+        ] {
+            phone.go_to(&page, screen);
+            phone.assert_fits();
+            for key in keys.split(' ') {
+                phone.key(key);
+                phone.assert_fits();
+            }
+        }
     }
 }
 
