@@ -8,7 +8,7 @@ use carrom::progress::Attempt;
 use carrom::store::Store;
 use serde_json::{Value, json};
 
-use crate::browser::{Browser, page, wait_until_ready};
+use crate::browser::{Browser, SCREEN, page, wait_until_ready};
 use crate::chromium::Chromium;
 
 /// Presses keys as a keyboard does, each once the last one has done its work.
@@ -150,7 +150,7 @@ fn times_told(chromium: &mut Chromium) -> usize {
     {
         press(chromium, &[key]);
         wait(60);
-        let screen = chromium.run(crate::browser::SCREEN, &[]);
+        let screen = chromium.run(SCREEN, &[]);
         let now = screen.as_str().unwrap().contains("cannot be kept");
         times += usize::from(now && !before);
         before = now;
@@ -198,6 +198,46 @@ fn a_full_browser_is_told_of_once_and_what_is_done_is_kept_when_there_is_room() 
     assert_eq!(answers(&progress(&mut chromium)).len(), 2);
 }
 
+/// Another tab has hold of all that is kept, for some seconds.
+const HOLD: &str = "
+    const until = performance.now() + arguments[0];
+    const opening = indexedDB.open('carrom', 1);
+    opening.onsuccess = () => {
+      const files = opening.result.transaction('files', 'readwrite').objectStore('files');
+      const again = () => performance.now() < until && (files.get('').onsuccess = again);
+      again();
+    };";
+
+#[test]
+fn a_slow_browser_is_told_of_while_nothing_else_is_drawn() {
+    let Some((page, mut chromium)) = page().zip(Chromium::start((1000, 700), false)) else {
+        return;
+    };
+    chromium.open(&page);
+    wait_until_ready(&mut chromium);
+    press(&mut chromium, &["s"]);
+    chromium.run(HOLD, &[json!(3000)]);
+    wait(300);
+    press(&mut chromium, &["Enter"]);
+    wait(300);
+    let frames = "return window.carrom.seen().frames";
+    let before = chromium.run(frames, &[]);
+    wait(600);
+    assert_ne!(chromium.run(frames, &[]), before, "nothing was drawn");
+    let saving = |chromium: &mut Chromium| {
+        let screen = chromium.run(SCREEN, &[]);
+        screen.as_str().unwrap().contains("saving")
+    };
+    assert!(saving(&mut chromium));
+    for _ in 0..100 {
+        if !saving(&mut chromium) {
+            return;
+        }
+        wait(100);
+    }
+    panic!("it saves on and on");
+}
+
 /// What the program has kept is opened in the page, and what comes of it is read again.
 #[test]
 fn a_database_of_the_program_is_opened_in_the_page() {
@@ -222,7 +262,7 @@ fn a_database_of_the_program_is_opened_in_the_page() {
         open,
         &[Value::from("progress.db"), json!(own[..own.len() / 2])],
     );
-    let screen = chromium.run(crate::browser::SCREEN, &[]);
+    let screen = chromium.run(SCREEN, &[]);
     assert!(
         screen.as_str().unwrap().contains("cannot be opened"),
         "{screen}"

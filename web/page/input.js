@@ -138,8 +138,6 @@ const input = (() => {
     }
   }
 
-  // The keys of the moment. Digits are folded away, arrows are a pad, and q has no button:
-  // a page is left as pages are.
   // Shows the keys of the moment: others than before, or the same in another place.
   function show(rows = last) {
     last = rows;
@@ -154,6 +152,8 @@ const input = (() => {
     `<button data-${kind}="${escaped(name)}" aria-label="${escaped(help || label)}">${escaped(label)}` +
     `${below ? `<small>${escaped(below)}</small>` : ""}</button>`;
 
+  // The buttons for keys. Digits are folded away, arrows are a pad, and q has no button:
+  // a page is left as pages are.
   function layout(rows) {
     if (document.body.classList.contains("fine")) return button("menu", "☰ menu", "menu", "does");
     const arrows = new Set();

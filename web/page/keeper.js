@@ -69,14 +69,14 @@ const keeper = (() => {
     });
   }
 
-  // Brings what has changed into the browser's database; calls `done` with the reason if it
-  // could not be kept.
-  function keep(done) {
+  // Brings what has changed into the browser's database; calls `slow` if that takes long, and
+  // `done` with the reason if it could not be kept.
+  function keep(done, slow = () => {}) {
     if (busy) return;
     busy = true;
-    const slow = setTimeout(() => program.call({ do: "slow" }), 500);
+    const patience = setTimeout(slow, 500);
     const end = (failed) => {
-      clearTimeout(slow);
+      clearTimeout(patience);
       busy = false;
       done(failed);
     };

@@ -141,9 +141,7 @@ const page = (() => {
     for (const { name, content } of reply.downloads) give(name, content);
     for (const call of reply.calls) classroom.does(call);
     if (reply.keep) {
-      keeper.keep((failed) => {
-        speak({ do: "kept", failed });
-      });
+      keeper.keep((failed) => speak({ do: "kept", failed }), () => speak({ do: "slow" }));
     }
     // A page is not left: it begins again.
     if (reply.quit) {
