@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::{env, fs};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// A browser with one window, which is closed when it is dropped.
 pub(crate) trait Browser {
@@ -30,6 +30,25 @@ pub(crate) fn page() -> Option<String> {
     };
     let path = fs::canonicalize(&path).unwrap_or_else(|error| panic!("{path:?}: {error}"));
     Some(format!("file://{}", path.display()))
+}
+
+/// Keeps the time of each frame from now on in `frameTimes`.
+pub(crate) const TIME_FRAMES: &str = "
+    window.frameTimes = [];
+    const request = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (draw) => request((time) => {
+      window.frameTimes.push(time);
+      draw(time);
+    });";
+
+/// Presses keys as a keyboard does, each once the last one has done its work.
+pub(crate) fn press(browser: &mut dyn Browser, keys: &[&str]) {
+    let script = "
+        for (const key of arguments[0]) {
+          document.body.dispatchEvent(
+            new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
+        }";
+    browser.run(script, &[json!(keys)]);
 }
 
 /// Waits until the program on the page is there.

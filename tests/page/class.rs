@@ -12,7 +12,7 @@ use carrom::gradebook::HandIn;
 use carrom::quiz::{Code, Round};
 use serde_json::{Value, json};
 
-use crate::browser::{Browser, SCREEN, page, wait_until_ready};
+use crate::browser::{self, Browser, SCREEN, page, wait_until_ready};
 use crate::chromium::Chromium;
 use crate::folder::Folder;
 use crate::handed_in::hand_in;
@@ -20,14 +20,10 @@ use crate::keys::said;
 use crate::teacher::{Teacher, kept};
 use crate::touch::Phone;
 
-/// A key of a keyboard.
-const KEY: &str = "document.body.dispatchEvent(new KeyboardEvent('keydown',
-    { key: arguments[0], bubbles: true, cancelable: true }))";
-
 /// Types letters, as the keyboard of a phone does.
 fn type_in(phone: &mut Phone, text: &str) {
     for letter in text.chars() {
-        phone.0.run(KEY, &[Value::from(letter.to_string())]);
+        browser::press(&mut phone.0, &[&letter.to_string()]);
     }
 }
 
@@ -73,7 +69,7 @@ fn press(browser: &mut Chromium, keys: &str, shows: &str) {
     while let Some(first) = rest.chars().next() {
         let named = rest.strip_prefix('<').and_then(|it| it.split_once('>'));
         let (key, after) = named.unwrap_or_else(|| rest.split_at(first.len_utf8()));
-        browser.run(KEY, &[Value::from(key)]);
+        browser::press(browser, &[key]);
         rest = after;
     }
     let start = Instant::now();

@@ -9,7 +9,7 @@ use carrom::messages::Key;
 use carrom::shells::Headless;
 use serde_json::{Value, json};
 
-use crate::browser::{Browser, page, wait_until_ready};
+use crate::browser::{Browser, TIME_FRAMES, page, press, wait_until_ready};
 use crate::chromium::Chromium;
 
 /// Opens the page afresh on a computer so many times slower.
@@ -26,20 +26,6 @@ fn median(mut numbers: Vec<f64>) -> f64 {
     numbers.sort_by(f64::total_cmp);
     numbers[numbers.len() / 2]
 }
-
-const PRESS: &str = "
-    for (const key of arguments[0]) {
-      document.body.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
-    }";
-
-/// Keeps the time of each frame from now on.
-const TIME_FRAMES: &str = "
-    window.frameTimes = [];
-    const request = window.requestAnimationFrame.bind(window);
-    window.requestAnimationFrame = (draw) => request((time) => {
-      window.frameTimes.push(time);
-      draw(time);
-    });";
 
 /// After so many ms without a frame what moved is at rest: from then on none is wanted.
 const REST: f64 = 250.0;
@@ -91,7 +77,7 @@ fn figures_of_the_page() {
     ] {
         open(&mut chromium, &format!("{page}#{fragment}"), 4.0);
         chromium.run(TIME_FRAMES, &[]);
-        chromium.run(PRESS, &[json!(keys)]);
+        press(&mut chromium, &keys);
         std::thread::sleep(std::time::Duration::from_millis(2500));
         let times = chromium.run("return window.frameTimes", &[]);
         let times = times.as_array().unwrap().iter().filter_map(Value::as_f64);
@@ -100,7 +86,7 @@ fn figures_of_the_page() {
         let each = gaps.len() as f64 / seconds;
         // On a busy computer frames are late; what each of them takes is told beside it.
         open(&mut chromium, &format!("{page}#{fragment}"), 4.0);
-        chromium.run(PRESS, &[json!(keys)]);
+        press(&mut chromium, &keys);
         let work = chromium.run(WORK, &[]);
         let work = work.as_array().unwrap().iter().filter_map(Value::as_f64);
         let work = median(work.collect());

@@ -8,24 +8,14 @@ use carrom::progress::Attempt;
 use carrom::store::Store;
 use serde_json::{Value, json};
 
-use crate::browser::{Browser, SCREEN, page, wait_until_ready};
+use crate::browser::{Browser, SCREEN, TIME_FRAMES, page, press, wait_until_ready};
 use crate::chromium::Chromium;
-
-/// Presses keys as a keyboard does, each once the last one has done its work.
-const PRESS: &str = "
-    for (const key of arguments[0]) {
-      document.body.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
-    }";
 
 /// The bytes of the page's `progress.db` as numbers.
 const PROGRESS: &str = "return [...window.carrom.call({ do: 'progress' }).bytes]";
 
 /// How many answers the page has told the player are safe.
 const TOLD: &str = "return window.carrom.told()";
-
-fn press(browser: &mut dyn Browser, keys: &[&str]) {
-    browser.run(PRESS, &[json!(keys)]);
-}
 
 /// The answers in the bytes of a database, as the program reads them from its folder.
 fn answers(bytes: &[u8]) -> Vec<Attempt> {
@@ -208,15 +198,8 @@ const HOLD: &str = "
       again();
     };";
 
-/// Counts the frames that are drawn later than those of a key pressed now.
-const COUNT_LATE_FRAMES: &str = "
-    window.lateFrames = 0;
-    const pressed = performance.now();
-    const request = window.requestAnimationFrame.bind(window);
-    window.requestAnimationFrame = (draw) => request((time) => {
-      window.lateFrames += time - pressed > 450;
-      draw(time);
-    });";
+/// Whether a frame was drawn later than those of a key that was pressed then.
+const DRAWN_LATE: &str = "return window.frameTimes.some((time) => time - arguments[0] > 450)";
 
 #[test]
 fn a_slow_browser_is_told_of_while_nothing_else_is_drawn() {
@@ -228,7 +211,8 @@ fn a_slow_browser_is_told_of_while_nothing_else_is_drawn() {
     press(&mut chromium, &["s"]);
     chromium.run(HOLD, &[json!(5000)]);
     wait(300);
-    chromium.run(COUNT_LATE_FRAMES, &[]);
+    chromium.run(TIME_FRAMES, &[]);
+    let pressed = chromium.run("return performance.now()", &[]);
     press(&mut chromium, &["Enter"]);
     let mut soon = |what: &str, seen: &dyn Fn(&mut Chromium) -> bool| {
         for _ in 0..150 {
@@ -244,7 +228,7 @@ fn a_slow_browser_is_told_of_while_nothing_else_is_drawn() {
         screen.as_str().unwrap().contains("saving")
     };
     soon("a frame", &|chromium| {
-        chromium.run("return window.lateFrames > 0", &[]) == json!(true)
+        chromium.run(DRAWN_LATE, std::slice::from_ref(&pressed)) == json!(true)
     });
     soon("saving", &saving);
     soon("saved", &|chromium| !saving(chromium));

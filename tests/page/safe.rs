@@ -3,7 +3,7 @@
 
 use serde_json::{Value, json};
 
-use crate::browser::{Browser, SCREEN, page, wait_until_ready};
+use crate::browser::{Browser, SCREEN, page, press, wait_until_ready};
 use crate::chromium::Chromium;
 
 #[test]
@@ -17,11 +17,7 @@ fn nothing_is_asked_of_a_network() {
         let address = format!("{page}#{place}");
         chromium.open(&address);
         wait_until_ready(&mut chromium);
-        for key in ["Enter", " ", "Enter", "e"] {
-            let press = "document.body.dispatchEvent(
-                new KeyboardEvent('keydown', { key: arguments[0], bubbles: true }))";
-            chromium.run(press, &[Value::from(key)]);
-        }
+        press(&mut chromium, &["Enter", " ", "Enter", "e"]);
         std::thread::sleep(std::time::Duration::from_millis(300));
         // What the page hands to itself has no network in it.
         let mut asked = chromium.requests();

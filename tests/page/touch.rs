@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::browser::{Browser, SCREEN, page, wait_until_ready};
+use crate::browser::{Browser, SCREEN, page, press, wait_until_ready};
 use crate::chromium::Chromium;
 
 /// A phone with the page open, and a finger.
@@ -68,15 +68,6 @@ impl Phone {
     pub(crate) fn tap(&mut self, at: [f64; 2]) {
         self.touch("touchStart", &[at]);
         self.touch("touchEnd", &[]);
-        self.wait();
-    }
-
-    /// A key, as a keyboard beside the phone gives it.
-    fn key(&mut self, key: &str) {
-        let script = "
-            document.body.dispatchEvent(
-              new KeyboardEvent('keydown', { key: arguments[0], bubbles: true }));";
-        self.0.run(script, &[json!(key)]);
         self.wait();
     }
 
@@ -208,7 +199,8 @@ fn no_screen_scrolls_sideways() {
             phone.go_to(&page, screen);
             phone.assert_fits();
             for key in keys.split(' ') {
-                phone.key(key);
+                press(&mut phone.0, &[key]);
+                phone.wait();
                 phone.assert_fits();
             }
         }
