@@ -22,12 +22,14 @@ pub(crate) const SCREEN: &str = "
     return Array.from({ length: rows }, (_, row) => Array.from({ length: columns },
       (_, column) => String.fromCodePoint(cells[4 * (row * columns + column)])).join('')).join('\\n');";
 
-/// The address of the page, if there is one to be tested.
-pub(crate) fn page() -> Option<String> {
-    let Some(path) = env::var_os("CARROM_TEST_PAGE").map(PathBuf::from) else {
-        eprintln!("no page: .ci/page builds it, and CARROM_TEST_PAGE names it");
-        return None;
-    };
+/// The address of the page to test.
+pub(crate) fn page() -> String {
+    named_page().expect("a page: .ci/page builds it, and CARROM_TEST_PAGE names it")
+}
+
+/// The address of the page that the environment names, if it names one.
+pub(crate) fn named_page() -> Option<String> {
+    let path = env::var_os("CARROM_TEST_PAGE").map(PathBuf::from)?;
     let path = fs::canonicalize(&path).unwrap_or_else(|error| panic!("{path:?}: {error}"));
     Some(format!("file://{}", path.display()))
 }

@@ -15,26 +15,20 @@ pub(crate) struct Chromium {
 }
 
 impl Chromium {
-    /// A window of so many CSS pixels; with a finger, one of a phone. `None` where there is
-    /// no driver.
-    pub(crate) fn start(size: (u32, u32), finger: bool) -> Option<Self> {
+    /// A window of so many CSS pixels; with a finger, one of a phone.
+    pub(crate) fn start(size: (u32, u32), finger: bool) -> Self {
         Self::start_as(size, finger, &json!({}))
     }
 
     /// The same, with settings of the browser's own (`prefs`).
-    pub(crate) fn start_as(
-        (width, height): (u32, u32),
-        finger: bool,
-        prefs: &Value,
-    ) -> Option<Self> {
+    pub(crate) fn start_as((width, height): (u32, u32), finger: bool, prefs: &Value) -> Self {
         let driver = Command::new("chromedriver")
             .arg("--port=0")
             .stdout(Stdio::piped())
             .spawn();
-        let Ok(mut driver) = driver else {
-            eprintln!("no chromedriver: Chromium is not tested");
-            return None;
-        };
+        let mut driver = driver.unwrap_or_else(|error| {
+            panic!("chromedriver, which drives Chromium, does not start: {error}")
+        });
         let output = BufReader::new(driver.stdout.take().unwrap());
         let started = |line: std::io::Result<String>| {
             let line = line.unwrap();
@@ -65,7 +59,7 @@ impl Chromium {
             .as_str()
             .unwrap()
             .clone_into(&mut chromium.session);
-        Some(chromium)
+        chromium
     }
 
     /// Does something by the debugging protocol.

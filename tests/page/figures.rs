@@ -48,9 +48,7 @@ const WORK: &str = "
 #[test]
 #[ignore = "measures times, which are for people to judge"]
 fn figures_of_the_page() {
-    let Some((page, mut chromium)) = page().zip(Chromium::start((1280, 800), false)) else {
-        return;
-    };
+    let (page, mut chromium) = (page(), Chromium::start((1280, 800), false));
     let path = page.strip_prefix("file://").unwrap();
     let bytes = fs::metadata(path).unwrap().len();
     println!("size: {:.2} MB", bytes as f64 / 1e6);

@@ -18,8 +18,8 @@ pub(crate) struct Firefox {
 }
 
 impl Firefox {
-    /// A window; `None` where there is no Firefox.
-    pub(crate) fn start() -> Option<Self> {
+    /// A window.
+    pub(crate) fn start() -> Self {
         let profile = env::temp_dir().join(format!("carrom-firefox-{}", process::id()));
         fs::create_dir_all(&profile).unwrap();
         // 0 lets it choose its port, which it writes into the profile.
@@ -34,10 +34,7 @@ impl Firefox {
             .stdout(Stdio::null())
             .stderr(Stdio::null())
             .spawn();
-        let Ok(process) = firefox else {
-            eprintln!("no firefox-esr: Firefox is not tested");
-            return None;
-        };
+        let process = firefox.unwrap_or_else(|error| panic!("firefox-esr does not start: {error}"));
         let port = (0..600).find_map(|_| {
             thread::sleep(Duration::from_millis(100));
             let port = fs::read_to_string(profile.join("MarionetteActivePort")).ok()?;
@@ -51,7 +48,7 @@ impl Firefox {
         };
         firefox.hear();
         firefox.ask("WebDriver:NewSession", &json!({}));
-        Some(firefox)
+        firefox
     }
 
     fn ask(&mut self, command: &str, parameters: &Value) -> Value {

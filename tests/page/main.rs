@@ -1,7 +1,11 @@
 //! The page in real browsers: `target/carrom.html`, opened from its file. `CARROM_TEST_PAGE`
-//! names it; without one, or where there is no browser, each test says so.
+//! names it. Each test that needs it is ignored unless asked for with `-- --include-ignored`,
+//! and then fails where there is no page or no browser.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::env;
+use std::process::Command;
 
 mod browser;
 mod chromium;
@@ -23,3 +27,26 @@ mod keys;
 #[allow(dead_code, reason = "other programs use the rest")]
 #[path = "../common/teacher.rs"]
 mod teacher;
+
+/// Without a page nothing is tested, so nothing may be reported as passed.
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn no_test_of_the_page_passes_without_a_page() {
+    let list = |which: &[&str]| {
+        let mut this = Command::new(env::current_exe().unwrap());
+        let output = this.args(which).output().unwrap();
+        let output = String::from_utf8(output.stdout).unwrap();
+        output.lines().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let ignored = list(&["--list", "--format", "terse", "--ignored"]);
+    assert!(!ignored.is_empty());
+    let mut run = list(&["--list", "--format", "terse"]);
+    run.retain(|test| !ignored.contains(test));
+    assert_eq!(run, ["no_test_of_the_page_passes_without_a_page: test"]);
+    let mut this = Command::new(env::current_exe().unwrap());
+    this.args(["a_file_that_is_none_is_told", "--include-ignored"]);
+    let output = this.env_remove("CARROM_TEST_PAGE").output().unwrap();
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(said.contains("0 passed; 1 failed"), "{said}");
+    assert!(said.contains(".ci/page builds it"), "{said}");
+}

@@ -12,10 +12,10 @@ pub(crate) struct Phone(pub(crate) Chromium);
 const UPRIGHT: (u32, u32) = (390, 844);
 
 impl Phone {
-    pub(crate) fn open(page: &str, fragment: &str) -> Option<Self> {
-        let mut phone = Self(Chromium::start(UPRIGHT, true)?);
+    pub(crate) fn open(page: &str, fragment: &str) -> Self {
+        let mut phone = Self(Chromium::start(UPRIGHT, true));
         phone.go_to(page, fragment);
-        Some(phone)
+        phone
     }
 
     /// Opens the page anew at a place.
@@ -173,12 +173,11 @@ impl Phone {
 
 /// Every screen, held upright and on its side: nothing is cut off, and no button beside it.
 #[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn no_screen_scrolls_sideways() {
-    let Some(page) = page() else { return };
+    let page = page();
     for size in [UPRIGHT, (UPRIGHT.1, UPRIGHT.0)] {
-        let Some(chromium) = Chromium::start(size, true) else {
-            return;
-        };
+        let chromium = Chromium::start(size, true);
         let mut phone = Phone(chromium);
         // The keys lead to what can be reached from there; a first Tab is the browser's.
         for (screen, keys) in [
@@ -209,11 +208,10 @@ fn no_screen_scrolls_sideways() {
 
 /// A whole mixed round: every form of question is answered by tapping and dragging.
 #[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_mixed_round_is_played_by_touch_alone() {
-    let Some(page) = page() else { return };
-    let Some(mut phone) = Phone::open(&page, "quiz=mixed-7&player=Ana") else {
-        return;
-    };
+    let page = page();
+    let mut phone = Phone::open(&page, "quiz=mixed-7&player=Ana");
     for question in 1..=10 {
         phone.expect(&format!("question {question} of 10"));
         phone.assert_fits();
@@ -254,11 +252,10 @@ fn answer(phone: &mut Phone) {
 
 /// A chapter: its pages by a button, its figure dragged.
 #[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_chapter_is_read_by_touch_alone() {
-    let Some(page) = page() else { return };
-    let Some(mut phone) = Phone::open(&page, "lesson=4") else {
-        return;
-    };
+    let page = page();
+    let mut phone = Phone::open(&page, "lesson=4");
     for _ in 0..3 {
         for label in ["next page", "skip", "next"] {
             if phone.button(label) {
@@ -275,11 +272,10 @@ fn a_chapter_is_read_by_touch_alone() {
 
 /// A level: aimed by the finger, said, and watched to its end.
 #[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_level_is_played_by_touch_alone() {
-    let Some(page) = page() else { return };
-    let Some(mut phone) = Phone::open(&page, "levels") else {
-        return;
-    };
+    let page = page();
+    let mut phone = Phone::open(&page, "levels");
     phone.tap_words("Dead stop");
     phone.button("play");
     phone.expect("say where");
@@ -305,11 +301,10 @@ fn a_level_is_played_by_touch_alone() {
 /// A board of carrom against the computer, from the break to its last coin: the first stroke
 /// aimed by the finger, the others as the hints say.
 #[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_board_of_carrom_is_played_by_touch_alone() {
-    let Some(page) = page() else { return };
-    let Some(mut phone) = Phone::open(&page, "table&seed=3") else {
-        return;
-    };
+    let page = page();
+    let mut phone = Phone::open(&page, "table&seed=3");
     phone.press("play");
     phone.expect("You break");
     let aim = |phone: &mut Phone| {

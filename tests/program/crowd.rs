@@ -18,7 +18,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rustix::process::Signal;
 
-use crate::browser::page;
+use crate::browser::named_page;
 use crate::folder::Folder;
 use crate::pty::{Pty, carrom};
 use crate::pupil::{Pupil, connect};
@@ -67,7 +67,7 @@ fn host(folder: &Path, port: u16, code: &str) -> Pty {
         "--data-dir",
         data,
     ];
-    let page = page();
+    let page = named_page();
     if let Some(page) = &page {
         arguments.extend(["--page", page.trim_start_matches("file://")]);
     }
@@ -254,9 +254,8 @@ fn play(devices: u64, bad: bool) {
     terminal.press("\r");
     terminal.wait_for("You are in, Terminal.");
     let mut seen_devices = vec![SeenTimes::new("terminal", terminal)];
-    if page().is_some()
-        && let Some(browser) = seen_devices::browser(port, &code, "Browser")
-    {
+    if named_page().is_some() {
+        let browser = seen_devices::browser(port, &code, "Browser");
         seen_devices.push(SeenTimes::new("browser", browser));
     }
     let pupils: Vec<_> = (0..devices)

@@ -73,9 +73,9 @@ impl SeenDevice for Chromium {
     }
 }
 
-/// The page of a host, in Chromium, joined; `None` where there is no driver.
-pub(crate) fn browser(port: u16, code: &str, name: &str) -> Option<Chromium> {
-    let mut chromium = Chromium::start((1000, 700), false)?;
+/// The page of a host, in Chromium, joined.
+pub(crate) fn browser(port: u16, code: &str, name: &str) -> Chromium {
+    let mut chromium = Chromium::start((1000, 700), false);
     chromium.open(&format!("http://127.0.0.1:{port}/#code={code}"));
     wait_until_ready(&mut chromium);
     chromium.wait_for("Your class plays a round");
@@ -85,5 +85,5 @@ pub(crate) fn browser(port: u16, code: &str, name: &str) -> Option<Chromium> {
     SeenDevice::press(&mut chromium, "\r");
     SeenDevice::press(&mut chromium, "\r");
     chromium.wait_for(&format!("You are in, {name}."));
-    Some(chromium)
+    chromium
 }
