@@ -290,12 +290,13 @@ impl ToldTruth {
     /// another one.
     pub fn told(&self, mut asked: Question) -> Option<Question> {
         let true_answer = Said::parse(&self.truth)?.response;
+        if !asked.form.accepts(&true_answer) {
+            return None;
+        }
         match (&mut asked.form, true_answer) {
             (Form::Rays { truth, .. }, Response::Rays(rays)) => *truth = rays,
             (Form::Number { truth, .. }, Response::Number(x)) => *truth = x,
-            (Form::Choice { right, options }, Response::Choice(i)) if i < options.len() => {
-                *right = i;
-            }
+            (Form::Choice { right, .. }, Response::Choice(i)) => *right = i,
             (Form::Shot(aim), Response::Shot(offset)) => aim.offset = offset,
             _ => return None,
         }

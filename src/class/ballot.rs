@@ -104,6 +104,8 @@ pub struct ClassRound {
     place: ClassPlace,
     /// What the class is called; perhaps nothing.
     class: String,
+    /// How many votes in its file fit none of its questions and were dropped.
+    pub(super) dropped: usize,
 }
 
 /// How pupils come in, and who sits where.
@@ -146,6 +148,7 @@ impl ClassRound {
             teams,
             place: ClassPlace::default(),
             class: String::new(),
+            dropped: 0,
         }
     }
 
@@ -159,6 +162,11 @@ impl ClassRound {
     /// What the class is called; perhaps nothing.
     pub fn class(&self) -> &str {
         &self.class
+    }
+
+    /// How many votes in its file do not fit their question and were dropped when it was read.
+    pub fn dropped_votes(&self) -> usize {
+        self.dropped
     }
 
     /// How the class votes.
@@ -311,7 +319,8 @@ impl ClassRound {
     }
 
     /// Takes a team's vote on a question, in the place of an earlier one; `None` takes it
-    /// back. A vote of another kind than was asked for is not taken.
+    /// back. A vote that the question's form does not [accept](crate::quiz::Form::accepts) is
+    /// not taken.
     pub fn vote(&mut self, question: usize, team: usize, vote: Vote, said: Option<Response>) {
         self.put(question, team, vote, said.map(Said::from));
     }
@@ -325,9 +334,8 @@ impl ClassRound {
         said: Option<Said>,
     ) -> bool {
         let fits = |said: &Said| {
-            let said = &said.response;
             let question = self.questions().get(question);
-            question.is_some_and(|question| question.form.distance(said, said) <= 0.0)
+            question.is_some_and(|question| question.form.accepts(&said.response))
         };
         if said.as_ref().is_some_and(|said| !fits(said)) {
             return false;

@@ -133,6 +133,11 @@ impl fmt::Display for ClassChange {
 }
 
 impl ClassChange {
+    /// Whether the text of a change is that of a vote, whatever it says.
+    pub(super) fn is_vote(text: &str) -> bool {
+        text.starts_with("vote ")
+    }
+
     /// What such a text says; `None` if it is none.
     pub fn parse(text: &str) -> Option<Self> {
         let from_one = |text: &str| text.parse::<usize>().ok()?.checked_sub(1);

@@ -3,7 +3,8 @@
 //! Every message of the host is the pupil's whole state, so that taking a vote, coming late,
 //! coming back and going back a question are one and the same; a device shows what it was told
 //! last. `n` is a number that a device counts up with each vote and gets back with its state:
-//! a state whose `n` is not smaller says that the vote is in, on the disk of the host. `rev`
+//! a state whose `n` is not smaller says that the vote is in, on the disk of the host, or with
+//! `misfit` that it does not fit the question and was not taken. `rev`
 //! counts the states of one connection. What was answered alone can be handed in: a file with
 //! an `n` of its own, which comes back in `handed` once the file is on the disk of the host, or
 //! with why it is not.
@@ -193,6 +194,9 @@ pub struct PupilState {
     pub step: PupilStep,
     /// The last of their votes that was handled.
     pub n: u64,
+    /// Whether their last vote does not fit the question: it was not taken.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub misfit: bool,
     /// Their first vote on this question, as text; empty if there is none.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub first: String,

@@ -159,7 +159,8 @@ impl ClassRound {
     /// # Errors
     /// All that is wrong with it: that it is no such file, or a newer one; that its code or
     /// its teams are none; that it asks questions of the teacher's own that are not there
-    /// or have changed; that a vote says nothing, or something else than was asked for.
+    /// or have changed. A vote that does not fit its question is no such fault: it is dropped,
+    /// and [`dropped_votes`](Self::dropped_votes) counts it.
     pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(name, whole(bytes), LARGEST)?;
         source.document_since("a class round", OLDEST..=FORMAT, &FIELDS, |fields| {
@@ -238,8 +239,11 @@ impl ClassRound {
             for (at, text) in changes.into_iter().enumerate() {
                 let change = ClassChange::parse(text)
                     .ok_or_else(|| format!("expected a change, found \"{}\"", text.escape_debug()));
-                if let Err(message) = change.and_then(|change| round.change(&change)) {
-                    then.refuse_item::<()>("changes", at, message);
+                match change.and_then(|change| round.change(&change)) {
+                    Ok(()) => {}
+                    // Nothing after it depends on it.
+                    Err(_) if ClassChange::is_vote(text) => round.dropped += 1,
+                    Err(message) => drop(then.refuse_item::<()>("changes", at, message)),
                 }
             }
         }
@@ -285,7 +289,7 @@ impl ClassRound {
         }
     }
 
-    /// Takes a vote from a file.
+    /// Takes a vote from a file; one that does not fit its question is dropped and counted.
     fn take(&mut self, question: usize, team: usize, vote: Vote, text: &str) -> Result<(), String> {
         if question >= self.questions().len() || team >= self.teams().len() {
             return Err(format!(
@@ -299,11 +303,7 @@ impl ClassRound {
         }
         let said = Said::parse(text);
         if said.is_none() || !self.put(question, team, vote, said) {
-            return Err(format!(
-                "expected a vote on this question, such as \"{}\", found \"{}\"",
-                self.questions()[question].form.truth().to_text(),
-                text.escape_debug()
-            ));
+            self.dropped += 1;
         }
         Ok(())
     }

@@ -36,6 +36,17 @@ impl Checkpoint {
         }
     }
 
+    /// Whether it can be answered so: of the kind that is asked for, with a choice that is
+    /// there. What a file or a database holds is checked here before it is used.
+    pub fn accepts(&self, said: &Response) -> bool {
+        match (&self.asked, said) {
+            (CheckpointKind::Rays, Response::Rays(_)) => true,
+            (CheckpointKind::Number { .. }, Response::Number(number)) => number.is_finite(),
+            (CheckpointKind::Choice(choices), Response::Choice(line)) => *line < choices.len(),
+            _ => false,
+        }
+    }
+
     /// Whether a first answer gets a hint and a second try: it is wrong, there is something
     /// to say, and more than one answer is left.
     pub fn offers_second_try(&self, said: &Response, figure: Option<&Collision>) -> bool {

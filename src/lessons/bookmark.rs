@@ -75,11 +75,16 @@ impl Bookmark {
         chapter.pages.iter().filter(seen).count()
     }
 
-    /// The answer that was given to what a page asks.
+    /// The answer that was given to what a page asks; none where it does not fit that.
     pub fn given(&self, page: &ChapterPage) -> Option<&GivenAnswer> {
-        let asked = &page.checkpoint.as_ref()?.written;
+        let asked = page.checkpoint.as_ref()?;
         let given = self.pages.get(&page.title)?.as_ref();
-        given.filter(|given| given.asked == *asked)
+        let fits = |said: &Response| asked.accepts(said);
+        given.filter(|given| {
+            given.asked == asked.written
+                && fits(&given.answer)
+                && given.first.as_ref().is_none_or(fits)
+        })
     }
 
     /// All answers given to what the chapter asks.
@@ -192,6 +197,24 @@ mod tests {
         assert_eq!(standing(&mark, &chapter), [2, 3, 1, 0]);
         assert!(mark.is_done(&chapter));
         assert_eq!(mark.words(&chapter), "read 3 of 3, right 0 of 1");
+    }
+
+    /// As a database that somebody has changed may hold it.
+    #[test]
+    fn an_answer_that_does_not_fit_what_is_asked_is_none() {
+        let chapter = chapter(CHAPTER);
+        let page = &chapter.pages[1];
+        for said in [Response::Choice(99), Response::Number(1.0)] {
+            let mut mark = answer(page, 1, true);
+            let given = mark.pages.get_mut(&page.title).unwrap().as_mut().unwrap();
+            given.answer = said;
+            assert_eq!(mark.given(page), None);
+            let mut mark = answer(page, 1, true);
+            let given = mark.pages.get_mut(&page.title).unwrap().as_mut().unwrap();
+            given.first = Some(said);
+            assert_eq!(mark.given(page), None);
+        }
+        assert!(answer(page, 1, true).given(page).is_some());
     }
 
     #[test]

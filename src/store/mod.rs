@@ -30,6 +30,7 @@ use crate::files::{self, Existing};
 use crate::game::{Game, SavedGame};
 use crate::gradebook::HandIn;
 use crate::messages::{History, StoreAnswer, StoreCall, StoreReply, StoreRequest};
+use crate::numbers::counted;
 use crate::progress::{Attempt, Calendar};
 use crate::quiz::concepts::Library;
 use crate::screens::KeptSettings;
@@ -232,9 +233,7 @@ impl Store {
                 StoreReply::Saved(self.note_class(ticket, changes, round))
             }
             StoreRequest::ListClasses => StoreReply::Classes(self.classes.list(self.knows_age())),
-            StoreRequest::LoadClass(name) => {
-                StoreReply::Class(self.classes.load(ticket, name).map(Box::new))
-            }
+            StoreRequest::LoadClass(name) => StoreReply::Class(self.load_class(ticket, name)),
             StoreRequest::RemoveClass(name) => StoreReply::Removed(self.classes.remove(name)),
             StoreRequest::ExportClass(round) => StoreReply::Exported(self.export_class(round)),
             StoreRequest::KeepHandIn(hand_in) => StoreReply::HandedIn(self.keep_hand_in(hand_in)),
@@ -273,6 +272,17 @@ impl Store {
         let text = game.text().map_err(|error| error.to_string())?;
         let name = self.exports.add("carrom-game", &text)?;
         Ok(self.exports.place(&name))
+    }
+
+    fn load_class(&mut self, ticket: u64, name: &str) -> Result<Box<ClassRound>, String> {
+        let round = self.classes.load(ticket, name)?;
+        if round.dropped_votes() > 0 {
+            let dropped = counted(round.dropped_votes(), "vote");
+            self.notice = Some(format!(
+                "carrom opened this round without {dropped} that did not fit the question."
+            ));
+        }
+        Ok(Box::new(round))
     }
 
     fn note_class(

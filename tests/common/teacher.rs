@@ -36,13 +36,18 @@ impl Teacher {
 
     /// The same while the class gathers.
     pub(crate) fn gathering(folder: &Folder, page: &str) -> Self {
+        Self::with_round(folder, page, "from-angle2-7")
+    }
+
+    /// The same with the round of this code.
+    pub(crate) fn with_round(folder: &Folder, page: &str, round: &str) -> Self {
+        let code = carrom::quiz::Code::parse(round);
         let page = Arc::new(ServedPage::new(page).unwrap());
         let (keys, pressed) = mpsc::channel();
         let (told, opened) = mpsc::channel();
         let screen = Arc::new(Mutex::new(String::new()));
         let (path, shown) = (folder.path().to_owned(), Arc::clone(&screen));
         let thread = thread::spawn(move || {
-            let code = carrom::quiz::Code::parse("from-angle2-7");
             let name = "10b".to_owned();
             let app = App::new(Place::Host { code, name }, Settings::default(), 7);
             let store = Store::in_folder(&path);

@@ -387,6 +387,9 @@ fn a_few_devices_vote_beside_slow_and_hostile_ones() {
 /// What a device knows of its votes when its host is killed: the last one that was in.
 type LastIn = Arc<Mutex<Vec<Option<u32>>>>;
 
+/// Votes are counted in thousandths of a degree: an angle has a limit.
+const COUNTS_PER_DEGREE: f64 = 1000.0;
+
 /// A device that votes without end, until its host is gone; then it comes back.
 fn voter(
     port: u16,
@@ -403,7 +406,8 @@ fn voter(
     loop {
         // Each says a larger number than all before, so that an older one would be seen.
         count += 1;
-        if pupil.vote(&format!("rays 1 {count}")).is_err() {
+        let angle = f64::from(count) / COUNTS_PER_DEGREE;
+        if pupil.vote(&format!("rays 1 {angle}")).is_err() {
             return Some(seat);
         }
         known.lock().unwrap()[number] = Some(count);
@@ -463,11 +467,8 @@ fn a_host_is_killed_in_the_midst_of_votes_and_loses_none() {
         for (i, last) in known.lock().unwrap().iter().enumerate() {
             let Some(last) = last else { continue };
             let said = round.ballot(0, i).first.and_then(Response::rays);
-            let said = said
-                .and_then(|rays| rays.target)
-                .unwrap()
-                .to_degrees()
-                .round() as u32;
+            let said = said.and_then(|rays| rays.target).unwrap().to_degrees();
+            let said = (COUNTS_PER_DEGREE * said).round() as u32;
             assert!(
                 said >= *last,
                 "kill {kill}: {i} heard that {last} is in, {said} is there"

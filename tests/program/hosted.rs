@@ -66,6 +66,48 @@ fn a_vote_is_on_the_disk_before_its_device_hears_that_it_is_in() {
     assert_eq!(kept(&folder).voted(0, Vote::First), 19);
 }
 
+/// Such a vote once ended the host at the next step, and again whenever the round was taken up.
+#[test]
+fn a_vote_for_a_choice_that_is_not_there_ends_no_host() {
+    let folder = Folder::new("hosted-misfit");
+    let teacher = Teacher::with_round(&folder, STUB, "concept-1");
+    teacher.press("<Enter><Enter>", "have voted");
+    let [mut ada, mut bo] = ["Ada", "Bo"].map(|name| teacher.join(name));
+    ada.vote("choice 1").unwrap();
+    for said in [
+        "choice 99",
+        "sure choice 18446744073709551615",
+        "number 1",
+        "choice",
+    ] {
+        bo.vote(said).unwrap();
+        assert_eq!(bo.state["misfit"], true, "{said}");
+        assert_eq!(bo.text("first"), "", "{said}");
+    }
+    teacher.press("<Enter>", "Talk");
+    bo.hear_until(|state| state["step"] == "talk").unwrap();
+    assert_eq!(bo.state["spread"][0], 1);
+    assert_eq!(bo.state.get("misfit"), None);
+    // Only what fits is on the disk.
+    let text = fs::read_to_string(folder.path().join("classes/class-1.toml")).unwrap();
+    assert!(
+        text.contains("choice 1") && !text.contains("choice 9"),
+        "{text}"
+    );
+    assert!(!text.contains("number 1"), "{text}");
+    assert_eq!(kept(&folder).voted(0, Vote::First), 1);
+    // A vote that fits is taken as before.
+    teacher.press("<Enter>", "have voted again");
+    bo.hear_until(|state| state["step"] == "second-vote")
+        .unwrap();
+    bo.vote("choice 99").unwrap();
+    bo.vote("choice 2").unwrap();
+    assert_eq!(
+        (bo.text("second").as_str(), bo.state.get("misfit")),
+        ("choice 2", None)
+    );
+}
+
 #[test]
 fn whoever_comes_back_sits_where_they_sat() {
     let folder = Folder::new("hosted-back");

@@ -8,5 +8,6 @@ mod class_round;
 mod codes;
 mod families;
 mod find_out;
+mod forms;
 mod frozen;
 mod rounds;

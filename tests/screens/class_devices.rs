@@ -156,3 +156,39 @@ fn what_cannot_be_kept_is_told_on_both_sides() {
     fs::remove_file(folder.path().join("handed-in")).unwrap();
     press(&mut class, ada, "hy", "Handed in: 1 answer.");
 }
+
+/// A round whose file holds a vote that fits nothing, as an earlier carrom has kept it, once ended
+/// carrom again whenever it was taken up.
+#[test]
+fn a_poisoned_round_is_taken_up_without_its_poisoned_votes() {
+    let folder = Folder::new("class-poisoned");
+    fs::create_dir_all(folder.path().join("classes")).unwrap();
+    let file = folder.path().join("classes/class-1.toml");
+    let poisoned = "format = 3\ncode = \"concept-1\"\nway = \"devices\"\nteams = [\"Cy\", \"Dee\"]\n\
+        number = 1\nstep = \"talk\"\n\n[[question]]\nfirst = [\"choice 99\", \"choice 1\"]\nsecond = []\n\n\
+        [[then]]\nchanges = [\"vote 1 first 1 choice 98\", \"vote 1 first 1 rays 1 2\"]\n";
+    fs::write(&file, poisoned).unwrap();
+    let place = Place::Class {
+        code: None,
+        teams: Vec::new(),
+        name: String::new(),
+    };
+    let app = App::new(place, Settings::default(), 7);
+    let store = Store::in_folder(folder.path()).timeless();
+    let mut class = Classroom::new(Headless::keeping(app, 100, 30, store));
+    press(&mut class, Who::Host, "<End><Enter>", "concept-1");
+    let told = "opened this round without 3 votes that did not fit the question";
+    press(&mut class, Who::Host, "<Enter>", told);
+    let app = pupil("Ada", &class);
+    let ada = class.add("Ada", app, 80, 24);
+    press(&mut class, ada, "<Enter>", "You are in, Ada.");
+    // The first key puts the notice away.
+    press(&mut class, Who::Host, "<Enter>", "the code of this class");
+    press(&mut class, Who::Host, "<Enter>", "Find someone who");
+    press(&mut class, ada, "", "Talk: find someone");
+    let kept = fs::read_to_string(&file).unwrap();
+    assert!(
+        kept.contains("choice 1") && !kept.contains("choice 9"),
+        "{kept}"
+    );
+}

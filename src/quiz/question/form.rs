@@ -63,6 +63,12 @@ impl AimTask {
         }
     }
 
+    /// The furthest offset that can be set, in millimetres either way: a little more than still
+    /// hits.
+    pub fn furthest_offset_mm(&self) -> f64 {
+        (1.1 * mm_from_m(self.collision.contact_distance())).ceil()
+    }
+
     /// How far off its way the disc goes with this offset, in radians from 0 to π;
     /// `None` if it does not move, or if nothing is hit.
     pub fn error(&self, offset: f64) -> Option<f64> {
@@ -81,7 +87,38 @@ pub(super) const RAYS_BY_CHANCE: f64 = 0.01;
 /// or a tenth of a scale on which one guesses within a factor of two.
 pub(super) const NUMBER_BY_CHANCE: f64 = 0.08;
 
+/// What rounding between two units may add to a number at the end of its range, as a share
+/// of it.
+const ROUNDING: f64 = 1e-9;
+
 impl Form {
+    /// Whether this form can be answered so: the answer is of the form's kind and in its range.
+    ///
+    /// Answers come from devices, files and databases that anybody can change. Each is checked
+    /// here before it is used, so that whatever reads an answer later can rely on it.
+    pub fn accepts(&self, said: &Response) -> bool {
+        let within = |x: f64, least: f64, most: f64| {
+            let spare = ROUNDING * most;
+            (least - spare..=most + spare).contains(&x)
+        };
+        match (self, said) {
+            (Self::Rays { .. }, Response::Rays(rays)) => {
+                let most = Rays::FURTHEST_DEG;
+                let mut angles = [rays.striker, rays.target].into_iter().flatten();
+                angles.all(|angle| within(deg_from_rad(angle), -most, most))
+            }
+            (Self::Number { quantity, .. }, Response::Number(x)) => {
+                within(*x, quantity.smallest(), quantity.largest())
+            }
+            (Self::Choice { options, .. }, Response::Choice(i)) => *i < options.len(),
+            (Self::Shot(aim), Response::Shot(offset)) => {
+                let most = aim.furthest_offset_mm();
+                within(mm_from_m(*offset), -most, most)
+            }
+            _ => false,
+        }
+    }
+
     /// The chance that a guess fits one given answer.
     pub fn by_chance(&self) -> f64 {
         match self {

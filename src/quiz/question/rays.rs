@@ -56,6 +56,9 @@ pub struct Rays {
 }
 
 impl Rays {
+    /// The furthest that a ray can be turned, in degrees either way.
+    pub const FURTHEST_DEG: f64 = 180.0;
+
     /// Both discs move, at these angles in radians.
     pub const fn new(theta1: f64, theta2: f64) -> Self {
         Self {

@@ -97,7 +97,8 @@ impl Desk {
 
     /// What the host has of them on this question: what counts at this step.
     pub(super) fn said(&self) -> Option<Said> {
-        let parse = |text: &str| Said::parse(text);
+        let form = &self.question.as_ref()?.form;
+        let parse = |text: &str| Said::parse(text).filter(|said| form.accepts(&said.response));
         match self.state.step.vote() {
             Some(Vote::First) => parse(&self.state.first),
             _ => parse(&self.state.second).or_else(|| parse(&self.state.first)),

@@ -188,7 +188,7 @@ impl Link {
 
     /// Hands this file in; says whether it is small enough for that.
     pub(super) fn hand_in(&mut self, file: Value, cx: &mut Context) -> bool {
-        let n = self.handed + 1;
+        let n = self.handed.saturating_add(1);
         let saying = Saying::HandIn { n, file };
         let text = saying.to_text();
         if text.len() > LARGEST_HAND_IN {
@@ -204,7 +204,7 @@ impl Link {
 
     /// Votes; `None` takes the vote back.
     pub(super) fn vote(&mut self, q: usize, vote: Vote, said: Option<Said>, cx: &mut Context) {
-        self.n += 1;
+        self.n = self.n.saturating_add(1);
         let said = said.map(Said::to_text).unwrap_or_default();
         let n = self.n;
         let saying = Saying::Vote { q, vote, said, n };

@@ -189,16 +189,12 @@ fn write_choices(question: &Question, counts: &[u32], lines: &mut Lines) {
     let Form::Choice { options, .. } = &question.form else {
         return;
     };
-    let all: u32 = counts.iter().sum();
+    let all: f64 = counts.iter().copied().map(f64::from).sum();
     for (i, option) in options.iter().enumerate() {
         lines.hanging(&format!("{}  ", letter(i)), option, Role::Text);
         if let Some(count) = counts.get(i) {
             let width = lines.width().saturating_sub(8);
-            let bar = bar(
-                f64::from(*count) / f64::from(all.max(1)),
-                width,
-                lines.charset(),
-            );
+            let bar = bar(f64::from(*count) / all.max(1.0), width, lines.charset());
             lines.pair(
                 &format!("   {bar}"),
                 &count.to_string(),
@@ -233,7 +229,7 @@ fn head_rows(
 /// Whether it is told above the question how a vote stands: a long text is cut at its end, and
 /// everybody has to see that theirs is in.
 fn is_told_first(desk: &Desk, link: &Link) -> bool {
-    link.is_sending() || desk.has_voted()
+    link.is_sending() || desk.state.misfit || desk.has_voted()
 }
 
 /// How a vote stands, and what Enter does.
@@ -246,6 +242,10 @@ fn standing(
     let given = desk.has_voted() && desk.said().map(|said| said.response) == input.said();
     match (link.is_sending(), desk.has_voted()) {
         (true, _) => ("Your vote is on its way ..", Role::Warn),
+        (false, _) if desk.state.misfit => (
+            "That answer does not fit the question and was not counted. Please vote again.",
+            Role::Warn,
+        ),
         (false, true) if given => (
             "Your vote is in. You may change it until all go on.",
             Role::Good,

@@ -25,7 +25,7 @@ pub(super) fn answer(
         }
         Form::Choice { options, .. } => choose(talk, question, options),
         Form::Shot(aim) => {
-            let most_mm = (1.1e3 * aim.collision.contact_distance()).ceil();
+            let most_mm = aim.furthest_offset_mm();
             let asked = "Your offset in millimetres? A minus puts the coin to the left.";
             let help = "The offset is how far the coin's centre lies from the striker's path: 0 is \
                         head-on. Type a number in millimetres, or skip.";

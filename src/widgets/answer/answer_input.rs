@@ -6,7 +6,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use crate::messages::Key;
 use crate::physics::units::{m_from_mm, mm_from_m};
-use crate::quiz::{AimTask, Form, Measure, Question, Response, letter};
+use crate::quiz::{Form, Measure, Question, Response, letter};
 use crate::widgets::hit::{drag_offset, point_at};
 use crate::widgets::input::{KeyTable, NumberAction, RayAction};
 use crate::widgets::{Lines, NumberInput, Outcome, RayInput, Role};
@@ -55,11 +55,10 @@ impl AnswerInput {
                 chosen: None,
                 count: options.len(),
             },
-            Form::Shot(aim) => Self::Shot(NumberInput::within(
-                Measure::Length,
-                -most_mm(aim),
-                most_mm(aim),
-            )),
+            Form::Shot(aim) => {
+                let most_mm = aim.furthest_offset_mm();
+                Self::Shot(NumberInput::within(Measure::Length, -most_mm, most_mm))
+            }
         }
     }
 
@@ -248,9 +247,4 @@ const ROOM: u16 = 5;
 /// Rows of a choice.
 fn choice_rows(option: &str, lines: &Lines) -> u16 {
     lines.rows_of_hanging(MARK, option)
-}
-
-/// The largest offset that can be set, in millimetres: a little more than still hits.
-fn most_mm(aim: &AimTask) -> f64 {
-    (1.1 * mm_from_m(aim.collision.contact_distance())).ceil()
 }

@@ -9,9 +9,6 @@ use crate::physics::Collision;
 use crate::quiz::{Ray, Rays};
 use crate::widgets::{Lines, Role};
 
-/// Furthest that a ray can be turned, in degrees either way.
-const FURTHEST: f64 = 180.0;
-
 /// A prediction in the making.
 ///
 /// On the screen, angles are in degrees from the direction of the striker: the
@@ -232,7 +229,7 @@ impl RayInput {
 
     fn set(&mut self, angle_deg: f64) {
         // Adding 0 turns −0 into 0.
-        let held = angle_deg.clamp(-FURTHEST, FURTHEST) + 0.0;
+        let held = angle_deg.clamp(-Rays::FURTHEST_DEG, Rays::FURTHEST_DEG) + 0.0;
         self.angles_deg[self.turning as usize] = Some(Some(held));
     }
 
@@ -345,6 +342,6 @@ mod tests {
         press(&mut rays, "-\t");
         assert_eq!(rays.said(), None);
         assert_eq!(press(&mut rays, "999"), Outcome::Used);
-        assert_eq!(rays.angle_deg(Ray::Target), Some(FURTHEST));
+        assert_eq!(rays.angle_deg(Ray::Target), Some(Rays::FURTHEST_DEG));
     }
 }

@@ -89,6 +89,8 @@ struct Presence {
     n: u64,
     /// The number of the last state that this connection was told.
     rev: u64,
+    /// Where their last vote was, if it did not fit the question.
+    misfit: Option<(usize, Vote)>,
     /// What came of the last that they handed in.
     handed: Option<HandedIn>,
     /// How often they did, and whether something of it is kept.
@@ -209,15 +211,17 @@ impl Hosting {
                     said,
                     n,
                 } => {
-                    if let Some(person) = self.person(*line) {
-                        let open =
-                            scene.step.vote() == Some(*vote) && *question == round.place().question;
-                        let is_new = *n > self.presence[person].n;
-                        self.presence[person].n = self.presence[person].n.max(*n);
-                        if open && is_new && self.vote(person, *vote, said, round) {
-                            self.keeping.wait_for_changes(*line);
-                        } else {
-                            self.keeping.wait(*line);
+                    let open =
+                        scene.step.vote() == Some(*vote) && *question == round.place().question;
+                    if let Some(person) = self.person(*line)
+                        && let Some(presence) = self.presence.get_mut(person)
+                    {
+                        let is_new = *n > presence.n;
+                        presence.n = presence.n.max(*n);
+                        let fits = open && is_new && self.vote(person, *vote, said, round);
+                        match fits {
+                            true => self.keeping.wait_for_changes(*line),
+                            false => self.keeping.wait(*line),
                         }
                     }
                 }
@@ -244,7 +248,9 @@ impl Hosting {
 
     /// Puts somebody in their place; whoever sat there has to leave.
     fn seat(&mut self, person: usize, line: LineId, cx: &mut Context) {
-        let presence = &mut self.presence[person];
+        let Some(presence) = self.presence.get_mut(person) else {
+            return;
+        };
         presence.rev = 0;
         if let Some(before) = presence.line.replace(line) {
             cx.host(HostCall::Refuse(before, Refusal::Elsewhere));
@@ -273,22 +279,23 @@ impl Hosting {
         Ok(self.presence.len() - 1)
     }
 
-    /// Takes a vote; says whether something has changed.
+    /// Takes a vote; says whether it fits the question. One that does not changes nothing and
+    /// is not kept.
     fn vote(&mut self, person: usize, vote: Vote, said: &str, round: &mut ClassRound) -> bool {
-        let said = match said {
-            "" => None,
-            text => match Said::parse(text) {
-                Some(said) => Some(said),
-                None => return false,
-            },
-        };
+        let question = round.place().question;
+        let parsed = Said::parse(said);
         let change = ClassChange::Vote {
-            question: round.place().question,
+            question,
             vote,
             person,
-            said,
+            said: parsed,
         };
-        self.change(change, round).is_ok()
+        let is_said = said.is_empty() || parsed.is_some();
+        let fits = is_said && self.change(change, round).is_ok();
+        if let Some(presence) = self.presence.get_mut(person) {
+            presence.misfit = (!fits).then_some((question, vote));
+        }
+        fits
     }
 
     /// Lets something change, to be kept.
@@ -589,15 +596,19 @@ impl Told {
         {
             spread = vec![0; options.len()];
             for said in round.said(number, Vote::First) {
-                if let Response::Choice(choice) = said {
-                    spread[choice] += 1;
+                if let Response::Choice(choice) = said
+                    && let Some(count) = spread.get_mut(choice)
+                {
+                    *count += 1;
                 }
             }
         }
         let mut scores = vec![None; round.teams().len()];
         if [PupilStep::Asked(ClassStep::Scores), PupilStep::End].contains(&scene.step) {
             for it in standings(round, scene.asked) {
-                scores[it.team] = Some((it.points, it.place));
+                if let Some(score) = scores.get_mut(it.team) {
+                    *score = Some((it.points, it.place));
+                }
             }
         }
         Self {
@@ -624,6 +635,11 @@ impl Told {
             of: round.questions().len(),
             step: self.scene.step,
             n: presence.n,
+            misfit: self
+                .scene
+                .step
+                .vote()
+                .is_some_and(|vote| presence.misfit == Some((q, vote))),
             first: text(Vote::First),
             second: text(Vote::Second),
             question: self.question.clone(),
