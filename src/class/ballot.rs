@@ -116,6 +116,15 @@ pub(super) struct Door {
     /// What brings each back to their place, in the order of their names; nothing for whom
     /// no device was seen.
     pub(super) seats: Vec<Option<SeatToken>>,
+    /// Who was removed and has not been let in again.
+    pub(super) removed: Vec<Removed>,
+}
+
+/// Somebody whom the teacher has removed: the device, if it was seen, and the name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Removed {
+    pub(super) seat: Option<SeatToken>,
+    pub(super) name: String,
 }
 
 impl ClassRound {
@@ -183,7 +192,11 @@ impl ClassRound {
     /// already stays as it is.
     pub fn open(&mut self, code: DoorCode) {
         let seats = vec![None; self.teams.len()];
-        self.door.get_or_insert(Door { code, seats });
+        self.door.get_or_insert(Door {
+            code,
+            seats,
+            removed: Vec::new(),
+        });
     }
 
     /// Takes the door away with all that would bring somebody back; names and votes stay.
@@ -195,6 +208,22 @@ impl ClassRound {
     pub fn seat(&self, token: SeatToken) -> Option<usize> {
         let seats = &self.door.as_ref()?.seats;
         seats.iter().position(|seat| *seat == Some(token))
+    }
+
+    /// The names of those who were removed and have not been let in again.
+    pub fn removed(&self) -> impl Iterator<Item = &str> {
+        let removed = self.door.iter().flat_map(|door| &door.removed);
+        removed.map(|it| it.name.as_str())
+    }
+
+    /// Whether somebody with this token or this name was removed and has not been let in again.
+    pub fn is_removed(&self, token: Option<SeatToken>, name: &str) -> bool {
+        let name = folded(&tidy(name));
+        let mut removed = self.door.iter().flat_map(|door| &door.removed);
+        removed.any(|it| {
+            let is_same_device = token.is_some() && it.seat == token;
+            is_same_device || folded(&it.name) == name
+        })
     }
 
     /// What brings somebody back to their place.
@@ -249,8 +278,35 @@ impl ClassRound {
         Ok(())
     }
 
-    /// Removes somebody with all they said.
+    /// Removes somebody with all they said; they stay out until they are let in again.
     pub(super) fn remove(&mut self, person: usize) -> Result<(), String> {
+        let removed = self.teams.get(person).map(|name| Removed {
+            seat: self.token(person),
+            name: name.clone(),
+        });
+        self.vacate(person)?;
+        if let Some(door) = &mut self.door {
+            door.removed.extend(removed);
+            let surplus = door.removed.len().saturating_sub(self.way.most());
+            door.removed.drain(..surplus);
+        }
+        Ok(())
+    }
+
+    /// Lets somebody come in again who was removed.
+    pub(super) fn readmit(&mut self, removed: usize) -> Result<(), String> {
+        let all = self.door.as_mut().map(|door| &mut door.removed);
+        match all.filter(|all| removed < all.len()) {
+            Some(all) => {
+                all.remove(removed);
+                Ok(())
+            }
+            None => Err("expected somebody who was removed".into()),
+        }
+    }
+
+    /// Frees somebody's place, with all they said; they may come in again.
+    pub(super) fn vacate(&mut self, person: usize) -> Result<(), String> {
         if person >= self.teams.len() {
             return Err(format!("expected one of {} people", self.teams.len()));
         }
@@ -281,7 +337,7 @@ impl ClassRound {
         if let Some(door) = &mut self.door {
             door.seats[into] = door.seats[from].or(door.seats[into]);
         }
-        self.remove(from)
+        self.vacate(from)
     }
 
     /// The code that fixes its questions.
@@ -343,6 +399,12 @@ impl ClassRound {
         let row = self.ballots.get_mut(question);
         let ballot = row.and_then(|row| row.get_mut(team));
         ballot.map(|ballot| ballot.put(vote, said)).is_some()
+    }
+
+    /// Whether somebody has voted on any question.
+    pub fn has_voted(&self, person: usize) -> bool {
+        let mut questions = 0..self.questions().len();
+        questions.any(|question| self.ballot(question, person).counts().is_some())
     }
 
     /// The ballots on a question, one a team; none where there is no such question.

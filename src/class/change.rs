@@ -86,8 +86,18 @@ pub enum ClassChange {
         /// Their new name.
         name: String,
     },
-    /// Somebody is removed with all they said; those behind move up.
+    /// Somebody is removed with all they said and stays out; those behind move up.
     Remove {
+        /// Who.
+        person: usize,
+    },
+    /// Somebody who was removed may come in again.
+    Readmit {
+        /// Which of those who were removed.
+        removed: usize,
+    },
+    /// Somebody's place is freed, and they may come in again; those behind move up.
+    Vacate {
         /// Who.
         person: usize,
     },
@@ -127,6 +137,8 @@ impl fmt::Display for ClassChange {
             Self::Join { seat, name } => write!(f, "join {seat} {name}"),
             Self::Rename { person, name } => write!(f, "rename {} {name}", person + 1),
             Self::Remove { person } => write!(f, "remove {}", person + 1),
+            Self::Readmit { removed } => write!(f, "readmit {}", removed + 1),
+            Self::Vacate { person } => write!(f, "vacate {}", person + 1),
             Self::Merge { from, into } => write!(f, "merge {} {}", from + 1, into + 1),
         }
     }
@@ -180,6 +192,12 @@ impl ClassChange {
             ("remove", None) => Self::Remove {
                 person: from_one(first)?,
             },
+            ("readmit", None) => Self::Readmit {
+                removed: from_one(first)?,
+            },
+            ("vacate", None) => Self::Vacate {
+                person: from_one(first)?,
+            },
             ("merge", Some(into)) => Self::Merge {
                 from: from_one(first)?,
                 into: from_one(into)?,
@@ -220,6 +238,8 @@ impl ClassRound {
             ClassChange::Join { seat, name } => self.join(name, *seat),
             ClassChange::Rename { person, name } => self.rename(*person, name),
             ClassChange::Remove { person } => self.remove(*person),
+            ClassChange::Readmit { removed } => self.readmit(*removed),
+            ClassChange::Vacate { person } => self.vacate(*person),
             ClassChange::Merge { from, into } => self.merge(*from, *into),
         }
     }
@@ -241,6 +261,8 @@ mod tests {
             &format!("join {seat} Ada Lovelace"),
             "rename 3 Bo  <b>",
             "remove 250",
+            "readmit 1",
+            "vacate 250",
             "merge 4 1",
         ] {
             let change = ClassChange::parse(text).unwrap_or_else(|| panic!("{text}"));

@@ -139,7 +139,10 @@ impl Refusal {
             }
             Self::Elsewhere => "You are in on another device or in another tab. Go on there.",
             Self::Closed => "The teacher lets nobody in just now.",
-            Self::Kicked => "The teacher has taken this name off the list.",
+            Self::Kicked => {
+                "Your teacher has taken you off the list of this round. Ask your teacher to let \
+                 you in again."
+            }
         }
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::Serialize;
 use strum::VariantArray;
 
-use super::ballot::Door;
+use super::ballot::{Door, Removed};
 use super::names::{names_for, tidy};
 use super::{ClassChange, ClassPlace, ClassRound, ClassStep, NameTrouble, Said, Vote, WayOfVoting};
 use crate::files::{Fields, FileErrors, Source};
@@ -13,8 +13,9 @@ use crate::quiz::concepts::Library;
 use crate::quiz::{Code, CourseKind, Question};
 
 /// The format of the files that are written now: since the second there are ways of voting,
-/// people with devices, and changes behind the round; since the third the name of the class.
-const FORMAT: u32 = 3;
+/// people with devices, and changes behind the round; since the third the name of the class; since
+/// the fourth who was removed.
+const FORMAT: u32 = 4;
 /// The oldest format that still opens.
 const OLDEST: u32 = 1;
 
@@ -44,6 +45,9 @@ struct Written<'a> {
     /// What brings each of them back, empty for whom nothing does.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     seats: Vec<String>,
+    /// Who was removed: what would bring them back, or a hyphen, and their name.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    removed: Vec<String>,
     question: Vec<Votes>,
 }
 
@@ -73,9 +77,9 @@ struct Changes {
 }
 
 /// The fields of a file.
-const FIELDS: [&str; 12] = [
+const FIELDS: [&str; 13] = [
     "format", "code", "class", "way", "teams", "number", "step", "asked", "door", "seats",
-    "question", "then",
+    "removed", "question", "then",
 ];
 /// The fields of a question in it.
 const OF_QUESTION: [&str; 4] = ["first", "second", "first_counts", "second_counts"];
@@ -100,6 +104,17 @@ fn whole(bytes: &[u8]) -> &[u8] {
     }
 }
 
+/// Who was removed, as a file says it.
+fn removed_of(text: &str) -> Option<Removed> {
+    let (seat, name) = text.split_once(' ')?;
+    let seat = match seat {
+        "-" => None,
+        seat => Some(seat.parse().ok()?),
+    };
+    let name = name.to_owned();
+    (tidy(&name) == name && !name.is_empty()).then_some(Removed { seat, name })
+}
+
 impl ClassRound {
     /// Largest file that is read, in bytes.
     pub const LARGEST_FILE: usize = LARGEST;
@@ -120,6 +135,10 @@ impl ClassRound {
         };
         let door = self.door.as_ref();
         let token = |seat: &Option<_>| seat.map(String::from).unwrap_or_default();
+        let removed = |it: &Removed| match it.seat {
+            Some(seat) => format!("{seat} {}", it.name),
+            None => format!("- {}", it.name),
+        };
         let written = Written {
             format: FORMAT,
             code: self.code().to_string(),
@@ -132,6 +151,9 @@ impl ClassRound {
             door: door.map(|door| door.code.into()),
             seats: door
                 .map(|door| door.seats.iter().map(token).collect())
+                .unwrap_or_default(),
+            removed: door
+                .map(|door| door.removed.iter().map(removed).collect())
                 .unwrap_or_default(),
             question: (0..self.questions().len())
                 .map(|question| Votes {
@@ -282,8 +304,17 @@ impl ClassRound {
             true => Ok(None),
             false => text.parse().map(Some),
         });
+        let texts = fields.or("removed", Vec::new(), |name| fields.any_texts(name))?;
+        let removed: Option<Vec<_>> = texts.into_iter().map(removed_of).collect();
+        let Some(removed) = removed else {
+            return fields.refuse("removed", "expected a hyphen or a seat, and a name");
+        };
         match seats.collect::<Result<Vec<_>, _>>() {
-            Ok(seats) if seats.len() == people => Some(Some(Door { code, seats })),
+            Ok(seats) if seats.len() == people => Some(Some(Door {
+                code,
+                seats,
+                removed,
+            })),
             Ok(_) => fields.refuse("seats", format!("expected {people} texts")),
             Err(expected) => fields.refuse("seats", expected),
         }

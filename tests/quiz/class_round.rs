@@ -149,7 +149,7 @@ fn a_bad_file_says_what_is_wrong_with_it() {
     let good = "format = 1\ncode = \"7\"\nteams = [\"Ants\"]\n";
     for (text, complaint) in [
         (String::new(), "format"),
-        ("format = 4\n".into(), "newer"),
+        ("format = 5\n".into(), "newer"),
         ("format = \"x\"\n".into(), "format"),
         (good.replace("\"7\"", "\"seven\""), "code"),
         (good.replace("\"Ants\"", "\"Ants\", \"ants\""), "twice"),

@@ -192,3 +192,177 @@ fn a_poisoned_round_is_taken_up_without_its_poisoned_votes() {
         "{kept}"
     );
 }
+
+/// A class at its door in memory, with these pupils.
+fn gathering(names: &[&str]) -> (Classroom, Vec<Who>) {
+    let place = Place::Host {
+        code: Code::parse("from-angle2-7"),
+        name: "10b".into(),
+    };
+    let app = App::new(place, Settings::default(), 7);
+    let store = Store::in_memory().timeless();
+    let mut class = Classroom::new(Headless::keeping(app, 80, 24, store));
+    let pupils = names.iter().map(|name| {
+        let app = pupil(name, &class);
+        let who = class.add(name, app, 80, 24);
+        press(&mut class, who, "<Enter>", "You are in");
+        who
+    });
+    let pupils = pupils.collect();
+    (class, pupils)
+}
+
+/// Leaving the list began the round.
+#[test]
+fn leaving_the_list_of_names_in_the_lobby_does_not_start_the_round() {
+    let (mut class, pupils) = gathering(&["Ada"]);
+    for back in ["<Escape>", "w"] {
+        press(&mut class, Who::Host, "w", "Ada");
+        press(&mut class, Who::Host, back, "the code of this class");
+        press(&mut class, pupils[0], "", "it begins soon");
+    }
+    press(&mut class, Who::Host, "<Enter>", "the vote");
+    // Once the round is on, the list leads back to the question.
+    press(&mut class, Who::Host, "w", "no vote yet");
+    press(&mut class, Who::Host, "<Escape>", "the vote");
+    press(&mut class, pupils[0], "", "Read with the class");
+}
+
+/// The list stayed as it was when it was opened.
+#[test]
+fn who_is_in_shows_those_who_come_vote_and_go_while_it_is_open() {
+    let (mut class, pupils) = gathering(&["Ada", "Bo"]);
+    press(&mut class, Who::Host, "<Enter><Enter>", "have voted");
+    press(&mut class, Who::Host, "w", "2 in, 2 on the list");
+    let app = pupil("Cy", &class);
+    let cy = class.add("Cy", app, 80, 24);
+    press(&mut class, cy, "<Enter>", "your vote");
+    press(&mut class, Who::Host, "", "Cy ");
+    // The mark stays at whom it was at, though those who have voted go to the end.
+    press(&mut class, Who::Host, "<Down>", "> Bo");
+    press(
+        &mut class,
+        pupils[0],
+        "60<Enter>30<Enter><Enter>",
+        "Your vote is in",
+    );
+    press(&mut class, Who::Host, "", "> Bo");
+    assert_eq!(
+        class.game(Who::Host).screen().matches("has voted").count(),
+        1
+    );
+    class.reach(cy, false);
+    press(&mut class, Who::Host, "", "no vote yet, away");
+}
+
+/// A question that is answered later is about whom it named.
+#[test]
+fn the_one_who_was_asked_about_is_removed_though_others_vote_meanwhile() {
+    let (mut class, pupils) = gathering(&["Ada", "Bo", "Cy"]);
+    press(&mut class, Who::Host, "<Enter><Enter>w", "no vote yet");
+    press(&mut class, Who::Host, "x", "Take Ada off");
+    press(
+        &mut class,
+        pupils[0],
+        "60<Enter>30<Enter><Enter>",
+        "Your vote is in",
+    );
+    press(&mut class, Who::Host, "y", "2 in, 2 on the list");
+    press(&mut class, pupils[0], "", "Your teacher has taken you off");
+    press(&mut class, pupils[1], "", "your vote");
+}
+
+/// Coming back with the same name was enough.
+#[test]
+fn a_removed_pupil_stays_out_until_let_in() {
+    let (mut class, pupils) = gathering(&["Ada", "Bo"]);
+    let ada = pupils[0];
+    press(&mut class, Who::Host, "w", "> Ada");
+    press(&mut class, Who::Host, "xy", "1 in, 1 on the list");
+    press(&mut class, Who::Host, "", "removed");
+    press(&mut class, ada, "", "Your teacher has taken you off");
+    for _ in 0..3 {
+        press(&mut class, ada, "<Enter>", "Your teacher has taken you off");
+        press(&mut class, Who::Host, "", "1 in, 1 on the list");
+    }
+    // A device that has forgotten who it was, too.
+    let app = pupil("ADA", &class);
+    let again = class.add("ADA", app, 80, 24);
+    press(
+        &mut class,
+        again,
+        "<Enter>",
+        "Your teacher has taken you off",
+    );
+    press(&mut class, Who::Host, "<End>", "let in again");
+    press(&mut class, Who::Host, "<Enter>", "1 in, 1 on the list");
+    assert!(!class.game(Who::Host).screen().contains("removed"));
+    press(&mut class, ada, "<Enter>", "You are in, Ada.");
+    press(&mut class, Who::Host, "", "2 in, 2 on the list");
+}
+
+/// One key, however many they are; they may come again.
+#[test]
+fn all_who_are_away_and_never_voted_are_removed_by_one_key() {
+    let (mut class, pupils) = gathering(&["Ada", "Bo", "Cy", "Di"]);
+    press(
+        &mut class,
+        Who::Host,
+        "<Enter><Enter>w",
+        "4 in, 4 on the list",
+    );
+    assert!(
+        !class
+            .game(Who::Host)
+            .screen()
+            .contains("remove who is away")
+    );
+    press(
+        &mut class,
+        pupils[1],
+        "60<Enter>30<Enter><Enter>",
+        "Your vote is in",
+    );
+    for away in &pupils[1..] {
+        class.reach(*away, false);
+    }
+    press(
+        &mut class,
+        Who::Host,
+        "a",
+        "Take 2 off the list who are away and never voted?",
+    );
+    press(&mut class, Who::Host, "y", "1 in, 2 on the list");
+    press(&mut class, Who::Host, "", "Bo");
+    class.reach(pupils[2], true);
+    class.pass(Duration::from_secs(10));
+    press(&mut class, Who::Host, "", "2 in, 3 on the list");
+    press(&mut class, pupils[2], "", "your vote");
+}
+
+/// It was said to be tried again and again.
+#[test]
+fn a_device_does_not_say_out_of_reach_after_the_round_is_over() {
+    let (mut class, pupils) = gathering(&["Ada"]);
+    class.game(Who::Host).press("<Enter><Enter>");
+    class.settle();
+    press(
+        &mut class,
+        pupils[0],
+        "60<Enter>30<Enter><Enter>",
+        "Your vote is in",
+    );
+    for _ in 0..30 {
+        if class.game(pupils[0]).screen().contains("The round is over") {
+            break;
+        }
+        class.game(Who::Host).press("<Enter>");
+        class.settle();
+    }
+    press(&mut class, pupils[0], "", "The round is over.");
+    press(&mut class, Who::Host, "<Escape>", "");
+    class.pass(Duration::from_secs(20));
+    let screen = class.game(pupils[0]).screen();
+    assert!(screen.contains("The round is over.") && screen.contains("place 1"));
+    assert!(!screen.contains("out of reach"), "{screen}");
+}

@@ -264,7 +264,7 @@ impl Screen for Class {
             }
             (ClassAction::Leave, _) => return self.leave(cx),
             (ClassAction::Hosting(action), ClassScene::Play(play)) => {
-                let hosting = play.hosting.as_ref();
+                let hosting = play.hosting.as_mut();
                 let asked = hosting.and_then(|it| it.confirmation(action, &play.round));
                 if let Some(words) = asked {
                     return Next::Confirm(Confirmation::new(words, "yes", "no"));

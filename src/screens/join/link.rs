@@ -5,7 +5,7 @@ use std::time::Duration;
 use serde_json::Value;
 
 use crate::class::protocol::{
-    HandedIn, HostSaying, LARGEST_HAND_IN, PupilState, Refusal, Saying, VERSION,
+    HandedIn, HostSaying, LARGEST_HAND_IN, PupilState, PupilStep, Refusal, Saying, VERSION,
 };
 use crate::class::{Said, SeatToken, Vote};
 use crate::messages::{JoinCall, JoinNews};
@@ -27,8 +27,9 @@ pub(super) struct Link {
     tries: u32,
     /// The number of the last vote that was made here.
     n: u64,
-    /// A vote that the host has not taken yet.
+    /// A vote that the host has not taken yet, and whether it was said on this connection.
     pending: Option<Saying>,
+    said: bool,
     /// The number of the last that was handed in here.
     handed: u64,
     /// What is handed in and not kept yet.
@@ -67,6 +68,7 @@ impl Link {
             tries: 0,
             n: 0,
             pending: None,
+            said: false,
             handed: 0,
             handing_in: None,
         };
@@ -142,7 +144,8 @@ impl Link {
                 self.seat = Some(state.seat);
                 if state.n >= self.n {
                     self.pending = None;
-                } else if first {
+                } else {
+                    self.said &= !first;
                     self.say_again(&state, cx);
                 }
                 self.n = self.n.max(state.n);
@@ -161,15 +164,16 @@ impl Link {
         }
     }
 
-    /// Says a vote again that was on its way when the connection was lost, if it is still
-    /// asked for.
+    /// Says a vote again that was on its way when the connection was lost, once it is asked for
+    /// again: a host that was started anew gathers the class first.
     fn say_again(&mut self, state: &PupilState, cx: &mut Context) {
         let open = state.step.vote();
         match &self.pending {
-            Some(Saying::Vote { q, vote, .. }) if *q == state.q && open == Some(*vote) => {
-                let text = self.pending.as_ref().map(Saying::to_text);
-                text.into_iter()
-                    .for_each(|text| cx.join(JoinCall::Say(text)));
+            _ if self.said => {}
+            Some(Saying::Vote { q, .. }) if *q == state.q && state.step == PupilStep::Lobby => {}
+            Some(saying @ Saying::Vote { q, vote, .. }) if *q == state.q && open == Some(*vote) => {
+                cx.join(JoinCall::Say(saying.to_text()));
+                self.said = true;
             }
             _ => self.pending = None,
         }
@@ -211,6 +215,7 @@ impl Link {
         if self.is_in() {
             cx.join(JoinCall::Say(saying.to_text()));
         }
+        self.said = self.is_in();
         self.pending = Some(saying);
     }
 

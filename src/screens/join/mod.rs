@@ -17,7 +17,7 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::recall::Recall;
 use super::{Confirmation, Context, Next, Screen, Settings};
 use crate::class::DoorCode;
-use crate::class::protocol::PupilStep;
+use crate::class::protocol::{PupilStep, Refusal};
 use crate::files::tidy_name;
 use crate::game::is_player_name;
 use crate::gradebook::HandIn;
@@ -103,6 +103,12 @@ impl Join {
 
     fn layout(&self, area: Rect) -> SplitLayout {
         view::layout(self.desk.as_ref(), area)
+    }
+
+    /// Whether the round is over.
+    fn is_over(&self) -> bool {
+        let desk = self.desk.as_ref();
+        desk.is_some_and(|desk| desk.state.step == PupilStep::End)
     }
 
     /// How many answers there are to be handed in.
@@ -356,6 +362,8 @@ impl Screen for Join {
                             self.history = Recall::ask(cx);
                         }
                     },
+                    // A round that is over stays on the screen, though its host serves another.
+                    Some(LinkNews::Refused(Refusal::Code | Refusal::Closed)) if self.is_over() => {}
                     Some(LinkNews::Refused(why)) => {
                         self.link = None;
                         self.desk = None;

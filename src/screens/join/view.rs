@@ -89,7 +89,8 @@ fn step_name(step: PupilStep) -> &'static str {
 
 /// Writes what there is to say, with how many answers may be handed in.
 pub(super) fn write(desk: &Desk, link: &Link, answers: usize, lines: &mut Lines) {
-    if !link.is_in() {
+    // After the end the host may go.
+    if !link.is_in() && desk.state.step != PupilStep::End {
         let words = "The teacher's carrom is out of reach. Trying again ..";
         lines.paragraph(words, Role::Warn);
         lines.gap();
@@ -110,6 +111,10 @@ pub(super) fn write(desk: &Desk, link: &Link, answers: usize, lines: &mut Lines)
 fn write_hand_in(desk: &Desk, link: &Link, answers: usize, lines: &mut Lines) {
     let handed = desk.state.handed.map(|it| it.kept);
     let (words, role) = match (link.is_handing_in(), handed) {
+        (true, _) if !link.is_in() && desk.state.step == PupilStep::End => (
+            "Your answers wait until the teacher's carrom is in reach again.".to_owned(),
+            Role::Warn,
+        ),
         (true, _) => ("Your answers are on their way ..".to_owned(), Role::Warn),
         (false, Some(Ok(kept))) => {
             let kept = numbers::counted(kept, "answer");

@@ -51,6 +51,10 @@ pub(crate) enum HostingAction {
     Merge,
     /// take them off the list
     Remove,
+    /// take all off the list who are away and never voted
+    RemoveAway,
+    /// back to the page before
+    Back,
     /// as it was
     NotYet,
 }
@@ -151,6 +155,15 @@ impl Hosting {
         lines.count()
     }
 
+    /// Those who are away and never voted, nor handed anything in.
+    fn away(&self, round: &ClassRound) -> Vec<usize> {
+        let all = self.presence.iter().enumerate();
+        let away = all.filter(|(person, it)| {
+            it.line.is_none() && !it.has_handed_in && !round.has_voted(*person)
+        });
+        away.map(|(person, _)| person).collect()
+    }
+
     /// "27 of 32 have voted": of those who are in, and those who have voted and are away.
     pub(in crate::screens::class) fn turnout(&self, round: &ClassRound, vote: Vote) -> String {
         let question = round.place().question;
@@ -195,6 +208,9 @@ impl Hosting {
                     let known = seat.and_then(|seat| round.seat(seat));
                     match known {
                         Some(person) => self.seat(person, *line, cx),
+                        None if round.is_removed(*seat, name) => {
+                            cx.host(HostCall::Refuse(*line, Refusal::Kicked));
+                        }
                         None => match self.let_in(name, *fresh, round, scene) {
                             Ok(person) => {
                                 self.seat(person, *line, cx);
@@ -347,6 +363,13 @@ impl Hosting {
     /// While nothing is on its way to the disk: tells those who wait for what is there, and
     /// sends what has changed since.
     fn go_on(&mut self, round: &ClassRound, scene: Scene, cx: &mut Context) {
+        let away = match self.page {
+            Some(HostPage::People(_)) => self.away(round).len(),
+            _ => 0,
+        };
+        if let Some(HostPage::People(people)) = &mut self.page {
+            people.renew(round, scene.step.vote(), away);
+        }
         if self.keeping.asked > 0 {
             return;
         }
@@ -412,7 +435,10 @@ impl Hosting {
                     .on('w', Names, "who is in")
                     .on('c', Shut, shut),
             ),
-            HostPage::People(people) => Some(people.keys(shut).or([(Key::Char('j'), Door)])),
+            HostPage::People(people) => {
+                let keys = people.keys(shut);
+                Some(keys.or([(Key::Char('j'), Door)]))
+            }
         }
     }
 
@@ -440,11 +466,15 @@ impl Hosting {
 
     /// What is asked before an action is done that cannot be undone.
     pub(in crate::screens::class) fn confirmation(
-        &self,
+        &mut self,
         action: HostingAction,
         round: &ClassRound,
     ) -> Option<String> {
-        match (&self.page, action) {
+        let away = self.away(round).len();
+        match (&mut self.page, action) {
+            (Some(HostPage::People(_)), HostingAction::RemoveAway) => Some(format!(
+                "Take {away} off the list who are away and never voted? They can join again."
+            )),
             (Some(HostPage::People(people)), _) => people.confirmation(action, round),
             _ => None,
         }
@@ -458,26 +488,35 @@ impl Hosting {
         scene: Scene,
         cx: &mut Context,
     ) {
-        let vote = scene.step.vote();
         match (action, &mut self.page) {
             (HostingAction::Door, _) => self.page = Some(HostPage::Door),
             (HostingAction::Names, _) => {
-                self.page = Some(HostPage::People(People::new(round, vote)));
+                let away = self.away(round).len();
+                self.page = Some(HostPage::People(People::new(
+                    round,
+                    scene.step.vote(),
+                    away,
+                )));
             }
             (HostingAction::GoOn | HostingAction::NotYet, None) => {}
             (HostingAction::GoOn, _) => {
                 self.page = None;
                 self.gathers = false;
             }
+            (HostingAction::Back, _) => self.page = self.gathers.then_some(HostPage::Door),
             (HostingAction::Shut, _) => self.shut = !self.shut,
+            (HostingAction::RemoveAway, _) => {
+                // From the last on, so that nobody moves up before it is their turn.
+                for person in self.away(round).into_iter().rev() {
+                    self.change_people(&ClassChange::Vacate { person }, round, cx);
+                }
+                self.go_on(round, scene, cx);
+            }
             (action, Some(HostPage::People(people))) => {
                 if let Some(change) = people.act(action, round) {
                     self.change_people(&change, round, cx);
-                    if let Some(HostPage::People(people)) = &mut self.page {
-                        people.renew(round, vote);
-                    }
-                    self.go_on(round, scene, cx);
                 }
+                self.go_on(round, scene, cx);
             }
             _ => {}
         }
@@ -488,7 +527,19 @@ impl Hosting {
         if self.change(change.clone(), round).is_err() {
             return;
         }
+        if let (
+            Some(HostPage::People(people)),
+            ClassChange::Remove { person }
+            | ClassChange::Vacate { person }
+            | ClassChange::Merge { from: person, .. },
+        ) = (&mut self.page, change)
+        {
+            people.gone(*person);
+        }
         match change {
+            ClassChange::Vacate { person } => {
+                self.presence.remove(*person);
+            }
             ClassChange::Remove { person } => {
                 let gone = self.presence.remove(*person);
                 if let Some(line) = gone.line {

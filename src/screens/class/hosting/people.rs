@@ -1,5 +1,7 @@
 //! Who is in, and who has voted: names that are shown when the teacher asks for them.
 
+use std::cmp::Ordering;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 
@@ -17,10 +19,23 @@ const FOOT: u16 = 3;
 /// The page of names.
 #[derive(Debug, Clone)]
 pub(super) struct People {
-    /// The people in the order in which they stand there: those who have not voted first.
-    order: Vec<usize>,
+    /// The rows in their order: those who have not voted first, those who were removed last.
+    rows: Vec<Row>,
     list: ListView,
     doing: Doing,
+    /// Whom the question before the teacher is about. It is answered later, and by then others
+    /// may have come or gone.
+    asked: Option<usize>,
+    /// How many are away and never voted.
+    away: usize,
+}
+
+/// A row of the list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Row {
+    Person(usize),
+    /// Somebody who was removed.
+    Removed(usize),
 }
 
 /// What is being done with the one at the mark.
@@ -35,34 +50,85 @@ enum Doing {
 
 impl People {
     /// The page, at a step where this vote is open.
-    pub(super) fn new(round: &ClassRound, vote: Option<Vote>) -> Self {
+    pub(super) fn new(round: &ClassRound, vote: Option<Vote>, away: usize) -> Self {
         let mut people = Self {
-            order: Vec::new(),
+            rows: Vec::new(),
             list: ListView::default(),
             doing: Doing::Nothing,
+            asked: None,
+            away,
         };
-        people.renew(round, vote);
+        people.renew(round, vote, away);
         people
     }
 
-    /// The list has changed.
-    pub(super) fn renew(&mut self, round: &ClassRound, vote: Option<Vote>) {
+    /// Shows how things stand now. The mark stays at whom it was at.
+    pub(super) fn renew(&mut self, round: &ClassRound, vote: Option<Vote>, away: usize) {
+        let marked = self.row();
         let question = round.place().question;
         let voted = |person: &usize| {
             vote.is_some_and(|vote| round.ballot(question, *person).said(vote).is_some())
         };
-        self.order = (0..round.teams().len()).collect();
-        self.order.sort_by_key(voted);
+        let mut people: Vec<usize> = (0..round.teams().len()).collect();
+        people.sort_by_key(voted);
+        let removed = (0..round.removed().count()).map(Row::Removed);
+        self.rows = people.into_iter().map(Row::Person).chain(removed).collect();
+        self.away = away;
+        let at = self.rows.iter().position(|row| Some(*row) == marked);
+        if let Some(at) = at {
+            self.list.choose(at);
+        }
     }
 
-    /// The one at the mark.
+    /// Somebody is no longer on the list, and those behind have moved up.
+    pub(super) fn gone(&mut self, person: usize) {
+        let moved = |it: usize| match it.cmp(&person) {
+            Ordering::Less => Some(it),
+            Ordering::Equal => None,
+            Ordering::Greater => Some(it - 1),
+        };
+        let is_typing = matches!(self.doing, Doing::Rename(_));
+        if is_typing && self.at() == Some(person) {
+            self.doing = Doing::Nothing;
+        }
+        if let Doing::Merge(from) = self.doing {
+            self.doing = moved(from).map_or(Doing::Nothing, Doing::Merge);
+        }
+        self.asked = self.asked.and_then(moved);
+        // The mark goes to whoever stands there next.
+        let mark = self.list.chosen(self.rows.len());
+        let gone_at = self.rows.iter().position(|row| *row == Row::Person(person));
+        self.rows.retain_mut(|row| match row {
+            Row::Person(it) => match moved(*it) {
+                Some(now) => {
+                    *it = now;
+                    true
+                }
+                None => false,
+            },
+            Row::Removed(_) => true,
+        });
+        if gone_at.is_some_and(|at| at < mark) {
+            self.list.choose(mark - 1);
+        }
+    }
+
+    /// The row at the mark.
+    fn row(&self) -> Option<Row> {
+        self.rows.get(self.list.chosen(self.rows.len())).copied()
+    }
+
+    /// The one at the mark, if they are on the list.
     fn at(&self) -> Option<usize> {
-        self.order.get(self.list.chosen(self.order.len())).copied()
+        match self.row()? {
+            Row::Person(person) => Some(person),
+            Row::Removed(_) => None,
+        }
     }
 
     /// The keys; `shut` is what closing or opening the door is called.
     pub(super) fn keys(&self, shut: &'static str) -> KeyTable<HostingAction> {
-        use HostingAction::{GoOn, List, Merge, NotYet, Remove, Rename, Shut};
+        use HostingAction::{Back, List, Merge, NotYet, Remove, RemoveAway, Rename, Shut};
         let keys = KeyTable::new("class");
         match &self.doing {
             Doing::Rename(_) => {
@@ -74,15 +140,23 @@ impl People {
                 keys.with(list, List).on(Key::Escape, NotYet, "as it was")
             }
             Doing::Nothing => keys
-                .with(ListView::keys("rename"), List)
+                .with(
+                    ListView::keys(match self.row() {
+                        Some(Row::Removed(_)) => "let in again",
+                        _ => "rename",
+                    }),
+                    List,
+                )
                 .on('m', Merge, "is somebody else")
-                .when(self.order.len() > 1)
+                .when(self.at().is_some() && self.rows.len() > 1)
                 .on(Key::Delete, Remove, "remove")
                 .or([(Key::Char('x'), Remove)])
-                .when(!self.order.is_empty())
+                .when(self.at().is_some())
+                .on('a', RemoveAway, "remove who is away")
+                .when(self.away > 0)
                 .on('c', Shut, shut)
-                .on(Key::Escape, GoOn, "back")
-                .or([(Key::Char('w'), GoOn)]),
+                .on(Key::Escape, Back, "back")
+                .or([(Key::Char('w'), Back)]),
         }
     }
 
@@ -95,15 +169,21 @@ impl People {
     }
 
     /// What is asked before an action is done.
-    pub(super) fn confirmation(&self, action: HostingAction, round: &ClassRound) -> Option<String> {
+    pub(super) fn confirmation(
+        &mut self,
+        action: HostingAction,
+        round: &ClassRound,
+    ) -> Option<String> {
+        self.asked = self.at();
         let name = |person: usize| round.teams().get(person).cloned().unwrap_or_default();
         match (&self.doing, action) {
             (Doing::Nothing, HostingAction::Remove) => Some(format!(
-                "Take {} off the list, with all they said?",
-                name(self.at()?)
+                "Take {} off the list, with all they said? They stay out until you let them in \
+                 again.",
+                name(self.asked?)
             )),
             (Doing::Merge(from), HostingAction::List(ListAction::Open)) => {
-                let into = self.at().filter(|into| into != from)?;
+                let into = self.asked.filter(|into| into != from)?;
                 Some(format!(
                     "{} is {}? The two become one.",
                     name(*from),
@@ -117,14 +197,18 @@ impl People {
     /// Does what a key stands for; gives what is to change in the round.
     pub(super) fn act(&mut self, action: HostingAction, round: &ClassRound) -> Option<ClassChange> {
         let person = self.at();
+        let asked = self.asked.take();
         match (action, std::mem::replace(&mut self.doing, Doing::Nothing)) {
             (HostingAction::List(action), doing) => {
-                match (self.list.act(action, self.order.len()), doing) {
+                match (self.list.act(action, self.rows.len()), doing) {
                     (Outcome::Done(_), Doing::Merge(from)) => {
-                        let into = person.filter(|into| *into != from)?;
+                        let into = asked.filter(|into| *into != from)?;
                         return Some(ClassChange::Merge { from, into });
                     }
                     (Outcome::Done(_), _) => {
+                        if let Some(Row::Removed(removed)) = self.row() {
+                            return Some(ClassChange::Readmit { removed });
+                        }
                         let name = round.teams().get(person?)?;
                         let field = TextField::new(name, 2 * LONGEST_NAME);
                         self.doing = Doing::Rename(field);
@@ -142,7 +226,7 @@ impl People {
                 let person = person?;
                 Some(ClassChange::Rename { person, name })
             }
-            (HostingAction::Remove, _) => Some(ClassChange::Remove { person: person? }),
+            (HostingAction::Remove, _) => Some(ClassChange::Remove { person: asked? }),
             _ => None,
         }
     }
@@ -157,7 +241,7 @@ impl People {
     /// that was done.
     pub(super) fn mouse(&mut self, mouse: &Mouse, area: Rect) -> bool {
         let [place, _] = Self::places(area);
-        let (at, count) = (self.list.chosen(self.order.len()), self.order.len());
+        let (at, count) = (self.list.chosen(self.rows.len()), self.rows.len());
         let row = ListView::line_at(place, mouse.cell(), at, count);
         let outcome = self.list.mouse(mouse, count, row);
         // Whom somebody really is, is asked once more.
@@ -181,42 +265,35 @@ impl People {
         };
         draw_panel(buf, frame, &title, look.charset, &look.theme);
         let [above, below] = Self::places(area);
-        let question = round.place().question;
-        let at = self.list.chosen(self.order.len());
-        let first = ListView::first_shown(at, self.order.len(), above.height);
+        let at = self.list.chosen(self.rows.len());
+        let first = ListView::first_shown(at, self.rows.len(), above.height);
         let mut lines = Lines::new(above, buf, *look);
-        if self.order.is_empty() {
+        if self.rows.is_empty() {
             lines.paragraph("Nobody is in yet.", Role::Text);
         }
-        for (row, person) in self
-            .order
+        let removed: Vec<&str> = round.removed().collect();
+        for (i, row) in self
+            .rows
             .iter()
             .enumerate()
             .skip(first)
             .take(above.height.into())
         {
-            let (mark, role) = Role::Text.of_choice(row == at);
-            let name = round.teams().get(*person).map_or("", String::as_str);
+            let (mark, role) = Role::Text.of_choice(i == at);
+            let (name, state) = match row {
+                Row::Person(person) => (
+                    round.teams().get(*person).map_or("", String::as_str),
+                    state_of(*person, hosting, round),
+                ),
+                Row::Removed(removed_at) => (
+                    removed.get(*removed_at).copied().unwrap_or_default(),
+                    "removed".to_owned(),
+                ),
+            };
             let name = match &self.doing {
-                Doing::Rename(field) if row == at => field.shown(),
+                Doing::Rename(field) if i == at => field.shown(),
                 _ => name.to_owned(),
             };
-            let ballot = round.ballot(question, *person);
-            let voted = match (ballot.first, ballot.second) {
-                (_, Some(_)) => "voted again",
-                (Some(_), None) => "has voted",
-                (None, None) => "no vote yet",
-            };
-            let presence = hosting.presence.get(*person);
-            let handed = match presence.is_some_and(|it| it.has_handed_in) {
-                true => ", handed in",
-                false => "",
-            };
-            let away = match presence.is_some_and(|it| it.line.is_some()) {
-                true => "",
-                false => ", away",
-            };
-            let state = format!("{voted}{handed}{away}");
             let room = usize::from(lines.width()).saturating_sub(text::width(&state) + 5);
             let name = text::clipped(&look.charset.text(&name), room);
             lines.pair(&format!("{mark} {name} "), &state, role, Role::Dim);
@@ -237,4 +314,24 @@ impl People {
         };
         lines.paragraph(&words, Role::Key);
     }
+}
+
+/// Whether somebody has voted, has handed in and is away.
+fn state_of(person: usize, hosting: &Hosting, round: &ClassRound) -> String {
+    let ballot = round.ballot(round.place().question, person);
+    let voted = match (ballot.first, ballot.second) {
+        (_, Some(_)) => "voted again",
+        (Some(_), None) => "has voted",
+        (None, None) => "no vote yet",
+    };
+    let presence = hosting.presence.get(person);
+    let handed = match presence.is_some_and(|it| it.has_handed_in) {
+        true => ", handed in",
+        false => "",
+    };
+    let away = match presence.is_some_and(|it| it.line.is_some()) {
+        true => "",
+        false => ", away",
+    };
+    format!("{voted}{handed}{away}")
 }
