@@ -157,6 +157,79 @@ fn what_cannot_be_kept_is_told_on_both_sides() {
     press(&mut class, ada, "hy", "Handed in: 1 answer.");
 }
 
+/// The place in the middle of this text on a screen.
+fn place(screen: &str, text: &str) -> (u16, u16) {
+    let rows = screen.lines().enumerate();
+    let mut found = rows.filter_map(|(row, line)| Some((row, line.split_once(text)?.0)));
+    let (row, before) = found
+        .next()
+        .unwrap_or_else(|| panic!("no {text}:\n{screen}"));
+    let column = before.chars().count() + text.chars().count() / 2;
+    (column as u16, row as u16)
+}
+
+fn tap(class: &mut Classroom, who: Who, at: (u16, u16)) {
+    class.game(who).click(at);
+    class.settle();
+}
+
+/// While the host was out of reach, a notice stood above the question, and a tap counted its rows
+/// wrong: on B it chose C, and on a heading it cast the vote.
+#[test]
+fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
+    for (columns, rows) in [(80, 24), (60, 40), (120, 30), (60, 20)] {
+        let folder = Folder::new("class-taps");
+        let place_of = Place::Host {
+            code: Code::parse("concept-1"),
+            name: String::new(),
+        };
+        let app = App::new(place_of, Settings::default(), 7);
+        let store = Store::in_folder(folder.path()).timeless();
+        let mut class = Classroom::new(Headless::keeping(app, 80, 24, store));
+        let app = pupil("Ada", &class);
+        let ada = class.add("Ada", app, columns, rows);
+        press(&mut class, ada, "<Enter>", "You are in, Ada.");
+        press(&mut class, Who::Host, "<Enter><Enter>", "have voted");
+        let choices = |screen: &str| -> Vec<(char, (u16, u16))> {
+            let marks = |letter| [format!("|   {letter} "), format!("| > {letter} ")];
+            let seen = |letter| marks(letter).into_iter().find(|it| screen.contains(it));
+            let all = ('A'..='E').filter_map(|it| Some((it, seen(it)?)));
+            all.map(|(it, mark)| (it, place(screen, &mark))).collect()
+        };
+        let near = choices(&class.game(ada).screen());
+        assert!(near.len() >= 3, "{}", class.game(ada).screen());
+        for is_in in [true, false] {
+            class.reach(ada, is_in);
+            class.settle();
+            let screen = class.game(ada).screen();
+            assert_eq!(screen.contains("Trying"), !is_in, "{screen}");
+            for (letter, at) in choices(&screen) {
+                tap(&mut class, ada, at);
+                let chosen = class.game(ada).screen();
+                assert!(chosen.contains("How sure"), "{letter} {at:?}:\n{screen}");
+                assert!(
+                    chosen.contains(&format!("{letter}: ")),
+                    "{letter}:\n{chosen}"
+                );
+                // A heading is no answer; what is drawn is.
+                tap(&mut class, ada, place(&chosen, "How sure"));
+                let same = class.game(ada).screen();
+                assert!(same.contains("How sure"), "a heading votes:\n{same}");
+                press(&mut class, ada, "<Escape>", "A ");
+            }
+        }
+        // The confidence that is seen is the one that is voted.
+        let seen = choices(&class.game(ada).screen());
+        tap(&mut class, ada, seen[1].1);
+        let screen = class.game(ada).screen();
+        tap(&mut class, ada, place(&screen, "3 sure"));
+        class.reach(ada, true);
+        class.pass(Duration::from_secs(60));
+        let kept = fs::read_to_string(folder.path().join("classes/class-1.toml")).unwrap();
+        assert!(kept.contains("sure choice 2"), "{kept}");
+    }
+}
+
 /// A round whose file holds a vote that fits nothing, as an earlier carrom has kept it, once ended
 /// carrom again whenever it was taken up.
 #[test]

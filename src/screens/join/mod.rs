@@ -393,9 +393,8 @@ impl Screen for Join {
             return Next::after(row.is_some());
         }
         let on_picture = layout.picture.contains(cell.into());
-        let choice = self.desk().and_then(|(desk, link)| {
-            view::choice_at(desk, link, &self.scroll, layout.panel, cell, look)
-        });
+        let write = |lines: &mut Lines| self.write(lines);
+        let target = self.scroll.target_at(layout.panel, cell, look, write);
         let Some(desk) = &mut self.desk else {
             return Next::Ignored;
         };
@@ -408,14 +407,15 @@ impl Screen for Join {
                 return Next::after(used);
             }
             Doing::Answer(_) if pressed => {
-                if let Some(choice) = choice {
+                if let Some(choice) = target {
                     desk.answer(AnswerAction::Choose(choice));
                     desk.answer(AnswerAction::Enter);
                 }
             }
             Doing::Sure(..) if pressed => {
-                if let Some(sure) = view::confidence_at(layout.panel, cell) {
-                    self.vote(sure, cx);
+                let sure = target.and_then(|at| Confidence::ALL.get(at));
+                if let Some(sure) = sure {
+                    self.vote(*sure, cx);
                 }
             }
             Doing::Watch(reveal) if pressed && on_picture => {

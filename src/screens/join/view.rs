@@ -11,11 +11,8 @@ use crate::numbers;
 use crate::quiz::{Confidence, Form, Illustration, Question, Ray, Response, letter};
 use crate::widgets::bar::bar;
 use crate::widgets::hit::Watch;
-use crate::widgets::input::ListView;
 use crate::widgets::panels::said_and_true;
-use crate::widgets::{
-    AnswerInput, Lines, Look, Role, Scroll, SplitLayout, draw_question, rehearsed,
-};
+use crate::widgets::{AnswerInput, Lines, Look, Role, Scroll, SplitLayout, draw_question};
 
 /// Where picture and words are: the words alone where there is nothing to be seen.
 pub(super) fn layout(desk: Option<&Desk>, area: Rect) -> SplitLayout {
@@ -211,26 +208,6 @@ fn write_choices(question: &Question, counts: &[u32], lines: &mut Lines) {
     lines.gap();
 }
 
-/// Rows above the answer.
-fn head_rows(
-    desk: &Desk,
-    question: &Question,
-    input: &AnswerInput,
-    link: &Link,
-    lines: &Lines,
-) -> u16 {
-    let lost = match link.is_in() {
-        true => 0,
-        false => 3,
-    };
-    let (words, _) = standing(desk, question, input, link);
-    let told = match is_told_first(desk, link) {
-        true => lines.rows_of(words) + 1,
-        false => 0,
-    };
-    lost + told + lines.rows_of(&question.text) + 1
-}
-
 /// Whether it is told above the question how a vote stands: a long text is cut at its end, and
 /// everybody has to see that theirs is in.
 fn is_told_first(desk: &Desk, link: &Link) -> bool {
@@ -296,37 +273,14 @@ fn write_answer(
     }
 }
 
-/// The choice whose rows are at a cell of the panel.
-pub(super) fn choice_at(
-    desk: &Desk,
-    link: &Link,
-    scroll: &Scroll,
-    panel: Rect,
-    cell: (u16, u16),
-    look: Look,
-) -> Option<usize> {
-    let question = desk.question.as_ref()?;
-    let Doing::Answer(input) = &desk.doing else {
-        return None;
-    };
-    let scrolled = scroll.rows(panel, look, |lines| write(desk, link, 0, lines));
-    let row = ListView::row_at(panel, cell)? as u16 + scrolled;
-    rehearsed(panel, look, |lines| {
-        let head = head_rows(desk, question, input, link, lines);
-        let left = panel.height.saturating_sub(head);
-        AnswerInput::choice_at(&question.form, lines, left, row.checked_sub(head)?)
-    })
-}
-
-/// Row of the first confidence.
-const FIRST_CONFIDENCE: usize = 2;
-
 fn write_sure(question: &Question, input: &AnswerInput, sure: Confidence, lines: &mut Lines) {
     lines.line("How sure are you?", Role::Title);
     lines.gap();
     for (number, confidence) in (1..).zip(Confidence::ALL) {
         let (mark, role) = Role::Text.of_choice(confidence == sure);
-        lines.line(&format!("{mark} {number} {} ", confidence.name()), role);
+        lines.target(confidence as usize, |lines| {
+            lines.line(&format!("{mark} {number} {} ", confidence.name()), role);
+        });
     }
     lines.gap();
     if let Some(said) = input.said() {
@@ -338,12 +292,6 @@ fn write_sure(question: &Question, input: &AnswerInput, sure: Confidence, lines:
         "Enter: that is my vote. How sure you are changes no points here.",
         Role::Key,
     );
-}
-
-/// The confidence whose row is at a cell of the panel.
-pub(super) fn confidence_at(panel: Rect, cell: (u16, u16)) -> Option<Confidence> {
-    let at = ListView::row_at(panel, cell)?.checked_sub(FIRST_CONFIDENCE)?;
-    Confidence::ALL.get(at).copied()
 }
 
 /// An answer in words, a choice with its letter.

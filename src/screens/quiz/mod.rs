@@ -549,6 +549,9 @@ impl Screen for Quiz {
         let cell = mouse.cell();
         let on_picture = picture.contains(cell.into());
         let pressed = mouse.kind == MouseKind::Down;
+        let write = |lines: &mut Lines| view::write(self, lines, cx);
+        let target = self.scroll.target_at(text, cell, look, write);
+        let target = target.filter(|_| pressed);
         match (&mut self.phase, mouse.wheel()) {
             (QuizPhase::Summary(list), _) => {
                 let mut moved = *list;
@@ -568,10 +571,10 @@ impl Screen for Quiz {
             }
             (_, Some(by)) => self.scroll_by(-i16::from(by), cx),
             (QuizPhase::Asked(asked), None) if asked.sure.is_some() => {
-                let Some(confidence) = panel::confidence_at(text, cell).filter(|_| pressed) else {
+                let Some(confidence) = target.and_then(|at| Confidence::ALL.get(at)) else {
                     return Next::Ignored;
                 };
-                self.answer(confidence, cx);
+                self.answer(*confidence, cx);
             }
             (QuizPhase::Asked(asked), None) if on_picture && mouse.is_held() => {
                 let OpenQuestion {
@@ -582,10 +585,7 @@ impl Screen for Quiz {
                 }
             }
             (QuizPhase::Asked(asked), None) if pressed => {
-                let rows = self
-                    .scroll
-                    .rows(text, look, |lines| panel::asked(asked, lines));
-                let Some(choice) = panel::choice_at(asked, text, rows, cell, look) else {
+                let Some(choice) = target else {
                     return Next::Ignored;
                 };
                 asked.input.act(AnswerAction::Choose(choice));

@@ -1,16 +1,13 @@
 //! The panel beside the quiz's picture: the question, how sure one is, the answer
 //! and why.
 
-use ratatui::layout::Rect;
-
 use super::{AnsweredQuestion, OpenQuestion};
 use crate::lessons::Book;
 use crate::quiz::{Confidence, Form, Grade, Ray, Response, explain, letter};
 use crate::screens::leads;
 use crate::widgets::bar::bar;
-use crate::widgets::input::ListView;
 use crate::widgets::panels::said_and_true;
-use crate::widgets::{AnswerInput, Lines, Look, Role, rehearsed};
+use crate::widgets::{AnswerInput, Lines, Role};
 
 /// The question, and what is being said to it.
 pub(super) fn asked(asked: &OpenQuestion, lines: &mut Lines) {
@@ -22,7 +19,7 @@ pub(super) fn asked(asked: &OpenQuestion, lines: &mut Lines) {
         }
         _ => "Enter: then how sure.".into(),
     };
-    let head = head_rows(asked, lines);
+    let head = lines.rows_of(&asked.question.text) + 1;
     let left = lines.left().saturating_sub(head);
     let needed = head + AnswerInput::rows(form, lines, left);
     let mut spare = lines.spare(needed);
@@ -39,31 +36,6 @@ pub(super) fn asked(asked: &OpenQuestion, lines: &mut Lines) {
     }
 }
 
-/// Rows above the answer.
-fn head_rows(asked: &OpenQuestion, lines: &Lines) -> u16 {
-    lines.rows_of(&asked.question.text) + 1
-}
-
-/// The choice whose rows are at a cell of the panel, which is scrolled by so many rows.
-pub(super) fn choice_at(
-    asked: &OpenQuestion,
-    panel: Rect,
-    scrolled: u16,
-    cell: (u16, u16),
-    look: Look,
-) -> Option<usize> {
-    let row = ListView::row_at(panel, cell)? as u16 + scrolled;
-    rehearsed(panel, look, |lines| {
-        let head = head_rows(asked, lines);
-        let row = row.checked_sub(head)?;
-        let left = panel.height.saturating_sub(head);
-        AnswerInput::choice_at(&asked.question.form, lines, left, row)
-    })
-}
-
-/// Row of the first confidence, from the top of the text.
-const FIRST_CONFIDENCE: usize = 2;
-
 /// How sure one is, what that may bring, and what one is to be sure of.
 pub(super) fn confidence(
     asked: &OpenQuestion,
@@ -78,10 +50,10 @@ pub(super) fn confidence(
         let (mark, role) = Role::Text.of_choice(confidence == chosen);
         let name = format!("{mark} {number} {}", confidence.name());
         let points = [0.0, 1.0].map(|credit| format!("{:.0}", confidence.points(credit)));
-        lines.columns(
-            (&name, role),
-            points.each_ref().map(|p| (p.as_str(), Role::Text)),
-        );
+        lines.target(confidence as usize, |lines| {
+            let points = points.each_ref().map(|p| (p.as_str(), Role::Text));
+            lines.columns((&name, role), points);
+        });
     }
     lines.gap();
     lines.line("You said", Role::Dim);
@@ -125,13 +97,6 @@ fn lettered(form: &Form, said: &Response) -> String {
         Response::Choice(i) => format!("{}: {}", letter(*i), form.words(said)),
         _ => form.words(said),
     }
-}
-
-/// The confidence whose row is at this cell of the panel. They stand at the top and
-/// are never scrolled away: their text is short enough for the smallest screen.
-pub(super) fn confidence_at(panel: Rect, cell: (u16, u16)) -> Option<Confidence> {
-    let at = ListView::row_at(panel, cell)?.checked_sub(FIRST_CONFIDENCE)?;
-    Confidence::ALL.get(at).copied()
 }
 
 /// What the picture is just showing.

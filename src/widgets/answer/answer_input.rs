@@ -183,7 +183,9 @@ impl AnswerInput {
                     if i > 0 && apart > 0 {
                         lines.gap();
                     }
-                    lines.hanging(&format!("{mark} {} ", letter(i)), option, role);
+                    lines.target(i, |lines| {
+                        lines.hanging(&format!("{mark} {} ", letter(i)), option, role);
+                    });
                 }
             }
             _ => {}
@@ -207,22 +209,6 @@ impl AnswerInput {
                 rows + gaps * Self::choice_gap(options, lines, left)
             }
         }
-    }
-
-    /// The choice in this row of what [`AnswerInput::write`] writes, where `left` rows
-    /// are left.
-    pub fn choice_at(form: &Form, lines: &Lines, left: u16, row: u16) -> Option<usize> {
-        let Form::Choice { options, .. } = form else {
-            return None;
-        };
-        let apart = Self::choice_gap(options, lines, left);
-        let mut first = 0;
-        options.iter().position(|option| {
-            let rows = choice_rows(option, lines);
-            let here = (first..first + rows).contains(&row);
-            first += rows + apart;
-            here
-        })
     }
 
     /// How it is answered, in a sentence or two.

@@ -1,5 +1,7 @@
 //! Lines of text one below the other, as the panels beside a picture have them.
 
+use std::ops::Range;
+
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use super::flow::{Run, flow};
@@ -10,6 +12,8 @@ pub struct Lines<'a> {
     area: Rect,
     written: u16,
     scrolled: u16,
+    /// The rows that can be pointed at, each with what it is.
+    targets: Vec<(Range<u16>, usize)>,
     buf: &'a mut Buffer,
     look: Look,
 }
@@ -38,6 +42,7 @@ impl<'a> Lines<'a> {
             area,
             written: 0,
             scrolled: 0,
+            targets: Vec::new(),
             buf,
             look,
         }
@@ -78,6 +83,20 @@ impl<'a> Lines<'a> {
     /// Rows that a [`Lines::paragraph`] of this text takes.
     pub fn rows_of(&self, text: &str) -> u16 {
         self.rows_of_hanging("", text)
+    }
+
+    /// Writes rows that can be pointed at: they stand for the choice of this number.
+    pub fn target(&mut self, choice: usize, write: impl FnOnce(&mut Self)) {
+        let first = self.written;
+        write(self);
+        self.targets.push((first..self.written, choice));
+    }
+
+    /// The choice for which a row stands, the rows counted from 0 as they were written.
+    pub fn target_at(&self, row: u16) -> Option<usize> {
+        let mut targets = self.targets.iter();
+        let (_, choice) = targets.find(|(rows, _)| rows.contains(&row))?;
+        Some(*choice)
     }
 
     /// An empty row, unless there is nothing above it.
@@ -185,6 +204,7 @@ impl<'a> Lines<'a> {
             area: self.area,
             written: 0,
             scrolled: 0,
+            targets: Vec::new(),
             buf: &mut scratch,
             look: self.look,
         };
