@@ -339,6 +339,26 @@ impl App {
         }
     }
 
+    /// The cells beside the picture that do something when they are clicked, from the top.
+    pub fn targets(&self) -> Vec<Rect> {
+        match (self.layers.last(), self.stack.last()) {
+            (None, Some(screen)) => screen.targets(&self.context),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Does what the target of this number does, as a click on it would.
+    pub fn choose(&mut self, target: usize) -> Vec<Effect> {
+        let before = self.context.settings.clone();
+        let mut effects = match self.layers.is_empty() && !self.too_small() {
+            true => self.with_screen(|screen, cx| screen.choose(target, cx)),
+            false => Vec::new(),
+        };
+        self.context.keep_settings(&before);
+        effects.extend(self.context.take_asked());
+        effects
+    }
+
     /// Draws the whole screen. The app must have been told the frame's size by
     /// [`Input::Resize`] for the mouse to find what it points at.
     pub fn draw(&self, frame: &mut Frame) {
@@ -414,6 +434,8 @@ impl App {
             SharedAction::Motion => settings.reduced_motion = !settings.reduced_motion,
             SharedAction::Back => return self.follow(Next::Back),
             SharedAction::Quit => return self.leave(),
+            // The screen has done that.
+            SharedAction::Scroll(_) => {}
         }
         vec![]
     }

@@ -58,14 +58,22 @@ pub(super) fn read(path: &Path) -> Result<Rebound, FileErrors> {
         let all = all_keys();
         let rows = table
             .names()
-            .map(|id| Some((id.to_owned(), row(&table, id, &all)?)));
+            .map(|id| Some((present(id).to_owned(), row(&table, id, &all)?)));
         files::all(rows.collect()).map(Rebound::from_iter)
     })
 }
 
+/// What an action is called now that once had this name.
+fn present(id: &str) -> &str {
+    match id {
+        "lab.scroll" => "everywhere.scroll",
+        id => id,
+    }
+}
+
 /// The keys that a line of the file gives.
 fn row(table: &Fields, id: &str, all: &AllKeys) -> Option<Vec<Key>> {
-    let Some((usual, _)) = all.get(id) else {
+    let Some((usual, _)) = all.get(present(id)) else {
         return table.refuse(id, "there is no such action; carrom keys lists them all");
     };
     let keys = table.texts(id, 1..=usual.len(), 9)?;

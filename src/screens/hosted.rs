@@ -6,9 +6,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
+use super::view::{Part, View};
 use super::{Context, Next, Screen};
-use crate::messages::{Input, Key};
+use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
+use crate::widgets::panel::{Panel, Placed, Writing};
+use crate::widgets::{SplitLayout, scroll_keys};
 
 /// What keys do on every screen that has no use of its own for them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -26,6 +29,8 @@ pub enum SharedAction {
     Motion,
     /// leave carrom
     Quit,
+    /// scroll a text that is longer than its place
+    Scroll(i16),
 }
 
 /// The keys that every screen shares.
@@ -41,8 +46,16 @@ pub(crate) fn shared_keys() -> KeyTable<SharedAction> {
         .on(Key::Ctrl('c'), Quit, "")
 }
 
+/// The keys that scroll the panels of a view.
+fn view_keys() -> KeyTable<SharedAction> {
+    use SharedAction::Scroll;
+    KeyTable::new("everywhere")
+        .each(scroll_keys(Scroll), "")
+        .or([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))])
+}
+
 /// What a key stands for on a screen: an action of its own, or one that all share.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 enum Pressed<A> {
     Own(A),
     Shared(SharedAction),
@@ -65,6 +78,11 @@ pub trait AnyScreen {
     fn confirmed(&mut self, cx: &mut Context) -> Next;
     /// See [`Screen::input`].
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next;
+    /// The cells of the panels that do something, from the top; none on a screen without a
+    /// view.
+    fn targets(&self, cx: &Context) -> Vec<Rect>;
+    /// Does what the target of this number does, as a click on it would.
+    fn choose(&mut self, target: usize, cx: &mut Context) -> Next;
     /// See [`Screen::resumed`].
     fn resumed(&mut self, cx: &mut Context);
     /// See [`Screen::advance`].
@@ -75,10 +93,28 @@ pub trait AnyScreen {
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context);
 }
 
-/// A screen, and what the player was asked about on it.
+/// A screen, what the player was asked about on it, and how far its panels are scrolled.
 pub struct Hosted<S: Screen> {
     screen: S,
     asked: Option<S::Action>,
+    scrolled: Vec<Scrolled>,
+}
+
+/// How far a panel was scrolled by hand.
+struct Scrolled {
+    /// The panel's title.
+    of: String,
+    rows: u16,
+    /// The row of what was chosen then: once another is, it is followed instead.
+    chosen: Option<u16>,
+}
+
+/// A panel laid out, scrolled as far as it is.
+struct Shown<'p, A> {
+    title: &'p str,
+    placed: Placed<'p, A>,
+    area: Rect,
+    rows: u16,
 }
 
 impl<S: Screen> Hosted<S> {
@@ -87,16 +123,146 @@ impl<S: Screen> Hosted<S> {
         Self {
             screen,
             asked: None,
+            scrolled: Vec::new(),
         }
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<Pressed<S::Action>> {
         let own = self.screen.keys(cx).map(Pressed::Own);
+        let own = match self.screen.view(cx) {
+            Some(_) => own.with(view_keys(), Pressed::Shared),
+            None => own,
+        };
         // Whatever Escape does here is to go back.
         own.with(shared_keys(), Pressed::Shared)
             .identified(Key::Escape, "everywhere.back")
             .distinct()
             .rebound(&cx.settings.keys)
+    }
+
+    fn act(&mut self, action: S::Action, cx: &mut Context) -> Next {
+        let next = self.screen.act(action, cx);
+        self.asked = matches!(next, Next::Confirm(_)).then_some(action);
+        next
+    }
+
+    /// Does something with the panels of the view as they are shown in the body.
+    fn with_panels<T>(
+        &self,
+        view: &View<S::Action>,
+        cx: &Context,
+        take: impl FnOnce(&SplitLayout, &[Shown<S::Action>], &Writing<S::Action>) -> T,
+    ) -> T {
+        let keys = self.keys(cx);
+        let key = |action: &S::Action| Some(keys.key_of(&Pressed::Own(*action))?.to_string());
+        let look = cx.settings.look();
+        let writing = Writing { look, key: &key };
+        let layout = (view.layout)(cx.body);
+        let places = view.places(&layout).into_iter();
+        let panels: Vec<_> = places
+            .map(|(panel, area)| self.shown(panel, area, &writing))
+            .collect();
+        take(&layout, &panels, &writing)
+    }
+
+    fn shown<'p>(
+        &self,
+        panel: &'p Panel<S::Action>,
+        area: Rect,
+        writing: &Writing<S::Action>,
+    ) -> Shown<'p, S::Action> {
+        let placed = panel.placed(area, writing);
+        let scrolled = self.scrolled.iter().find(|it| it.of == panel.title);
+        let rows = match scrolled {
+            Some(it) if it.chosen == placed.chosen() => it.rows.min(placed.overflow()),
+            Some(it) => placed.following(it.rows),
+            None => placed.following(0),
+        };
+        Shown {
+            title: &panel.title,
+            placed,
+            area,
+            rows,
+        }
+    }
+
+    /// Scrolls the panel at a cell, or else the last one that is longer than its place.
+    fn scroll(&mut self, by: i16, cell: Option<(u16, u16)>, cx: &Context) -> Next {
+        let Some(view) = self.screen.view(cx) else {
+            return Next::Ignored;
+        };
+        let scrolled = self.with_panels(&view, cx, |_, panels, _| {
+            let is_meant = |shown: &&Shown<_>| match cell {
+                Some(cell) => shown.area.contains(cell.into()),
+                None => shown.placed.overflow() > 0,
+            };
+            let shown = panels.iter().rev().find(is_meant)?;
+            let rows = shown.rows.saturating_add_signed(by);
+            Some(Scrolled {
+                of: shown.title.to_owned(),
+                rows: rows.min(shown.placed.overflow()),
+                chosen: shown.placed.chosen(),
+            })
+        });
+        drop(view);
+        let Some(scrolled) = scrolled else {
+            return Next::Ignored;
+        };
+        self.scrolled.retain(|it| it.of != scrolled.of);
+        self.scrolled.push(scrolled);
+        Next::Stay
+    }
+
+    /// Forgets how far panels were scrolled that are not shown any more.
+    fn settle(&mut self, cx: &Context) {
+        if self.scrolled.is_empty() {
+            return;
+        }
+        let titles = self.screen.view(cx).map(|view| match view.first {
+            Part::Panel(panel) => vec![panel.title, view.second.title],
+            Part::Picture(..) => vec![view.second.title],
+        });
+        let titles = titles.unwrap_or_default();
+        self.scrolled.retain(|it| titles.contains(&it.of));
+    }
+
+    /// The cells of the panels that do something, and what they do.
+    fn actions(&self, cx: &Context) -> Vec<(Rect, S::Action)> {
+        let Some(view) = self.screen.view(cx) else {
+            return Vec::new();
+        };
+        self.with_panels(&view, cx, |_, panels, _| {
+            let targets = panels.iter().flat_map(|it| it.placed.targets(it.rows));
+            targets.collect()
+        })
+    }
+
+    /// Takes the mouse over the view: a click in a panel does what stands there.
+    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
+        let Some(view) = self.screen.view(cx) else {
+            return self.screen.input(&Input::Mouse(*mouse), cx);
+        };
+        let cell = mouse.cell();
+        let (picture, hit) = self.with_panels(&view, cx, |layout, panels, _| {
+            let mut targets = panels.iter().flat_map(|it| it.placed.targets(it.rows));
+            let hit = targets.find(|(cells, _)| cells.contains(cell.into()));
+            (layout.picture, hit.map(|(_, action)| action))
+        });
+        let has_picture = matches!(view.first, Part::Picture(..));
+        drop(view);
+        let wheel = match mouse.kind {
+            MouseKind::ScrollUp => -1,
+            MouseKind::ScrollDown => 1,
+            MouseKind::Down if hit.is_some() => {
+                return hit.map_or(Next::Ignored, |action| self.act(action, cx));
+            }
+            _ if has_picture => return self.screen.point(mouse, picture, cx),
+            _ => return Next::Ignored,
+        };
+        match self.screen.wheel(wheel, cx) {
+            Next::Ignored => self.scroll(wheel.into(), Some(cell), cx),
+            next => next,
+        }
     }
 }
 
@@ -121,15 +287,14 @@ impl<S: Screen> AnyScreen for Hosted<S> {
         if self.screen.typed(key, cx) {
             return Next::Stay;
         }
-        match self.keys(cx).find(key) {
-            Some(Pressed::Own(action)) => {
-                let next = self.screen.act(action, cx);
-                self.asked = matches!(next, Next::Confirm(_)).then_some(action);
-                next
-            }
+        let next = match self.keys(cx).find(key) {
+            Some(Pressed::Own(action)) => self.act(action, cx),
+            Some(Pressed::Shared(SharedAction::Scroll(rows))) => self.scroll(rows, None, cx),
             Some(Pressed::Shared(action)) => Next::Shared(action),
             None => Next::Ignored,
-        }
+        };
+        self.settle(cx);
+        next
     }
 
     fn confirmed(&mut self, cx: &mut Context) -> Next {
@@ -138,7 +303,26 @@ impl<S: Screen> AnyScreen for Hosted<S> {
     }
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        self.screen.input(input, cx)
+        let next = match input {
+            Input::Mouse(mouse) => self.mouse(mouse, cx),
+            input => self.screen.input(input, cx),
+        };
+        self.settle(cx);
+        next
+    }
+
+    fn targets(&self, cx: &Context) -> Vec<Rect> {
+        self.actions(cx)
+            .into_iter()
+            .map(|(cells, _)| cells)
+            .collect()
+    }
+
+    fn choose(&mut self, target: usize, cx: &mut Context) -> Next {
+        let meant = self.actions(cx).get(target).map(|(_, action)| *action);
+        let next = meant.map_or(Next::Ignored, |action| self.act(action, cx));
+        self.settle(cx);
+        next
     }
 
     fn resumed(&mut self, cx: &mut Context) {
@@ -154,6 +338,17 @@ impl<S: Screen> AnyScreen for Hosted<S> {
     }
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        self.screen.draw(area, buf, cx);
+        let Some(view) = self.screen.view(cx) else {
+            return self.screen.draw(area, buf, cx);
+        };
+        self.with_panels(&view, cx, |layout, panels, writing| {
+            layout.draw(buf, &writing.look, view.title(), &view.second.title);
+            if let Part::Picture(_, draw) = &view.first {
+                draw(layout.picture, buf, &writing.look);
+            }
+            for shown in panels {
+                shown.placed.draw(shown.rows, buf, writing);
+            }
+        });
     }
 }

@@ -6,6 +6,7 @@ mod kept_files;
 mod leads;
 mod place;
 mod recall;
+mod view;
 
 pub(crate) mod class;
 pub(crate) mod foil;
@@ -30,6 +31,7 @@ pub use hosted::{AnyScreen, Hosted, SharedAction};
 pub(crate) use join::{code_of, host_of};
 pub use place::Place;
 pub use settings::KeptSettings;
+pub use view::View;
 
 use crate::messages::{Input, Key, Mouse};
 use crate::widgets::Outcome;
@@ -42,7 +44,7 @@ use crate::widgets::input::KeyTable;
 /// keys that are not in it are the app's.
 pub trait Screen {
     /// What keys do here.
-    type Action: Copy;
+    type Action: Copy + PartialEq;
 
     /// Its name for the title line, in lower case.
     fn title(&self) -> String;
@@ -73,6 +75,22 @@ pub trait Screen {
         Next::Stay
     }
 
+    /// What it shows. What is clicked in a panel is done as by a key; panels that are longer
+    /// than their places are scrolled. A screen without a view draws itself.
+    fn view<'s>(&'s self, _cx: &'s Context) -> Option<View<'s, Self::Action>> {
+        None
+    }
+
+    /// Takes the mouse over the picture of its view, which stands in `picture`.
+    fn point(&mut self, _mouse: &Mouse, _picture: Rect, _cx: &mut Context) -> Next {
+        Next::Ignored
+    }
+
+    /// Takes a turn of the wheel over its view, up (-1) or down (1).
+    fn wheel(&mut self, _by: i8, _cx: &mut Context) -> Next {
+        Next::Ignored
+    }
+
     /// Takes the mouse.
     fn mouse(&mut self, _mouse: &Mouse, _cx: &mut Context) -> Next {
         Next::Ignored
@@ -97,8 +115,9 @@ pub trait Screen {
         None
     }
 
-    /// Draws itself into `area`, which is [`Context::body`].
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context);
+    /// Draws itself into `area`, which is [`Context::body`]; not asked of a screen with a
+    /// view.
+    fn draw(&self, _area: Rect, _buf: &mut Buffer, _cx: &Context) {}
 }
 
 /// What follows from an input or from time that passed.

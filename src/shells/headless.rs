@@ -123,6 +123,14 @@ impl Headless {
         }
     }
 
+    /// Does what the target of this number in [`App::targets`] does.
+    pub fn choose(&mut self, target: usize) {
+        if !self.quit {
+            let effects = self.app.choose(target);
+            self.carry_out(&effects);
+        }
+    }
+
     /// Presses one key.
     pub fn key(&mut self, key: Key) {
         self.input(&Input::Key(key));

@@ -19,6 +19,8 @@
 //!    panels   frames, and what they tell of a hit
 //! ──────────────────────────────────────────────────────────────────────────────────────
 //!    input    keys as data, and what they work: numbers, rays, lists, forms, names
+//! ──────────────────────────────────────────────────────────────────────────────────────
+//!    panel    what stands beside a picture, as a list of blocks
 //!    ink      pictures drawn into cells
 //! ──────────────────────────────────────────────────────────────────────────────────────
 //!    picture  marks in metres and where they are on the screen
@@ -32,6 +34,7 @@ pub(crate) mod board;
 pub(crate) mod hit;
 pub(crate) mod ink;
 pub mod input;
+pub(crate) mod panel;
 pub(crate) mod panels;
 pub mod picture;
 pub(crate) mod plot;

@@ -305,7 +305,7 @@ struct Restless {
 }
 
 /// What `q` does.
-#[derive(Clone, Copy, strum::IntoStaticStr, strum::EnumMessage)]
+#[derive(Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 enum RestlessAction {
     /// quit
     Quit,

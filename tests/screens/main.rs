@@ -21,6 +21,7 @@ mod rows_of_texts;
 mod table;
 mod tape;
 mod tapes;
+mod targets;
 
 #[path = "../common/folder.rs"]
 mod folder;

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 
 use super::{FoilPage, FoilScreen, beam_page, measured_page, tracks_page};
 use crate::screens::Context;
+use crate::widgets::panel::written;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Lines, Look, Role, SplitLayout, areas, text};
 
@@ -118,6 +119,8 @@ pub(super) fn write_panel(foil: &FoilScreen, lines: &mut Lines, cx: &Context) {
 
 /// The settings of the page, a row each, and what the chosen one is.
 fn settings(foil: &FoilScreen, lines: &mut Lines) {
-    foil.form.write(&foil.fields(), lines);
-    foil.form.write_about(&foil.fields(), lines);
+    written(lines, |panel| {
+        foil.form.write(&foil.fields(), panel);
+        foil.form.write_about(&foil.fields(), panel);
+    });
 }

@@ -11,6 +11,7 @@ use crate::numbers;
 use crate::quiz::{Confidence, Form, Illustration, Question, Ray, Response, letter};
 use crate::widgets::bar::bar;
 use crate::widgets::hit::Watch;
+use crate::widgets::panel::written;
 use crate::widgets::panels::said_and_true;
 use crate::widgets::{AnswerInput, Lines, Look, Role, Scroll, SplitLayout, draw_question};
 
@@ -155,7 +156,7 @@ fn write_step(desk: &Desk, question: &Question, step: ClassStep, link: &Link, li
             lines.paragraph(&question.text, Role::Dim);
             if let Some(watch) = reveal.watch() {
                 lines.gap();
-                watch.write_telling(lines);
+                written::<()>(lines, |panel| watch.write_telling(panel));
             }
         }
         (Doing::Watch(_), _) | (_, ClassStep::Scores) => write_told(desk, question, lines),
@@ -314,7 +315,8 @@ fn write_told(desk: &Desk, question: &Question, lines: &mut Lines) {
     let hit = question.picture.collision();
     match (&question.form, said, hit) {
         (Form::Rays { target, .. }, Some(Response::Rays(rays)), Some(hit)) => {
-            said_and_true(hit, &rays, ["striker", target].map(Some), true, lines);
+            let names = ["striker", target].map(Some);
+            written::<()>(lines, |panel| said_and_true(hit, &rays, names, true, panel));
         }
         (form, said, _) => {
             let said = said.map_or("nothing".into(), |said| lettered(form, &said));

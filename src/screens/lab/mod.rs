@@ -9,18 +9,17 @@ mod view;
 
 use std::time::Duration;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Next, Screen};
-use crate::messages::{Input, Key, Mouse, MouseKind};
+use super::{Context, Next, Screen, View};
+use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::{CollisionSpec, Frame};
 use crate::quiz::{Rays, RaysGrade};
 use crate::widgets::hit::{Watch, WatchAction, drag_offset, point_at, side};
 use crate::widgets::input::{
     EntryAction, FormAction, FormFields, KeyTable, RayAction, SettingsForm,
 };
-use crate::widgets::{Outcome, RayInput, Scroll, SplitLayout, scroll_keys};
+use crate::widgets::{Outcome, RayInput};
 
 use mystery::Mystery;
 
@@ -37,8 +36,6 @@ pub(crate) struct Lab {
     /// The setting that keys change.
     form: SettingsForm,
     phase: LabPhase,
-    /// How far the explanation of the shot is scrolled.
-    scroll: Scroll,
     /// Whether the picture follows what is set, outcome and all.
     live: bool,
     /// Whether the set-up is another screen's, and not to be found here the next time.
@@ -85,8 +82,6 @@ pub(crate) enum LabAction {
     Watch(WatchAction),
     /// set up another shot
     SetUp,
-    /// scroll an explanation that is longer than its place
-    Scroll(i16),
     /// back
     Back,
 }
@@ -142,7 +137,6 @@ impl Lab {
             cx.settings.foretold = ENOUGH_FORETOLD.min(cx.settings.foretold + 1);
         }
         let watch = Watch::new(collision, said, cx.settings.pace());
-        self.scroll = Scroll::default();
         self.phase = LabPhase::Watch(Box::new(watch));
     }
 
@@ -153,54 +147,6 @@ impl Lab {
             let rays = rays.clone();
             self.shoot(Some(&rays), cx);
         }
-    }
-
-    fn scroll_by(&mut self, rows: i16, cx: &Context) {
-        if let LabPhase::Watch(watch) = &self.phase {
-            let area = SplitLayout::new(cx.body).panel;
-            self.scroll = self.scroll.by(rows, area, cx.settings.look(), |lines| {
-                panel::write_shot(self, watch, lines);
-            });
-        }
-    }
-
-    fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
-        let layout = SplitLayout::new(cx.body);
-        let cell = mouse.cell();
-        let on_picture = layout.picture.contains(cell.into());
-        let pressed = mouse.kind == MouseKind::Down;
-        let held = pressed || mouse.kind == MouseKind::Drag;
-        let hit = view::hit_area(self, layout.picture, cx);
-        let (settings, form) = (&mut self.settings, &mut self.form);
-        let speed = LabField::Speed.place();
-        match (&mut self.phase, mouse.kind) {
-            (LabPhase::Aim, _) if held && on_picture => {
-                form.give_up();
-                let offset = drag_offset(hit, &settings.setup.collision(), mouse.place());
-                settings.set(LabField::Offset.place(), (offset * 2000.0).round() / 2.0);
-            }
-            (LabPhase::Aim, MouseKind::Down) => match panel::field_at(layout.panel, cell) {
-                Some(field) => form.select(field, settings),
-                None => return Next::Ignored,
-            },
-            (LabPhase::Aim, MouseKind::ScrollUp) => form.step_at(speed, 1.0, settings),
-            (LabPhase::Aim, MouseKind::ScrollDown) => form.step_at(speed, -1.0, settings),
-            (LabPhase::Predict(rays), _) if held && on_picture => {
-                let collision = settings.setup.collision();
-                point_at(layout.picture, &collision, rays, mouse.place(), pressed);
-            }
-            (LabPhase::Watch(watch), MouseKind::ScrollUp) => watch.act(WatchAction::Step(1)),
-            (LabPhase::Watch(watch), MouseKind::ScrollDown) => watch.act(WatchAction::Step(-1)),
-            (LabPhase::Watch(watch), MouseKind::Down) if on_picture => {
-                if watch.clock().is_over() {
-                    self.phase = LabPhase::Aim;
-                } else {
-                    watch.act(WatchAction::GoOn);
-                }
-            }
-            _ => return Next::Ignored,
-        }
-        Next::Stay
     }
 }
 
@@ -224,9 +170,7 @@ impl Screen for Lab {
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<LabAction> {
-        use LabAction::{
-            Back, Contact, Go, Live, MysteryCoin, NextSet, Predict, Reset, Scroll, SetUp,
-        };
+        use LabAction::{Back, Contact, Go, Live, MysteryCoin, NextSet, Predict, Reset, SetUp};
         let key = Key::Char;
         let table = KeyTable::new("lab");
         let go = match cx.settings.predict {
@@ -271,8 +215,6 @@ impl Screen for Lab {
                     .on(Key::Escape, SetUp, "set up")
                     .or([(key('n'), SetUp)])
                     .on(Key::Enter, LabAction::Watch(WatchAction::GoOn), "")
-                    .each(scroll_keys(Scroll), "")
-                    .or([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))])
             }
         }
     }
@@ -321,7 +263,6 @@ impl Screen for Lab {
                 }
             }
             LabAction::SetUp => self.phase = LabPhase::Aim,
-            LabAction::Scroll(rows) => self.scroll_by(rows, cx),
             LabAction::Back => {
                 if !self.lent {
                     cx.lab = Some(settings.clone());
@@ -332,11 +273,43 @@ impl Screen for Lab {
         Next::Stay
     }
 
-    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        match input {
-            Input::Mouse(mouse) => self.mouse(mouse, cx),
-            _ => Next::Ignored,
+    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, LabAction>> {
+        Some(view::view(self, cx))
+    }
+
+    fn point(&mut self, mouse: &Mouse, picture: Rect, cx: &mut Context) -> Next {
+        let pressed = mouse.kind == MouseKind::Down;
+        let held = pressed || mouse.kind == MouseKind::Drag;
+        if !held || !picture.contains(mouse.cell().into()) {
+            return Next::Ignored;
         }
+        let hit = view::hit_area(self, picture, cx);
+        let collision = self.settings.setup.collision();
+        match &mut self.phase {
+            LabPhase::Aim => {
+                self.form.give_up();
+                let offset = drag_offset(hit, &collision, mouse.place());
+                let offset_mm = (offset * 2000.0).round() / 2.0;
+                self.settings.set(LabField::Offset.place(), offset_mm);
+            }
+            LabPhase::Predict(rays) => point_at(picture, &collision, rays, mouse.place(), pressed),
+            LabPhase::Watch(_) if !pressed => return Next::Ignored,
+            LabPhase::Watch(watch) if watch.clock().is_over() => self.phase = LabPhase::Aim,
+            LabPhase::Watch(watch) => watch.act(WatchAction::GoOn),
+        }
+        Next::Stay
+    }
+
+    fn wheel(&mut self, by: i8, _cx: &mut Context) -> Next {
+        match &mut self.phase {
+            LabPhase::Aim => {
+                let speed = LabField::Speed.place();
+                self.form.step_at(speed, f64::from(-by), &mut self.settings);
+            }
+            LabPhase::Predict(_) => return Next::Ignored,
+            LabPhase::Watch(watch) => watch.act(WatchAction::Step(-by)),
+        }
+        Next::Stay
     }
 
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
@@ -350,9 +323,5 @@ impl Screen for Lab {
             LabPhase::Watch(watch) => watch.wake(cx.settings.pace()),
             _ => None,
         }
-    }
-
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(self, area, buf, cx);
     }
 }

@@ -4,8 +4,9 @@ use super::LabField;
 use crate::messages::Key;
 use crate::physics::resting_target::mass_ratio_from_angles;
 use crate::physics::{Bond, CollisionOutcome, CollisionSpec};
+use crate::widgets::Role;
 use crate::widgets::input::{EntryAction, KeyTable, NumberEntry, Outcome};
-use crate::widgets::{Lines, Role};
+use crate::widgets::panel::Panel;
 
 /// The lightest mystery coin in g, and the step and number of the heavier ones.
 const LIGHTEST_G: f64 = 4.0;
@@ -78,17 +79,17 @@ impl Mystery {
         &self,
         setup: &CollisionSpec,
         outcome: &CollisionOutcome,
-        lines: &mut Lines,
+        panel: &mut Panel<EntryAction>,
     ) {
         let (Some(theta1), Some(theta2)) = (outcome.theta1, outcome.theta2) else {
-            lines.paragraph(
+            panel.paragraph(
                 "No two angles to read here. Hit the coin off-centre and it can be weighed.",
                 Role::Text,
             );
             return;
         };
         let Some(ratio) = mass_ratio_from_angles(theta1, theta2, setup.restitution) else {
-            lines.paragraph(
+            panel.paragraph(
                 "These angles weigh nothing: try an offset well between head-on and a graze.",
                 Role::Text,
             );
@@ -96,28 +97,31 @@ impl Mystery {
         };
         match self.said_g {
             None => {
-                lines.line("How heavy is the coin?", Role::Title);
-                lines.paragraph(
+                panel.heading("How heavy is the coin?");
+                panel.paragraph(
                     "m₁/m₂ = sin(θ₁ + 2θ₂) / sin θ₁. Over 90° between them: it is heavier than the striker. Under: lighter.",
                     Role::Text,
                 );
-                lines.gap();
+                panel.gap();
                 let typed = format!("{}_ g", self.entry.text());
-                lines.pair("> mass", &typed, Role::Selected, Role::Selected);
-                lines.paragraph("Type it, then Enter.", Role::Key);
+                panel.field("mass", typed, (Role::Text, true), None);
+                match self.entry.is_open() {
+                    true => panel.prompt("weigh it", EntryAction::Enter),
+                    false => panel.paragraph("Type it in grams.", Role::Key),
+                }
             }
             Some(said) => {
                 let off = (said - setup.m2_g).abs() / setup.m2_g;
                 let well = off <= NEAR;
-                lines.line(if well { "well weighed" } else { "not quite" }, Role::Title);
+                panel.heading(if well { "well weighed" } else { "not quite" });
                 for (name, mass_g, role) in [
                     ("you said", said, Role::Predicted),
                     ("it is", setup.m2_g, Role::CoinOut),
                 ] {
-                    lines.pair(name, &format!("{mass_g:.1} g"), Role::Dim, role);
+                    panel.coloured_fact(name, format!("{mass_g:.1} g"), role);
                 }
-                lines.paragraph(
-                    &format!(
+                panel.paragraph(
+                    format!(
                         "The angles give m₁/m₂ = {ratio:.3}, and {:.1} g / {ratio:.3} = {:.1} g. No scale was needed, and the speed did not matter.",
                         setup.m1_g, setup.m2_g
                     ),

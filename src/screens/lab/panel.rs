@@ -1,188 +1,171 @@
 //! The panel beside the lab's picture: settings, the prediction, the shot in numbers.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-
 use super::explain::{explain, turns_a_second};
 use super::view::live_hit;
-use super::{Lab, LabField};
+use super::{Lab, LabAction, LabField};
 use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Frame, Meeting};
 use crate::quiz::Rays;
 use crate::screens::Context;
 use crate::widgets::hit::{VelocityNames, Watch, degrees};
+use crate::widgets::input::{EntryAction, FormAction};
+use crate::widgets::panel::Panel;
 use crate::widgets::panels::{reason, said_and_true, separation};
-use crate::widgets::{Lines, RayInput, Role, shown};
-
-/// The setting whose row is at this cell.
-pub(super) fn field_at(panel: Rect, (column, row): (u16, u16)) -> Option<usize> {
-    if !panel.contains((column, row).into()) {
-        return None;
-    }
-    let field = usize::from(row - panel.y);
-    (field < LabField::ALL.len()).then_some(field)
-}
+use crate::widgets::{RayInput, Role, shown};
 
 /// The settings, and what follows from them.
-pub(super) fn draw_settings(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
-    let mut lines = Lines::new(area, buf, cx.settings.look());
-    lab.form.write(&lab.settings, &mut lines);
+pub(super) fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
+    let mut panel = Panel::new("settings");
+    panel.part(LabAction::Set, |panel| {
+        lab.form.write(&lab.settings, panel);
+    });
+    geometry(lab, &mut panel);
     let live = lab.is_live(cx);
-    let next = if live {
-        "Enter: watch it. v: live off."
-    } else if cx.settings.predict && lab.may_live(cx) {
-        "Enter: say where both will go. v: live."
-    } else if cx.settings.predict {
-        "Enter: now say where both will go."
-    } else {
-        "Enter: shoot. (p: predict first)"
-    };
-    geometry(lab, &mut lines);
     if live {
-        answers(&live_hit(lab), &mut lines);
+        answers(&live_hit(lab), &mut panel);
     }
-    let about = |lines: &mut Lines| lab.form.write_about(&lab.settings, lines);
-    let mut spare = lines.spare(lines.rows_of(next));
-    let apart = spare.take(1);
-    if spare.take(lines.rows_by(about)) {
-        if spare.take(1) {
-            lines.gap();
-        }
-        about(&mut lines);
-    }
-    if apart {
-        lines.gap();
-    }
-    lines.paragraph(next, Role::Key);
+    panel.worth(1, Panel::gap);
+    panel.worth(2, |panel| lab.form.write_about(&lab.settings, panel));
+    panel.worth(3, Panel::gap);
+    let set = LabAction::Set(FormAction::Number(EntryAction::Enter));
+    let next = if lab.form.is_typing() {
+        vec![("set it", set)]
+    } else if live {
+        vec![("watch it", LabAction::Go), ("live off", LabAction::Live)]
+    } else if !cx.settings.predict {
+        vec![
+            ("shoot", LabAction::Go),
+            ("predict first", LabAction::Predict),
+        ]
+    } else if lab.may_live(cx) {
+        vec![
+            ("say where both will go", LabAction::Go),
+            ("live", LabAction::Live),
+        ]
+    } else {
+        vec![("now say where both will go", LabAction::Go)]
+    };
+    panel.prompts(
+        next.into_iter()
+            .map(|(words, action)| (words.into(), action)),
+    );
+    panel
 }
 
 /// b/(r₁+r₂), and that they miss if they do.
-fn geometry(lab: &Lab, lines: &mut Lines) {
+fn geometry<A>(lab: &Lab, panel: &mut Panel<A>) {
     let setup = &lab.settings.setup;
     let ratio = setup.offset_mm().abs() / setup.contact_distance_mm();
-    lines.fact("b / (r₁+r₂)", &format!("{ratio:.3}"));
+    panel.fact("b / (r₁+r₂)", format!("{ratio:.3}"));
     if setup.collision().normal().is_none() {
         let why = if ratio > 1.0 {
             "above 1: they will miss"
         } else {
             "same velocity: no hit"
         };
-        lines.line(why, Role::Warn);
+        panel.line(why, Role::Warn);
     }
 }
 
 /// The two rays being said.
-pub(super) fn draw_prediction(
-    lab: &Lab,
-    rays: &RayInput,
-    area: Rect,
-    buf: &mut Buffer,
-    cx: &Context,
-) {
-    let mut lines = Lines::new(area, buf, cx.settings.look());
-    given(lab, &mut lines);
+pub(super) fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
+    let mut panel = Panel::new("say it first");
+    given(lab, &mut panel);
     for (field, name) in [
         (LabField::StrikerMass, "striker"),
         (LabField::CoinMass, "coin"),
     ] {
-        lines.fact(name, &lab.settings.field(field).shown);
+        panel.fact(name, lab.settings.field(field).shown);
     }
-    lines.gap();
-    lines.line("Where will they go?", Role::Title);
-    rays.write(&mut lines, "coin");
-    lines.gap();
-    lines.paragraph(&rays.about("coin"), Role::Text);
-    lines.gap();
-    lines.paragraph(&rays.prompt("coin", "shoot!"), Role::Key);
+    panel.gap();
+    panel.heading("Where will they go?");
+    panel.part(LabAction::Say, |panel| rays.write(panel, "coin"));
+    panel.gap();
+    panel.paragraph(rays.about("coin"), Role::Text);
+    panel.gap();
+    panel.part(LabAction::Say, |panel| {
+        rays.write_prompt(panel, "coin", "shoot!");
+    });
+    panel
 }
 
 /// The shot in numbers, what was said of it, and why it went as it did. The
 /// explanation comes whole; where there is not room for all, numbers that the
 /// player set and knows give way first.
-pub(super) fn write_shot(lab: &Lab, watch: &Watch, lines: &mut Lines) {
+pub(super) fn shot(lab: &Lab, watch: &Watch) -> Panel<LabAction> {
+    let mut panel = Panel::new("the shot");
     if !watch.is_told() {
-        given(lab, lines);
-        lines.gap();
-        return watch.write_telling(lines);
+        given(lab, &mut panel);
+        panel.gap();
+        watch.write_telling(&mut panel);
+        return panel;
     }
     if watch.frame() != Frame::Laboratory {
-        given(lab, lines);
-        lines.gap();
+        given(lab, &mut panel);
+        panel.gap();
         match watch.frame() {
-            Frame::Target => from_target(watch, lines),
-            _ => from_centre_of_mass(watch, lines),
+            Frame::Target => from_target(watch, &mut panel),
+            _ => from_centre_of_mass(watch, &mut panel),
         }
-        return;
+        return panel;
     }
     if let Some(coin) = &lab.settings.mystery {
-        answers(watch, lines);
-        lines.gap();
-        coin.write(&lab.settings.setup, watch.outcome(), lines);
-        return;
+        answers(watch, &mut panel);
+        panel.gap();
+        panel.part(LabAction::Weigh, |panel| {
+            coin.write(&lab.settings.setup, watch.outcome(), panel);
+        });
+        return panel;
     }
-    let why = explain(watch);
-    let mut spare = lines.spare(ANSWER_ROWS + lines.rows_by(|lines| reason(&why, lines)));
-    let gap = spare.take(1);
-    if spare.take(GIVEN_ROWS + 1) {
-        given(lab, lines);
-        lines.gap();
-    }
-    answers(watch, lines);
-    if gap {
-        lines.gap();
-    }
-    reason(&why, lines);
+    panel.worth(1, |panel| {
+        given(lab, panel);
+        panel.gap();
+    });
+    answers(watch, &mut panel);
+    panel.worth(2, Panel::gap);
+    reason(&explain(watch), &mut panel);
+    panel
 }
-
-/// Rows that [`given`] takes at most.
-const GIVEN_ROWS: u16 = 4;
-/// Rows that [`answers`] takes at most.
-const ANSWER_ROWS: u16 = 5;
 
 /// Where they meet.
-fn given(lab: &Lab, lines: &mut Lines) {
+fn given<A>(lab: &Lab, panel: &mut Panel<A>) {
     for field in [LabField::Offset, LabField::ImpactAngle] {
         let field = field.field(&lab.settings.setup);
-        lines.fact(&field.name, &field.shown);
+        panel.fact(field.name, field.shown);
     }
-    geometry(lab, lines);
+    geometry(lab, panel);
 }
 
-fn answers(watch: &Watch, lines: &mut Lines) {
+fn answers<A>(watch: &Watch, panel: &mut Panel<A>) {
     let outcome = watch.outcome();
     let sticks = watch.collision().bond == Bond::Stick && outcome.meeting == Meeting::Hit;
     let truth = degrees(watch.collision(), &Rays::from(outcome));
     match watch.said() {
         Some(said) => {
             let names = ["striker", "coin"].map(Some);
-            said_and_true(watch.collision(), said, names, false, lines);
+            said_and_true(watch.collision(), said, names, false, panel);
         }
-        None if sticks => lines.pair(
-            "direction of V",
-            &shown(truth[0]),
-            Role::Dim,
-            Role::StrikerOut,
-        ),
+        None if sticks => panel.coloured_fact("direction of V", shown(truth[0]), Role::StrikerOut),
         None => {
             for (i, name) in ["striker θ₁", "coin θ₂"].into_iter().enumerate() {
                 let role = [Role::StrikerOut, Role::CoinOut][i];
-                lines.pair(name, &shown(truth[i]), Role::Dim, role);
+                panel.coloured_fact(name, shown(truth[i]), role);
             }
         }
     }
-    separation(watch.collision(), lines);
+    separation(watch.collision(), panel);
     if outcome.energy_before > 0.0 {
         let kept = 100.0 * outcome.energy_after / outcome.energy_before;
-        lines.fact("energy kept", &format!("{kept:.1} %"));
+        panel.fact("energy kept", format!("{kept:.1} %"));
     }
 }
 
-fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {
+fn from_centre_of_mass<A>(watch: &Watch, panel: &mut Panel<A>) {
     let collision = watch.collision();
     let outcome = watch.outcome();
     let drift = Frame::CentreOfMass.velocity(collision);
-    lines.line("From the centre of mass", Role::Title);
-    lines.fact("V", &format!("{:.2} m/s", drift.length()));
+    panel.heading("From the centre of mass");
+    panel.fact("V", format!("{:.2} m/s", drift.length()));
     let [v1, v2] = collision.centres_after();
     let names = VelocityNames::new(collision, Frame::CentreOfMass);
     let before = [collision.u1, collision.u2];
@@ -193,7 +176,7 @@ fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {
             (names.after[body], after),
         ] {
             let speed = format!("{:.2} m/s", (v - drift).length());
-            lines.fact(&format!("{disc} {name}"), &speed);
+            panel.fact(format!("{disc} {name}"), speed);
         }
     }
     let turned = collision
@@ -203,9 +186,9 @@ fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {
         && collision.bond == Bond::Slip
     {
         let turned = format!("{:.1}°", turned.to_degrees().abs());
-        lines.fact("turned by Θ", &turned);
+        panel.fact("turned by Θ", turned);
     }
-    lines.gap();
+    panel.gap();
     let sticks = collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit;
     let text = if !sticks {
         "Here the two always fly back to back: momentum is zero before and after. Add V to both and you are on the board again.".into()
@@ -217,10 +200,10 @@ fn from_centre_of_mass(watch: &Watch, lines: &mut Lines) {
     } else {
         "They come from opposite sides, stick and lie still: momentum is zero before and after. Add V, and the pair moves on.".into()
     };
-    lines.paragraph(&text, Role::Text);
+    panel.paragraph(text, Role::Text);
 }
 
-fn from_target(watch: &Watch, lines: &mut Lines) {
+fn from_target<A>(watch: &Watch, panel: &mut Panel<A>) {
     let seen = Frame::Target.view(watch.collision()).outcome();
     let apart = |angle: f64| format!("{:.1}°", angle.to_degrees());
     let (name, value, text) = match (watch.collision().bond, seen.meeting) {
@@ -235,8 +218,8 @@ fn from_target(watch: &Watch, lines: &mut Lines) {
             "Here the coin lies still before the hit, so everything you know of a resting coin holds: for equal masses and e = 1 they part at 90° in this frame.",
         ),
     };
-    lines.line("Riding with the coin", Role::Title);
-    lines.fact(name, &value);
-    lines.gap();
-    lines.paragraph(text, Role::Text);
+    panel.heading("Riding with the coin");
+    panel.fact(name, value);
+    panel.gap();
+    panel.paragraph(text, Role::Text);
 }

@@ -1,50 +1,42 @@
-//! How the lab looks.
+//! What the lab shows.
 
 use glam::DVec2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Lab, LabPhase, panel};
+use super::{Lab, LabAction, LabPhase, panel};
 use crate::physics::Bond;
-use crate::screens::Context;
 use crate::screens::learn::speeds_picture;
+use crate::screens::{Context, View};
 use crate::widgets::hit::{Face, Markings, Overlay, Overlays, Watch, setup_picture};
-use crate::widgets::{SplitLayout, areas};
+use crate::widgets::{Look, RayInput, areas};
 
-/// Draws the lab.
-pub(super) fn draw(lab: &Lab, area: Rect, buf: &mut Buffer, cx: &Context) {
-    let look = cx.settings.look();
-    let layout = SplitLayout::new(area);
-    let (title, side_title) = match &lab.phase {
-        LabPhase::Aim if lab.is_live(cx) => ("live: it follows what you set".into(), "settings"),
-        LabPhase::Aim => ("set up the hit".into(), "settings"),
-        LabPhase::Predict(_) => ("where will they go?".into(), "say it first"),
-        LabPhase::Watch(watch) => (watch.slowed_title(), "the shot"),
+/// The picture, and the panel beside it.
+pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
+    let setup = |rays: Option<&'s RayInput>| {
+        move |area: Rect, buf: &mut Buffer, look: &Look| {
+            let collision = lab.settings.setup.collision();
+            let faces = Face::STRIKER_AND_COIN;
+            setup_picture(area, faces, &collision, Markings::ALL, rays).draw(buf, look);
+        }
     };
-    layout.draw(buf, &look, &title, side_title);
-    let collision = lab.settings.setup.collision();
-    let given = Markings::ALL;
-    let faces = Face::STRIKER_AND_COIN;
-    let setup = |rays| setup_picture(layout.picture, faces, &collision, given, rays);
     match &lab.phase {
-        LabPhase::Aim if lab.is_live(cx) => {
-            live(lab, layout.picture, buf, cx);
-            panel::draw_settings(lab, layout.panel, buf, cx);
-        }
-        LabPhase::Aim => {
-            setup(None).draw(buf, &look);
-            panel::draw_settings(lab, layout.panel, buf, cx);
-        }
-        LabPhase::Predict(rays) => {
-            setup(Some(rays)).draw(buf, &look);
-            panel::draw_prediction(lab, rays, layout.panel, buf, cx);
-        }
-        LabPhase::Watch(watch) => {
-            watch.picture(layout.picture).draw(buf, &look);
-            lab.scroll.draw(layout.panel, buf, look, |lines| {
-                panel::write_shot(lab, watch, lines);
-            });
-        }
+        LabPhase::Aim if lab.is_live(cx) => View::picture(
+            "live: it follows what you set",
+            |area, buf, look| live(lab, area, buf, look, cx),
+            panel::settings(lab, cx),
+        ),
+        LabPhase::Aim => View::picture("set up the hit", setup(None), panel::settings(lab, cx)),
+        LabPhase::Predict(rays) => View::picture(
+            "where will they go?",
+            setup(Some(rays)),
+            panel::prediction(lab, rays),
+        ),
+        LabPhase::Watch(watch) => View::picture(
+            watch.slowed_title(),
+            |area, buf, look| watch.picture(area).draw(buf, look),
+            panel::shot(lab, watch),
+        ),
     }
 }
 
@@ -74,12 +66,11 @@ fn has_curves(lab: &Lab, picture: Rect) -> bool {
 }
 
 /// Draws the hit and, where there is room, how both speeds go with the impact angle.
-fn live(lab: &Lab, picture: Rect, buf: &mut Buffer, cx: &Context) {
-    let look = cx.settings.look();
+fn live(lab: &Lab, picture: Rect, buf: &mut Buffer, look: &Look, cx: &Context) {
     let hit = hit_area(lab, picture, cx);
-    live_hit(lab).picture(hit).draw(buf, &look);
+    live_hit(lab).picture(hit).draw(buf, look);
     if hit.height < picture.height {
         let [_, below] = areas::upper(picture, hit.height);
-        speeds_picture(&lab.settings.setup, below, &look).draw(buf, &look);
+        speeds_picture(&lab.settings.setup, below, look).draw(buf, look);
     }
 }

@@ -9,6 +9,7 @@ use crate::physics::Collision;
 use crate::quiz::{Ray, Response, letter};
 use crate::widgets::hit::side;
 use crate::widgets::input::{EntryAction, KeyTable, RayAction};
+use crate::widgets::panel::written;
 use crate::widgets::{AnswerAction, AnswerInput, Lines, NumberEntry, Outcome, RayInput, Role};
 
 /// An answer in the making.
@@ -139,7 +140,7 @@ impl CheckpointInput {
                 for ray in 0..Ray::BOTH.len() {
                     rows(lines.written() + ray as u16);
                 }
-                rays.write(lines, "coin");
+                written(lines, |panel| rays.write(panel, "coin"));
             }
             (Self::Number(entry), CheckpointKind::Number { expected, .. }) => {
                 let (sign, unit) = expected.sign_and_unit();

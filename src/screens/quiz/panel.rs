@@ -6,6 +6,7 @@ use crate::lessons::Book;
 use crate::quiz::{Confidence, Form, Grade, Ray, Response, explain, letter};
 use crate::screens::leads;
 use crate::widgets::bar::bar;
+use crate::widgets::panel::written;
 use crate::widgets::panels::said_and_true;
 use crate::widgets::{AnswerInput, Lines, Role};
 
@@ -45,14 +46,14 @@ pub(super) fn confidence(
 ) {
     lines.line("How sure are you?", Role::Title);
     let head = |text| (text, Role::Dim);
-    lines.columns(head("points if"), ["wrong", "right"].map(head));
+    lines.columns(head("points if"), &["wrong", "right"].map(head));
     for (number, confidence) in (1..).zip(Confidence::ALL) {
         let (mark, role) = Role::Text.of_choice(confidence == chosen);
         let name = format!("{mark} {number} {}", confidence.name());
         let points = [0.0, 1.0].map(|credit| format!("{:.0}", confidence.points(credit)));
         lines.target(confidence as usize, |lines| {
             let points = points.each_ref().map(|p| (p.as_str(), Role::Text));
-            lines.columns((&name, role), points);
+            lines.columns((&name, role), &points);
         });
     }
     lines.gap();
@@ -104,7 +105,7 @@ pub(super) fn untold(watched: &AnsweredQuestion, lines: &mut Lines) {
     lines.paragraph(&watched.question.text, Role::Dim);
     lines.gap();
     if let Some(watch) = watched.reveal.watch() {
-        watch.write_telling(lines);
+        written::<()>(lines, |panel| watch.write_telling(panel));
     }
 }
 
@@ -198,6 +199,8 @@ fn write_answers(watched: &AnsweredQuestion, lines: &mut Lines) {
         &watched.answer.said,
     ) {
         let names = ["striker", target].map(Some);
-        said_and_true(watch.collision(), said, names, true, lines);
+        written::<()>(lines, |panel| {
+            said_and_true(watch.collision(), said, names, true, panel);
+        });
     }
 }

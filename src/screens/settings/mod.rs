@@ -6,15 +6,12 @@ mod view;
 
 pub use kept::KeptSettings;
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Context, Next, Screen};
+use super::{Context, Next, Screen, View};
 use crate::files::tidy_name;
 use crate::game::is_player_name;
 use crate::messages::{Input, Key};
-use crate::widgets::Outcome;
 use crate::widgets::input::{FormAction, FormFields, KeyTable, SettingsForm, TextField};
 use field::PLAYER;
 
@@ -111,7 +108,11 @@ impl Screen for SettingsScreen {
 
     fn act(&mut self, action: SettingsAction, cx: &mut Context) -> Next {
         match action {
-            SettingsAction::Set(action) => self.form.act(action, &mut cx.settings),
+            // A click elsewhere takes the name that was typed.
+            SettingsAction::Set(action) => {
+                self.take(cx);
+                self.form.act(action, &mut cx.settings);
+            }
             SettingsAction::Enter => self.enter(cx),
             SettingsAction::Take => self.take(cx),
             SettingsAction::Back if self.typed.is_some() => self.typed = None,
@@ -120,21 +121,23 @@ impl Screen for SettingsScreen {
         Next::Stay
     }
 
-    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+    fn input(&mut self, input: &Input, _cx: &mut Context) -> Next {
         match (input, &mut self.typed) {
             (Input::Paste(text), Some(typed)) => typed.paste(text.trim()),
-            (Input::Mouse(mouse), None) => {
-                let row = view::row_at(cx, mouse.cell());
-                if self.form.mouse(mouse, row, &mut cx.settings) == Outcome::Ignored {
-                    return Next::Ignored;
-                }
-            }
             _ => return Next::Ignored,
         }
         Next::Stay
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(self, area, buf, cx);
+    fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        if self.typed.is_none() {
+            self.form
+                .act(FormAction::Choose(by.into()), &mut cx.settings);
+        }
+        Next::Stay
+    }
+
+    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, SettingsAction>> {
+        Some(view::view(self, cx))
     }
 }

@@ -11,6 +11,7 @@ use crate::game::{Hands, PieceSet, Rules, Seat};
 use crate::messages::{Mouse, MouseKind};
 use crate::screens::{Context, Next};
 use crate::widgets::input::{Field, FieldValue, FormAction, FormFields, ListView, SettingsForm};
+use crate::widgets::panel::written;
 use crate::widgets::{Lines, Role, SplitLayout};
 
 /// The page: what is chosen, and the line that keys change.
@@ -78,9 +79,11 @@ impl NewGame {
         let coins = pack(self.options.set, Seat::South);
         picture::of_pack(&coins, self.options.set, layout.picture).draw(buf, &look);
         let mut lines = Lines::new(layout.panel, buf, look);
-        self.form.write(&self.options, &mut lines);
-        lines.gap();
-        self.form.write_about(&self.options, &mut lines);
+        written(&mut lines, |panel| {
+            self.form.write(&self.options, panel);
+            panel.gap();
+            self.form.write_about(&self.options, panel);
+        });
         lines.gap();
         lines.paragraph("Enter, or a click on the board: play!", Role::Key);
         lines.paragraph("s: saved games", Role::Key);

@@ -9,6 +9,7 @@ use crate::physics::units::{m_from_mm, mm_from_m};
 use crate::quiz::{Form, Measure, Question, Response, letter};
 use crate::widgets::hit::{drag_offset, point_at};
 use crate::widgets::input::{KeyTable, NumberAction, RayAction};
+use crate::widgets::panel::written;
 use crate::widgets::{Lines, NumberInput, Outcome, RayInput, Role};
 
 /// An answer in the making.
@@ -173,9 +174,15 @@ impl AnswerInput {
     /// Writes what is said so far, with all there is to choose from.
     pub fn write(&self, form: &Form, lines: &mut Lines) {
         match (self, form) {
-            (Self::Rays(rays), Form::Rays { target, .. }) => rays.write(lines, target),
-            (Self::Number(number), _) => number.write("your answer", lines),
-            (Self::Shot(offset), _) => offset.write("offset", lines),
+            (Self::Rays(rays), Form::Rays { target, .. }) => {
+                written(lines, |panel| rays.write(panel, target));
+            }
+            (Self::Number(number), _) => {
+                written::<()>(lines, |panel| number.write("your answer", panel));
+            }
+            (Self::Shot(offset), _) => {
+                written::<()>(lines, |panel| offset.write("offset", panel));
+            }
             (Self::Choice { chosen, .. }, Form::Choice { options, .. }) => {
                 let apart = Self::choice_gap(options, lines, lines.left());
                 for (i, option) in options.iter().enumerate() {

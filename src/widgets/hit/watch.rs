@@ -12,7 +12,7 @@ use super::{HitLayout, Overlay, Overlays, moment::Moment, stage::time_in_sight};
 use crate::messages::Key;
 use crate::physics::{Collision, CollisionOutcome, Frame, Shot};
 use crate::quiz::{AimTask, Rays};
-use crate::widgets::{Lines, Role, input::KeyTable, picture::Picture};
+use crate::widgets::{Role, input::KeyTable, panel::Panel, picture::Picture};
 
 /// Share of the whole that `<` and `>` scrub by.
 const SCRUB: f64 = 1.0 / 16.0;
@@ -227,13 +227,13 @@ impl Watch {
     }
 
     /// Writes which step of the explanation it is, and what is said at it, until all is told.
-    pub(crate) fn write_telling(&self, lines: &mut Lines) {
+    pub(crate) fn write_telling<A>(&self, panel: &mut Panel<A>) {
         let (heading, words) = self.telling();
         if let Some(heading) = heading {
-            lines.paragraph(&heading, Role::Title);
-            lines.gap();
+            panel.paragraph(heading, Role::Title);
+            panel.gap();
         }
-        lines.paragraph(&words, Role::Text);
+        panel.paragraph(words, Role::Text);
     }
 
     /// What it explains just now, with its heading once the two have met.

@@ -6,7 +6,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::{Key, Mouse, MouseKind};
-use crate::widgets::{Lines, Role};
+use crate::widgets::{Role, panel::Panel};
 
 /// Share of a step that the keys for fine steps go.
 const FINE: f64 = 0.1;
@@ -119,6 +119,8 @@ pub enum FormAction {
     Big(i8),
     /// a number typed
     Number(EntryAction),
+    /// choose this one; of a few values the next one
+    Point(usize),
 }
 
 /// Which field of a form is selected, and the number that is being typed for it.
@@ -207,6 +209,7 @@ impl SettingsForm {
                     self.set(number, form);
                 }
             }
+            FormAction::Point(at) => self.point(at, form),
         }
     }
 
@@ -233,6 +236,15 @@ impl SettingsForm {
         }
     }
 
+    /// Selects a field, and goes on to the next value of a choice.
+    fn point(&mut self, at: usize, form: &mut impl FormFields) {
+        self.select(at, form);
+        let field = self.chosen(form);
+        if field.is_some_and(|it| matches!(it.value, FieldValue::Choice { .. })) {
+            self.step(1.0, form);
+        }
+    }
+
     /// The mouse over a form, `row` being the one it points at: the wheel goes through the
     /// fields, a click selects one, and goes on to the next value of a choice.
     pub fn mouse(
@@ -241,17 +253,11 @@ impl SettingsForm {
         row: Option<usize>,
         form: &mut impl FormFields,
     ) -> Outcome {
-        let fields = form.fields();
-        let pointed = row.and_then(|row| Some((row, fields.get(row)?)));
+        let pointed = row.filter(|row| *row < form.fields().len());
         match (mouse.kind, pointed) {
             (MouseKind::ScrollUp, _) => self.go(-1, form),
             (MouseKind::ScrollDown, _) => self.go(1, form),
-            (MouseKind::Down, Some((row, field))) => {
-                self.select(row, form);
-                if matches!(field.value, FieldValue::Choice { .. }) {
-                    self.step(1.0, form);
-                }
-            }
+            (MouseKind::Down, Some(row)) => self.point(row, form),
             _ => return Outcome::Ignored,
         }
         Outcome::Used
@@ -274,37 +280,33 @@ impl SettingsForm {
     }
 
     /// Writes all fields, a row each.
-    pub fn write(&self, form: &impl FormFields, lines: &mut Lines) {
+    pub(crate) fn write(&self, form: &impl FormFields, panel: &mut Panel<FormAction>) {
         let fields = form.fields();
         let selected = self.selected(fields.len());
         for (i, field) in fields.into_iter().enumerate() {
-            let (mark, name_role) = Role::Dim.of_choice(i == selected);
-            let role = match name_role {
-                Role::Dim if field.locked.is_none() => Role::Text,
-                role => role,
-            };
             let typed = self.entry.shown().filter(|_| i == selected);
-            let shown = match field.locked {
-                Some(_) => format!("({})", field.shown),
-                None => typed.unwrap_or(field.shown),
-            };
-            lines.pair(&format!("{mark} {}", field.name), &shown, name_role, role);
+            let marked = (Role::Dim, i == selected);
+            let action = Some(FormAction::Point(i));
+            match field.locked {
+                Some(_) => panel.locked_field(field.name, field.shown, marked, action),
+                None => panel.field(field.name, typed.unwrap_or(field.shown), marked, action),
+            }
         }
     }
 
     /// Writes what the selected field is: why it is locked, its range where a number was
     /// held to it, or its one line.
-    pub fn write_about(&self, form: &impl FormFields, lines: &mut Lines) {
+    pub(crate) fn write_about<A>(&self, form: &impl FormFields, panel: &mut Panel<A>) {
         let Some(field) = self.chosen(form) else {
             return;
         };
         match (field.locked, field.value) {
-            (Some(why), _) => lines.paragraph(why, Role::Warn),
+            (Some(why), _) => panel.paragraph(why, Role::Warn),
             (None, FieldValue::Number { range, unit, .. }) if self.held => {
                 let (least, most) = range;
-                lines.paragraph(&format!("from {least} to {most}{unit}"), Role::Warn);
+                panel.paragraph(format!("from {least} to {most}{unit}"), Role::Warn);
             }
-            _ => lines.paragraph(&field.about, Role::Text),
+            _ => panel.paragraph(field.about, Role::Text),
         }
     }
 }

@@ -271,6 +271,18 @@ impl<A: Copy> KeyTable<A> {
         self.exact(key).or_else(|| self.folded(key))
     }
 
+    /// The first key that does this.
+    pub fn key_of(&self, action: &A) -> Option<Key>
+    where
+        A: PartialEq,
+    {
+        let mut keys = self
+            .rows
+            .iter()
+            .flat_map(|row| row.keys.iter().chain(&row.aliases));
+        keys.find_map(|(key, own)| (own == action).then_some(*key))
+    }
+
     /// All keys that do something, shown or not.
     pub fn keys(&self) -> impl Iterator<Item = Key> + '_ {
         self.rows.iter().flat_map(KeyRow::all_keys)

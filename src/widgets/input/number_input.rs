@@ -6,7 +6,7 @@ use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::Key;
 use crate::numbers::{short, with_unit};
 use crate::quiz::Measure;
-use crate::widgets::{Lines, Role};
+use crate::widgets::{Role, panel::Panel};
 
 /// A number in the making.
 #[derive(Debug, Clone, PartialEq)]
@@ -112,9 +112,8 @@ impl NumberInput {
     }
 
     /// Writes it, a row.
-    pub fn write(&self, name: &str, lines: &mut Lines) {
-        let role = Role::Selected;
-        lines.pair(&format!("> {name}"), &self.shown(), role, role);
+    pub(crate) fn write<A>(&self, name: &str, panel: &mut Panel<A>) {
+        panel.field(name, self.shown(), (Role::Text, true), None);
     }
 
     /// How it is given.

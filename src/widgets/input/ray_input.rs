@@ -7,7 +7,10 @@ use crate::messages::Key;
 use crate::numbers::{fixed, true_minus};
 use crate::physics::Collision;
 use crate::quiz::{Ray, Rays};
-use crate::widgets::{Lines, Role};
+use crate::widgets::{Role, panel::Panel};
+
+/// What to do while nothing has been said of a ray.
+const UNSAID: &str = "Turn the ray with the arrows, or type its angle.";
 
 /// A prediction in the making.
 ///
@@ -39,6 +42,8 @@ pub enum RayAction {
     Next,
     /// a number typed for the ray
     Number(EntryAction),
+    /// choose the ray that is turned
+    Choose(Ray),
 }
 
 impl RayInput {
@@ -139,6 +144,7 @@ impl RayInput {
                 self.angles_deg[self.turning as usize] = (!still).then_some(None);
             }
             RayAction::OtherRay => self.choose(other(self.turning)),
+            RayAction::Choose(ray) => self.choose(ray),
             RayAction::Next => return self.next(),
             RayAction::Number(action) => match self.entry.act(action) {
                 Outcome::Done(angle) => {
@@ -173,12 +179,27 @@ impl RayInput {
         typed.unwrap_or_else(|| self.angles_deg[ray as usize].map_or("_".into(), shown))
     }
 
-    /// Writes both rays, a row each; `target` is what the struck disc is called.
-    pub fn write(&self, lines: &mut Lines, target: &str) {
+    /// Writes the rays that are asked for, a row each; `target` is what the struck disc is
+    /// called.
+    pub(crate) fn write(&self, panel: &mut Panel<RayAction>, target: &str) {
         let both = [(Ray::Striker, "striker"), (Ray::Target, target)];
         for (ray, name) in both.into_iter().filter(|(ray, _)| self.asks(*ray)) {
-            let (mark, role) = Role::Text.of_choice(ray == self.turning);
-            lines.pair(&format!("{mark} {name}"), &self.shown(ray), role, role);
+            let chosen = ray == self.turning;
+            let action = Some(RayAction::Choose(ray));
+            panel.field(name, self.shown(ray), (Role::Text, chosen), action);
+        }
+    }
+
+    /// Writes what to do next; `last` is what going on does once all has been said.
+    pub(crate) fn write_prompt(&self, panel: &mut Panel<RayAction>, target: &str, last: &str) {
+        let go_on = match self.entry.is_open() {
+            true => RayAction::Number(EntryAction::Enter),
+            false => RayAction::Next,
+        };
+        match self.next_step(target) {
+            None => panel.paragraph(UNSAID, Role::Key),
+            Some(None) => panel.prompt(last, go_on),
+            Some(Some(other)) => panel.prompt(format!("then the {other}"), go_on),
         }
     }
 
@@ -196,17 +217,23 @@ impl RayInput {
 
     /// What to do next, in a sentence; `last` is what Enter does once all has been said.
     pub fn prompt(&self, target: &str, last: &str) -> String {
-        if !self.is_said(self.turning) {
-            "Turn the ray with the arrows, or type its angle.".into()
-        } else if self.said().is_some() && self.is_last() {
-            format!("Enter: {last}")
-        } else {
-            let other = match self.turning {
-                Ray::Striker => target,
-                Ray::Target => "striker",
-            };
-            format!("Enter: then the {other}.")
+        match self.next_step(target) {
+            None => UNSAID.into(),
+            Some(None) => format!("Enter: {last}"),
+            Some(Some(other)) => format!("Enter: then the {other}."),
         }
+    }
+
+    /// What comes next: nothing before anything is said of this ray; then the other one,
+    /// which is called so, until all has been said.
+    fn next_step<'a>(&self, target: &'a str) -> Option<Option<&'a str>> {
+        let is_done = self.said().is_some() && self.is_last();
+        let other = match self.turning {
+            Ray::Striker => target,
+            Ray::Target => "striker",
+        };
+        self.is_said(self.turning)
+            .then_some((!is_done).then_some(other))
     }
 
     /// On to the other ray, once something has been said of this one.

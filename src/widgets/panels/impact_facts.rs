@@ -2,56 +2,57 @@
 
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
 use crate::physics::{Bond, Collision, Meeting};
-use crate::widgets::{Lines, Role};
+use crate::widgets::Role;
+use crate::widgets::panel::Panel;
 
 /// How far off-centre they meet.
-pub(crate) fn offset(collision: &Collision, lines: &mut Lines) {
+pub(crate) fn offset<A>(collision: &Collision, panel: &mut Panel<A>) {
     let offset = mm_from_m(collision.offset.abs());
-    lines.fact("offset b", &format!("{offset:.1} mm"));
+    panel.fact("offset b", format!("{offset:.1} mm"));
 }
 
 /// How far apart their centres are when they touch.
-pub(crate) fn contact_distance(collision: &Collision, lines: &mut Lines) {
+pub(crate) fn contact_distance<A>(collision: &Collision, panel: &mut Panel<A>) {
     let apart = mm_from_m(collision.contact_distance());
-    lines.fact("r₁ + r₂", &format!("{apart:.1} mm"));
+    panel.fact("r₁ + r₂", format!("{apart:.1} mm"));
 }
 
 /// The angle between the motion and the line of impact; nothing for a miss.
-pub(crate) fn impact_angle(collision: &Collision, lines: &mut Lines) {
+pub(crate) fn impact_angle<A>(collision: &Collision, panel: &mut Panel<A>) {
     if let Some(alpha) = collision.alpha() {
         let alpha = deg_from_rad(alpha.abs());
-        lines.fact("impact angle", &format!("{alpha:.1}°"));
+        panel.fact("impact angle", format!("{alpha:.1}°"));
     }
 }
 
 /// The masses of the two, but for those that are `secret`, and e where energy is lost.
-pub(crate) fn masses(collision: &Collision, secret: [bool; 2], lines: &mut Lines) {
+pub(crate) fn masses<A>(collision: &Collision, secret: [bool; 2], panel: &mut Panel<A>) {
     let discs = [collision.striker, collision.target];
     let [striker, target] = [0, 1].map(|body| match secret[body] {
         true => "?".into(),
         false => format!("{:.1}", g_from_kg(discs[body].mass)),
     });
-    lines.fact("masses", &format!("{striker} on {target} g"));
+    panel.fact("masses", format!("{striker} on {target} g"));
     if collision.restitution < 1.0 {
-        lines.fact("restitution e", &format!("{:.2}", collision.restitution));
+        panel.fact("restitution e", format!("{:.2}", collision.restitution));
     }
 }
 
 /// The angle between the two departures, if both move on apart.
-pub(crate) fn separation(collision: &Collision, lines: &mut Lines) {
+pub(crate) fn separation<A>(collision: &Collision, panel: &mut Panel<A>) {
     let outcome = collision.outcome();
     let sticks = collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit;
     let apart = outcome.separation.filter(|_| !sticks);
     let separation = apart.map_or("none".into(), |angle| {
         format!("{:.1}°", deg_from_rad(angle))
     });
-    lines.fact("separation", &separation);
+    panel.fact("separation", separation);
 }
 
 /// Why the two go where they go: a title, which may be empty, and a text.
-pub(crate) fn reason((title, text): &(&str, String), lines: &mut Lines) {
+pub(crate) fn reason<A>((title, text): &(&str, String), panel: &mut Panel<A>) {
     if !title.is_empty() {
-        lines.paragraph(title, Role::Title);
+        panel.paragraph(*title, Role::Title);
     }
-    lines.paragraph(text, Role::Text);
+    panel.paragraph(text, Role::Text);
 }

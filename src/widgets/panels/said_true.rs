@@ -3,17 +3,18 @@
 use crate::numbers;
 use crate::physics::{Bond, Collision, Meeting};
 use crate::quiz::{Ray, Rays};
-use crate::widgets::{Lines, Role, brief, input::degrees};
+use crate::widgets::panel::Panel;
+use crate::widgets::{Role, brief, input::degrees};
 
 /// Writes the angles that were said beside the true ones, in the degrees of the screen, a
 /// row for each disc of a hit; a ray that was not asked for has no name and no row.
 /// `errors` adds how far off each was.
-pub(crate) fn said_and_true(
+pub(crate) fn said_and_true<A>(
     collision: &Collision,
     said: &Rays,
     names: [Option<&str>; 2],
     errors: bool,
-    lines: &mut Lines,
+    panel: &mut Panel<A>,
 ) {
     let outcome = collision.outcome();
     let true_rays = Rays::from(&outcome);
@@ -27,21 +28,19 @@ pub(crate) fn said_and_true(
         (Bond::Stick, Meeting::Hit) => "V",
         _ => "truth",
     };
-    let dim = |text| (text, Role::Dim);
-    match errors {
-        true => lines.columns(dim("degrees"), ["you", truth, "off"].map(dim)),
-        false => lines.columns(dim("degrees"), ["you said", truth].map(dim)),
-    }
+    let dim = |text: &str| (text.to_owned(), Role::Dim);
+    let mut heads = vec![dim(if errors { "you" } else { "you said" }), dim(truth)];
+    heads.extend(errors.then(|| dim("off")));
+    panel.columns(("degrees", Role::Dim), heads);
     for (body, name) in names.into_iter().enumerate() {
         let Some(name) = name else { continue };
-        let said = brief(said_deg[body]);
-        let truth = brief(true_deg[body]);
-        let said = (said.as_str(), Role::Predicted);
-        let truth = (truth.as_str(), [Role::StrikerOut, Role::CoinOut][body]);
-        match errors {
-            true => lines.columns(dim(name), [said, truth, (&off[body], Role::Text)]),
-            false => lines.columns(dim(name), [said, truth]),
-        }
+        let truth = [Role::StrikerOut, Role::CoinOut][body];
+        let mut values = vec![
+            (brief(said_deg[body]), Role::Predicted),
+            (brief(true_deg[body]), truth),
+        ];
+        values.extend(errors.then(|| (off[body].clone(), Role::Text)));
+        panel.columns((name, Role::Dim), values);
     }
 }
 
@@ -54,7 +53,8 @@ mod tests {
     use super::*;
     use crate::physics::Disc;
     use crate::widgets::cells::text;
-    use crate::widgets::{Charset, Look, Theme};
+    use crate::widgets::panel::written;
+    use crate::widgets::{Charset, Lines, Look, Theme};
 
     /// The table for a coin to the left (−1) or to the right (+1) of the striker's way.
     fn table(side: f64, said: Rays, names: [Option<&str>; 2], errors: bool) -> String {
@@ -71,7 +71,9 @@ mod tests {
             theme: Theme::default(),
         };
         let mut lines = Lines::new(area, &mut buf, look);
-        said_and_true(&collision, &said, names, errors, &mut lines);
+        written::<()>(&mut lines, |panel| {
+            said_and_true(&collision, &said, names, errors, panel);
+        });
         text(&buf)
     }
 

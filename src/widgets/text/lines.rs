@@ -70,6 +70,16 @@ impl<'a> Lines<'a> {
         self.look.charset
     }
 
+    /// The glyphs and colours it is written in.
+    pub(crate) fn look(&self) -> Look {
+        self.look
+    }
+
+    /// The rows that a [`Lines::paragraph`] of this text would be.
+    pub(crate) fn wrapped(&self, text: &str) -> Vec<String> {
+        self.hung("", text).1
+    }
+
     /// Rows that are left.
     pub fn left(&self) -> u16 {
         self.area.height.saturating_sub(self.written)
@@ -135,12 +145,12 @@ impl<'a> Lines<'a> {
     /// One row: a name, and values flush right in columns of their own. The name has
     /// twice the room of a value; a value too wide for its column moves to the right
     /// rather than touch what is before it.
-    pub fn columns<const N: usize>(&mut self, name: (&str, Role), values: [(&str, Role); N]) {
+    pub fn columns(&mut self, name: (&str, Role), values: &[(&str, Role)]) {
         let width = usize::from(self.area.width);
         self.put(0, name.0, name.1);
         let mut free = self.width_of(name.0) + 1;
-        for (i, (value, role)) in values.into_iter().enumerate() {
-            let end = (width * (i + 2) / (N + 1)).min(width.saturating_sub(1));
+        for (i, &(value, role)) in values.iter().enumerate() {
+            let end = (width * (i + 2) / (values.len() + 1)).min(width.saturating_sub(1));
             let start = end.saturating_sub(self.width_of(value)).max(free);
             self.put(start as u16, value, role);
             free = start + self.width_of(value) + 1;

@@ -19,7 +19,7 @@ mod wrap;
 pub use charset::Charset;
 pub use lines::{Lines, Spare};
 pub use look::Look;
-pub(crate) use scroll::rehearsed;
 pub use scroll::{Scroll, overflow, scroll_keys};
+pub(crate) use scroll::{more_hint, rehearsed};
 pub use terms::{held, unbroken};
 pub use wrap::{ago, clipped, equation, width, wrap};

@@ -11,6 +11,7 @@ use crate::screens::lab::explain;
 use crate::screens::learn::figure::LiveFigure;
 use crate::screens::learn::prose;
 use crate::widgets::hit::Watch;
+use crate::widgets::panel::written;
 use crate::widgets::panels::{reason, said_and_true};
 use crate::widgets::{Lines, Look, Role, rehearsed};
 
@@ -58,7 +59,7 @@ fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(u16)) {
         return;
     };
     if let Some(watch) = reading.telling() {
-        return watch.write_telling(lines);
+        return written::<()>(lines, |panel| watch.write_telling(panel));
     }
     let collision = reading.collision();
     let Some((checkpoint, question)) = page.checkpoint.as_ref().zip(reading.question.as_ref())
@@ -182,13 +183,15 @@ fn told(reading: &Reading, checkpoint: &Checkpoint, answer: Response, lines: &mu
 /// Both rays beside the truth, and the explanation that starts from them.
 fn rays_told(rays: &Rays, watch: &Watch, figure: &LiveFigure, lines: &mut Lines) {
     let names = ["striker", "coin"].map(Some);
-    said_and_true(watch.collision(), rays, names, false, lines);
+    written::<()>(lines, |panel| {
+        said_and_true(watch.collision(), rays, names, false, panel);
+    });
     lines.gap();
     let why = match figure.question_by_angle() {
         Some(question) => why_of_hit(&question, Some(*rays)),
         None => explain(watch),
     };
-    reason(&why, lines);
+    written::<()>(lines, |panel| reason(&why, panel));
 }
 
 /// A number beside the right one.

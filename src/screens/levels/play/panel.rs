@@ -10,6 +10,7 @@ use crate::quiz::{Ray, why};
 use crate::screens::Context;
 use crate::screens::levels::words;
 use crate::widgets::hit::Watch;
+use crate::widgets::panel::{Panel, written};
 use crate::widgets::panels::{
     contact_distance, impact_angle, masses, offset, reason, said_and_true, separation,
 };
@@ -43,8 +44,10 @@ pub(super) fn goals(play: &LevelPlay, lines: &mut Lines) {
 
 fn aim(play: &LevelPlay, lines: &mut Lines, cx: &Context) {
     goals(play, lines);
-    play.form.write(&play.dials, lines);
-    play.form.write_about(&play.dials, lines);
+    written(lines, |panel| {
+        play.form.write(&play.dials, panel);
+        play.form.write_about(&play.dials, panel);
+    });
     lines.gap();
     if let Some(trouble) = &play.trouble {
         lines.paragraph(trouble, Role::Warn);
@@ -98,17 +101,19 @@ fn say(play: &LevelPlay, pending: &PendingShot, lines: &mut Lines) {
     let [_, target] = pending.impact.discs;
     let name = words::short(scene, target);
     let collision = &pending.impact.collision;
-    offset(collision, lines);
-    if pending.rays.asks(Ray::Target) {
-        // The angle itself is what is asked for.
-        contact_distance(collision, lines);
-    } else {
-        impact_angle(collision, lines);
-    }
-    bodies(&pending.impact, &play.level().unknown_mass, lines);
-    lines.gap();
-    lines.line("The first hit", Role::Title);
-    pending.rays.write(lines, name);
+    written(lines, |panel| {
+        offset(collision, panel);
+        if pending.rays.asks(Ray::Target) {
+            // The angle itself is what is asked for.
+            contact_distance(collision, panel);
+        } else {
+            impact_angle(collision, panel);
+        }
+        bodies(&pending.impact, &play.level().unknown_mass, panel);
+        panel.gap();
+        panel.heading("The first hit");
+        pending.rays.write(panel, name);
+    });
     lines.gap();
     lines.paragraph(&pending.rays.about(name), Role::Text);
     lines.gap();
@@ -116,16 +121,16 @@ fn say(play: &LevelPlay, pending: &PendingShot, lines: &mut Lines) {
 }
 
 /// Where two meet, and what they are, but for the masses of `secret` discs.
-fn given(impact: &ShotImpact, secret: &[usize], lines: &mut Lines) {
-    offset(&impact.collision, lines);
-    impact_angle(&impact.collision, lines);
-    bodies(impact, secret, lines);
+fn given<A>(impact: &ShotImpact, secret: &[usize], panel: &mut Panel<A>) {
+    offset(&impact.collision, panel);
+    impact_angle(&impact.collision, panel);
+    bodies(impact, secret, panel);
 }
 
 /// What the two are, but for the masses of `secret` discs.
-fn bodies(impact: &ShotImpact, secret: &[usize], lines: &mut Lines) {
+fn bodies<A>(impact: &ShotImpact, secret: &[usize], panel: &mut Panel<A>) {
     let secret = impact.discs.map(|disc| secret.contains(&disc));
-    masses(&impact.collision, secret, lines);
+    masses(&impact.collision, secret, panel);
 }
 
 fn watching(play: &LevelPlay, made: &MadeShot, lines: &mut Lines) {
@@ -217,7 +222,9 @@ fn answers(play: &LevelPlay, made: &MadeShot, impact: &ShotImpact, lines: &mut L
         let body = usize::from(ray == Ray::Target);
         names[body] = Some(words::short(&play.level().scene, impact.discs[body]));
     }
-    said_and_true(&impact.collision, &said.so_far(), names, false, lines);
+    written::<()>(lines, |panel| {
+        said_and_true(&impact.collision, &said.so_far(), names, false, panel);
+    });
 }
 
 /// Which of the impacts is enlarged.
@@ -240,12 +247,12 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch, lines: &mut Lines)
         Some(_) => &[],
         None => play.level().unknown_mass.as_slice(),
     };
-    given(impact, secret, lines);
+    written::<()>(lines, |panel| given(impact, secret, panel));
     if !watch.is_told() {
         lines.gap();
-        return watch.write_telling(lines);
+        return written::<()>(lines, |panel| watch.write_telling(panel));
     }
-    separation(&impact.collision, lines);
+    written::<()>(lines, |panel| separation(&impact.collision, panel));
     match watch.frame() {
         Frame::Laboratory => {}
         Frame::CentreOfMass => {
@@ -266,8 +273,6 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch, lines: &mut Lines)
         let text = "A mass here is for you to find. The angles of the first hit tell it: where nothing is lost, m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁.";
         return lines.paragraph(text, Role::Text);
     }
-    reason(
-        &why(&impact.collision, said.and_then(RayInput::both)),
-        lines,
-    );
+    let why = why(&impact.collision, said.and_then(RayInput::both));
+    written::<()>(lines, |panel| reason(&why, panel));
 }

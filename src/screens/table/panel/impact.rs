@@ -3,33 +3,33 @@
 use crate::physics::Frame;
 use crate::quiz::why;
 use crate::screens::table::replay::StrokeReplay;
+use crate::widgets::Role;
 use crate::widgets::hit::Watch;
+use crate::widgets::panel::Panel;
 use crate::widgets::panels::{impact_angle, masses, offset, reason, separation};
-use crate::widgets::{Lines, Role};
 
 /// Which two met, in numbers, and why they go where they go.
-pub(super) fn draw(replay: &StrokeReplay, watch: &Watch, lines: &mut Lines) {
+pub(super) fn write<A>(replay: &StrokeReplay, watch: &Watch, panel: &mut Panel<A>) {
     let collision = watch.collision();
     let names = names(replay);
-    lines.line(&format!("{} on {}", names[0], names[1]), Role::Title);
-    offset(collision, lines);
-    impact_angle(collision, lines);
-    masses(collision, [false; 2], lines);
+    panel.heading(format!("{} on {}", names[0], names[1]));
+    offset(collision, panel);
+    impact_angle(collision, panel);
+    masses(collision, [false; 2], panel);
     if !watch.is_told() {
-        lines.gap();
-        return watch.write_telling(lines);
+        panel.gap();
+        return watch.write_telling(panel);
     }
-    separation(collision, lines);
-    lines.gap();
+    separation(collision, panel);
+    panel.gap();
     if watch.frame() != Frame::Laboratory {
-        lines.paragraph(frame_words(watch.frame()), Role::Text);
-        return;
+        return panel.paragraph(frame_words(watch.frame()), Role::Text);
     }
     if names[0] != "striker" {
         let here = format!("Here the {} plays the striker's part.", names[0]);
-        lines.paragraph(&here, Role::Dim);
+        panel.paragraph(here, Role::Dim);
     }
-    reason(&why(collision, watch.said().copied()), lines);
+    reason(&why(collision, watch.said().copied()), panel);
 }
 
 /// What the two are.

@@ -18,6 +18,7 @@ use super::words;
 use crate::game::Ruling;
 use crate::numbers::capital;
 use crate::screens::Context;
+use crate::widgets::panel::written;
 use crate::widgets::{Lines, Role};
 
 /// Draws what belongs to what is being done.
@@ -41,7 +42,9 @@ pub(super) fn write(active: &ActiveGame, lines: &mut Lines) {
         TablePhase::Call(calling) => call::draw(calling, lines),
         TablePhase::Watch(replay) if replay.player.list().is_some() => stroke::list(replay, lines),
         TablePhase::Watch(replay) => match replay.player.zoom() {
-            Some(watch) => impact::draw(replay, watch, lines),
+            Some(watch) => {
+                written::<()>(lines, |panel| impact::write(replay, watch, panel));
+            }
             None => stroke::draw(active, replay, lines),
         },
         TablePhase::Arrange(arrange) => arrange_help(active, arrange.held.is_some(), lines),

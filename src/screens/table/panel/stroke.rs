@@ -11,6 +11,7 @@ use crate::screens::table::replay::StrokeReplay;
 use crate::screens::table::words;
 use crate::widgets::ink::token;
 use crate::widgets::input::ListView;
+use crate::widgets::panel::written;
 use crate::widgets::panels::said_and_true;
 use crate::widgets::{Lines, Role};
 
@@ -72,7 +73,9 @@ fn call(called: &Called, lines: &mut Lines) {
     let points = format!("{} of {}", called.points(), Called::MOST);
     lines.pair("your call", &points, Role::Title, Role::Title);
     let names = ["striker", "coin"].map(Some);
-    said_and_true(&called.collision, &called.said, names, false, lines);
+    written::<()>(lines, |panel| {
+        said_and_true(&called.collision, &called.said, names, false, panel);
+    });
     lines.gap();
 }
 

@@ -1,0 +1,72 @@
+//! What a screen shows: a picture or a panel, and a panel beside it.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use crate::widgets::panel::Panel;
+use crate::widgets::{Look, SplitLayout};
+
+/// What a screen shows.
+pub struct View<'s, A> {
+    /// Where both parts stand in the area of the screen.
+    pub(super) layout: fn(Rect) -> SplitLayout,
+    /// The part that has most of the room.
+    pub(super) first: Part<'s, A>,
+    /// What stands beside it.
+    pub(super) second: Panel<A>,
+}
+
+/// The larger part of a view.
+pub(super) enum Part<'s, A> {
+    /// A picture in a frame with a title.
+    Picture(String, Draw<'s>),
+    /// Text.
+    Panel(Panel<A>),
+}
+
+/// What draws a picture into its place.
+type Draw<'s> = Box<dyn Fn(Rect, &mut Buffer, &Look) + 's>;
+
+impl<'s, A> View<'s, A> {
+    /// A picture under a title, and a panel beside it.
+    pub(super) fn picture(
+        title: impl Into<String>,
+        draw: impl Fn(Rect, &mut Buffer, &Look) + 's,
+        second: Panel<A>,
+    ) -> Self {
+        Self {
+            layout: SplitLayout::new,
+            first: Part::Picture(title.into(), Box::new(draw)),
+            second,
+        }
+    }
+
+    /// A panel, and one beside it that tells more.
+    pub(super) fn panels(first: Panel<A>, second: Panel<A>) -> Self {
+        Self {
+            layout: SplitLayout::new,
+            first: Part::Panel(first),
+            second,
+        }
+    }
+
+    /// The title of its first part.
+    pub(super) fn title(&self) -> &str {
+        match &self.first {
+            Part::Picture(title, _) => title,
+            Part::Panel(panel) => &panel.title,
+        }
+    }
+
+    /// Its panels, each with the place it has.
+    pub(super) fn places(&self, layout: &SplitLayout) -> Vec<(&Panel<A>, Rect)> {
+        let first = match &self.first {
+            Part::Panel(panel) => Some((panel, layout.picture)),
+            Part::Picture(..) => None,
+        };
+        first
+            .into_iter()
+            .chain([(&self.second, layout.panel)])
+            .collect()
+    }
+}

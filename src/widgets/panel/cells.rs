@@ -1,0 +1,274 @@
+//! Panels in cells: how many rows each block takes, which of them have room, and which
+//! cells do what.
+
+use std::ops::Range;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::{Block, Content, Panel};
+use crate::widgets::{Lines, Look, Role, text};
+
+/// How a panel is written: in which glyphs and colours, and what its keys are called.
+pub(crate) struct Writing<'w, A> {
+    /// The glyphs and colours.
+    pub look: Look,
+    /// What the key is called that does something; `None` where none does.
+    pub key: &'w dyn Fn(&A) -> Option<String>,
+}
+
+/// A panel laid out: the blocks that have room, and where each stands.
+pub(crate) struct Placed<'p, A> {
+    area: Rect,
+    /// The first row of each block, counted from the top of the whole.
+    blocks: Vec<(u16, &'p Block<A>)>,
+    /// Rows of the whole.
+    rows: u16,
+    targets: Vec<Target<A>>,
+    /// The rows of what is chosen.
+    chosen: Option<Range<u16>>,
+}
+
+/// Cells that do something, in rows from the top of the whole and columns from the left.
+#[derive(Debug, Clone, PartialEq)]
+struct Target<A> {
+    rows: Range<u16>,
+    columns: Range<u16>,
+    action: A,
+}
+
+impl<A: Copy> Panel<A> {
+    /// Lays it out in `area`, which it may be longer than: then it can be scrolled.
+    pub(crate) fn placed(&self, area: Rect, writing: &Writing<A>) -> Placed<'_, A> {
+        let mut scratch = Buffer::empty(area);
+        let mut lines = Lines::new(area, &mut scratch, writing.look);
+        let mut targets = Vec::new();
+        let mut lengths = Vec::new();
+        for block in &self.blocks {
+            let from = lines.written();
+            let before = targets.len();
+            write(&block.content, &mut lines, writing, &mut targets);
+            let rows = lines.written() - from;
+            lengths.push((rows, from, before..targets.len()));
+        }
+        let is_shown = self.with_room(area.height, lengths.iter().map(|(rows, ..)| *rows));
+        let mut placed = Placed {
+            area,
+            blocks: Vec::new(),
+            rows: 0,
+            targets: Vec::new(),
+            chosen: None,
+        };
+        let mut after_gap = true;
+        for ((block, shown), (rows, from, own)) in self.blocks.iter().zip(is_shown).zip(lengths) {
+            let is_gap = matches!(block.content, Content::Gap);
+            // Of gaps that meet, and of one above all, none is left.
+            if !shown || is_gap && after_gap {
+                continue;
+            }
+            after_gap = is_gap;
+            placed.blocks.push((placed.rows, block));
+            if matches!(block.content, Content::Field { chosen: true, .. }) {
+                placed.chosen = Some(placed.rows..placed.rows + rows);
+            }
+            let down = |row: u16| row - from + placed.rows;
+            placed
+                .targets
+                .extend(targets[own].iter().map(|target| Target {
+                    rows: down(target.rows.start)..down(target.rows.end),
+                    ..target.clone()
+                }));
+            placed.rows += rows;
+        }
+        placed
+    }
+
+    /// Which blocks have room in so many rows.
+    fn with_room(&self, height: u16, rows: impl Iterator<Item = u16>) -> Vec<bool> {
+        let rows: Vec<u16> = rows.collect();
+        let of = |worth: Option<u8>| -> u16 {
+            let blocks = self.blocks.iter().zip(&rows);
+            blocks
+                .filter(|(block, _)| block.worth == worth)
+                .map(|(_, rows)| rows)
+                .sum()
+        };
+        let mut worths: Vec<_> = self.blocks.iter().filter_map(|block| block.worth).collect();
+        worths.sort_unstable_by(|a, b| b.cmp(a));
+        worths.dedup();
+        let mut spare = height.saturating_sub(of(None));
+        worths.retain(|worth| {
+            let needed = of(Some(*worth));
+            let fits = needed <= spare;
+            spare -= if fits { needed } else { 0 };
+            fits
+        });
+        let shown = |block: &Block<A>| block.worth.is_none_or(|worth| worths.contains(&worth));
+        self.blocks.iter().map(shown).collect()
+    }
+}
+
+impl<A: Copy> Placed<'_, A> {
+    /// Rows that the area has no room for.
+    pub(crate) fn overflow(&self) -> u16 {
+        self.rows.saturating_sub(self.area.height)
+    }
+
+    /// The row of what is chosen.
+    pub(crate) fn chosen(&self) -> Option<u16> {
+        self.chosen.as_ref().map(|rows| rows.start)
+    }
+
+    /// How far it is to be scrolled that what is chosen is in sight: from `rows` no further
+    /// than it takes.
+    pub(crate) fn following(&self, rows: u16) -> u16 {
+        let shown = match &self.chosen {
+            Some(chosen) => {
+                let least = chosen.end.saturating_sub(self.area.height);
+                rows.max(least).min(chosen.start)
+            }
+            None => rows,
+        };
+        shown.min(self.overflow())
+    }
+
+    /// The cells that do something, with what they do, once it is scrolled by so many rows.
+    pub(crate) fn targets(&self, scrolled: u16) -> impl Iterator<Item = (Rect, A)> + '_ {
+        let area = self.area;
+        self.targets.iter().filter_map(move |target| {
+            let top = area.y + target.rows.start.saturating_sub(scrolled);
+            let below = area.y + target.rows.end.checked_sub(scrolled)?;
+            let cells = Rect {
+                x: area.x + target.columns.start,
+                y: top,
+                width: target.columns.end - target.columns.start,
+                height: below.saturating_sub(top),
+            };
+            let cells = cells.intersection(area);
+            (!cells.is_empty()).then_some((cells, target.action))
+        })
+    }
+
+    /// Draws it, scrolled by so many rows. Where it does not fit, the frame below says which
+    /// key brings the rest.
+    pub(crate) fn draw(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing<A>) {
+        let mut lines = Lines::new(self.area, buf, writing.look).scrolled(scrolled);
+        for (row, block) in &self.blocks {
+            debug_assert_eq!(lines.written(), *row);
+            write(&block.content, &mut lines, writing, &mut Vec::new());
+        }
+        text::more_hint(self.area, buf, writing.look, scrolled, self.overflow());
+    }
+}
+
+/// Writes a panel below what has been written; nothing in it can be clicked.
+pub(crate) fn written<A: Copy>(lines: &mut Lines, write_into: impl FnOnce(&mut Panel<A>)) {
+    let mut panel = Panel::new("");
+    write_into(&mut panel);
+    let writing = Writing {
+        look: lines.look(),
+        key: &|_| None,
+    };
+    for block in &panel.blocks {
+        write(&block.content, lines, &writing, &mut Vec::new());
+    }
+}
+
+/// Writes one block, and notes which cells do what.
+fn write<A: Copy>(
+    content: &Content<A>,
+    lines: &mut Lines,
+    writing: &Writing<A>,
+    targets: &mut Vec<Target<A>>,
+) {
+    let from = lines.written();
+    match content {
+        Content::Gap => lines.gap(),
+        Content::Heading(text) => lines.line(text, Role::Title),
+        Content::Line(text, role) => lines.line(text, *role),
+        Content::Paragraph(text, role) => lines.paragraph(text, *role),
+        Content::Fact { name, value, roles } => lines.pair(name, value, roles[0], roles[1]),
+        Content::Columns { name, values } => {
+            let values: Vec<_> = values
+                .iter()
+                .map(|(it, role)| (it.as_str(), *role))
+                .collect();
+            lines.columns((&name.0, name.1), &values);
+        }
+        Content::Field {
+            name,
+            value,
+            role,
+            chosen,
+            locked,
+            action,
+        } => {
+            let (mark, name_role) = role.of_choice(*chosen);
+            let (value, value_role) = match (locked, name_role) {
+                (true, role) => (format!("({value})"), role),
+                (false, Role::Dim) => (value.clone(), Role::Text),
+                (false, role) => (value.clone(), role),
+            };
+            lines.pair(&format!("{mark} {name}"), &value, name_role, value_role);
+            targets.extend(action.map(|action| Target {
+                rows: from..lines.written(),
+                columns: 0..lines.width() + 1,
+                action,
+            }));
+        }
+        Content::Prompts(prompts) => write_prompts(prompts, lines, writing, targets),
+    }
+}
+
+/// Writes what can be done next as a text: the key of each, and its words.
+fn write_prompts<A: Copy>(
+    prompts: &[(String, A)],
+    lines: &mut Lines,
+    writing: &Writing<A>,
+    targets: &mut Vec<Target<A>>,
+) {
+    let sentence = |(words, action): &(String, A)| {
+        let stop = if words.ends_with(['.', '!', '?']) {
+            ""
+        } else {
+            "."
+        };
+        let words = match (writing.key)(action) {
+            Some(key) => format!("{key}: {words}{stop}"),
+            None => format!("{words}{stop}"),
+        };
+        writing.look.charset.text(&words).into_owned()
+    };
+    let sentences: Vec<String> = prompts.iter().map(sentence).collect();
+    let from = lines.written();
+    let rows = lines.wrapped(&sentences.join(" "));
+    lines.paragraph(&sentences.join(" "), Role::Key);
+    // Rows differ from the text in blanks alone: so many other letters are before each.
+    let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).count();
+    let mut end = 0;
+    for (sentence, (_, action)) in sentences.iter().zip(prompts) {
+        let own = end..end + letters(sentence);
+        end = own.end;
+        let mut before = 0;
+        for (row, text) in (from..).zip(&rows) {
+            let mut columns: Option<Range<u16>> = None;
+            // A panel's first column is its margin.
+            let mut column = 1;
+            for letter in text.chars() {
+                let next = column + text::width(letter.encode_utf8(&mut [0; 4])) as u16;
+                if !letter.is_whitespace() {
+                    if own.contains(&before) {
+                        columns = Some(columns.map_or(column, |it| it.start)..next);
+                    }
+                    before += 1;
+                }
+                column = next;
+            }
+            targets.extend(columns.map(|columns| Target {
+                rows: row..row + 1,
+                columns,
+                action: *action,
+            }));
+        }
+    }
+}

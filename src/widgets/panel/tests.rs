@@ -1,0 +1,125 @@
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::{Panel, Writing};
+use crate::widgets::cells::text;
+use crate::widgets::{Charset, Depth, Look, Palette, Role, Theme};
+
+const LOOK: Look = Look {
+    charset: Charset::Ascii,
+    theme: Theme::new(Palette::Dark, Depth::None),
+};
+
+fn key(action: &char) -> Option<String> {
+    action.is_lowercase().then(|| action.to_string())
+}
+
+const WRITING: Writing<char> = Writing {
+    look: LOOK,
+    key: &key,
+};
+
+/// A place for so many rows of 20 letters and the margin.
+fn place(rows: u16) -> Rect {
+    Rect::new(3, 1, 22, rows)
+}
+
+fn drawn(panel: &Panel<char>, rows: u16, scrolled: u16) -> Vec<String> {
+    let mut buf = Buffer::empty(Rect::new(0, 0, 28, rows + 2));
+    let placed = panel.placed(place(rows), &WRITING);
+    placed.draw(scrolled, &mut buf, &WRITING);
+    text(&buf)
+        .lines()
+        .map(|row| row.trim().to_owned())
+        .collect()
+}
+
+#[test]
+fn what_is_worth_least_gives_way_first_and_never_in_part() {
+    let mut panel = Panel::new("");
+    panel.line("always", Role::Text);
+    panel.worth(1, |panel| {
+        panel.gap();
+        panel.line("one", Role::Text);
+        panel.line("two", Role::Text);
+    });
+    panel.worth(2, |panel| panel.line("more", Role::Text));
+    panel.line("always too", Role::Text);
+    let kept = |rows| {
+        drawn(&panel, rows, 0)
+            .join(" ")
+            .split_whitespace()
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    assert_eq!(kept(2), "always always too");
+    assert_eq!(kept(3), "always more always too");
+    assert_eq!(kept(5), "always more always too");
+    assert_eq!(kept(6), "always one two more always too");
+}
+
+#[test]
+fn gaps_that_meet_are_one_and_none_is_above_all() {
+    let mut panel = Panel::new("");
+    panel.worth(1, |panel| panel.line("gone with this row", Role::Text));
+    panel.gap();
+    panel.gap();
+    panel.line("one", Role::Text);
+    panel.gap();
+    panel.worth(1, |panel| panel.line("and this", Role::Text));
+    panel.gap();
+    panel.line("two", Role::Text);
+    assert_eq!(drawn(&panel, 6, 0)[1..4], ["one", "", "two"]);
+}
+
+#[test]
+fn a_click_on_a_field_or_on_the_words_of_a_prompt_does_what_stands_there() {
+    let mut panel = Panel::new("");
+    panel.field("mass", "5.5 g", (Role::Text, true), Some('m'));
+    panel.prompts([("weigh it".into(), 'w'), ("leave it alone".into(), 'l')]);
+    assert_eq!(
+        drawn(&panel, 4, 0)[1..4],
+        ["> mass        5.5 g", "w: weigh it. l:", "leave it alone."]
+    );
+    let placed = panel.placed(place(4), &WRITING);
+    let at = |x, y| {
+        let mut targets = placed.targets(0);
+        targets.find_map(|(cells, action)| cells.contains((x, y).into()).then_some(action))
+    };
+    assert_eq!(
+        [at(4, 1), at(24, 1), at(25, 1)],
+        [Some('m'), Some('m'), None]
+    );
+    assert_eq!(
+        [at(4, 2), at(15, 2), at(17, 2)],
+        [Some('w'), Some('w'), Some('l')]
+    );
+    assert_eq!(
+        [at(4, 3), at(18, 3), at(19, 3)],
+        [Some('l'), Some('l'), None]
+    );
+    assert_eq!(at(4, 4), None);
+}
+
+#[test]
+fn what_is_chosen_is_kept_in_sight_and_what_is_scrolled_away_cannot_be_clicked() {
+    let mut panel = Panel::new("");
+    for c in 'a'..='f' {
+        panel.field(c.to_string(), "", (Role::Text, c == 'e'), Some(c));
+    }
+    let placed = panel.placed(place(3), &WRITING);
+    assert_eq!(placed.overflow(), 3);
+    assert_eq!(
+        [
+            placed.following(0),
+            placed.following(3),
+            placed.following(9)
+        ],
+        [2, 3, 3]
+    );
+    let seen: String = placed.targets(2).map(|(_, action)| action).collect();
+    assert_eq!(seen, "cde");
+    let hint = drawn(&panel, 3, 2).join(" ");
+    assert!(hint.contains("PageDown: more"), "{hint}");
+}
