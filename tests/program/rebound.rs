@@ -4,6 +4,7 @@ use std::process::Command;
 
 use carrom::cli;
 use carrom::shells::Headless;
+use carrom::widgets::input::KeyRow;
 
 use crate::folder::Folder;
 
@@ -52,6 +53,18 @@ fn a_bad_file_is_told_line_by_line_and_the_usual_keys_hold() {
     game.press(" ");
     game.press("?");
     assert!(game.screen().contains("help: lab"));
+}
+
+#[test]
+fn keys_that_scrolled_the_lab_alone_scroll_every_panel() {
+    let folder = Folder::new("rebound-scroll");
+    let text = "format = 1\n[keys]\n\"lab.scroll\" = [\"F9\", \"F10\"]\n";
+    folder.file("keys.toml", text);
+    let mut game = lab(&folder);
+    game.press("<Enter>60<Enter>30<Enter>");
+    let keys = game.app().keys();
+    let row = keys.rows().iter().find(|row| row.id == "everywhere.scroll");
+    assert_eq!(row.map(KeyRow::shown).as_deref(), Some("F9 F10"));
 }
 
 #[test]

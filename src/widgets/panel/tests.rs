@@ -80,7 +80,7 @@ fn a_click_on_a_field_or_on_the_words_of_a_prompt_does_what_stands_there() {
     panel.prompts([("weigh it".into(), 'w'), ("leave it alone".into(), 'l')]);
     assert_eq!(
         drawn(&panel, 4, 0)[1..4],
-        ["> mass        5.5 g", "w: weigh it. l:", "leave it alone."]
+        ["> mass         5.5 g", "w: weigh it. l:", "leave it alone."]
     );
     let placed = panel.placed(place(4), &WRITING);
     let at = |x, y| {
