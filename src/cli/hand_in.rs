@@ -173,15 +173,15 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
 
 /// The gradebook in its file; as tables in three.
 fn documents(book: &Gradebook, out: &Gathered) -> Result<Vec<Document>, String> {
-    let path = &out.path;
+    let (path, results) = (&out.path, book.results());
     if !out.is_table {
-        return Ok(vec![(path.clone(), paper::gradebook::html(book))]);
+        return Ok(vec![(path.clone(), paper::gradebook::html(&results))]);
     }
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let beside = |what: &str| path.with_file_name(format!("{stem}-{what}.csv"));
     Ok(vec![
-        (path.clone(), pupils_csv(book)?),
-        (beside("items"), items_csv(book)?),
-        (beside("beliefs"), beliefs_csv(book)?),
+        (path.clone(), pupils_csv(&results)?),
+        (beside("items"), items_csv(&results)?),
+        (beside("beliefs"), beliefs_csv(&results)?),
     ])
 }

@@ -1,6 +1,6 @@
 //! What the class believes.
 
-use super::Gradebook;
+use super::{ClassResults, PupilResults};
 use crate::progress;
 use crate::quiz::Misconception;
 
@@ -16,21 +16,19 @@ pub struct ClassBelief {
 }
 
 /// The misconceptions that any answer fitted, those that most pupils hold first.
-pub fn beliefs(book: &Gradebook) -> Vec<ClassBelief> {
-    let held: Vec<_> = { book.pupils.iter() }
-        .map(|it| progress::beliefs(&it.attempts))
-        .collect();
+pub fn beliefs(results: &ClassResults<'_>) -> Vec<ClassBelief> {
+    let pupils = &results.pupils;
     let of = |misconception: Misconception| {
-        let holds = |it: &&Vec<progress::HeldBelief>| {
-            it.iter().any(|held| held.misconception == misconception)
+        let holds = |it: &&PupilResults<'_>| {
+            { it.beliefs.iter() }.any(|held| held.misconception == misconception)
         };
         let fits =
             |it: &&progress::Attempt| it.misconception.as_deref() == Some(misconception.id());
         ClassBelief {
             misconception,
-            pupils: held.iter().filter(holds).count(),
-            answers: { book.pupils.iter() }
-                .map(|it| it.attempts.iter().filter(fits).count())
+            pupils: pupils.iter().filter(holds).count(),
+            answers: { pupils.iter() }
+                .map(|it| it.pupil.attempts.iter().filter(fits).count())
                 .sum(),
         }
     };

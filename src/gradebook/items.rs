@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Gradebook, round_of, rounds};
+use super::{ClassResults, rounds};
 use crate::numbers::correlation;
 use crate::progress::{Attempt, LESSON};
 use crate::quiz::{Code, Misconception, Round};
@@ -34,33 +34,29 @@ pub struct ItemStatistics {
 
 /// What the questions of all rounds showed; those of chapters and of rounds that follow from the
 /// answers differ from pupil to pupil.
-pub fn items(book: &Gradebook) -> Vec<ItemStatistics> {
-    let mut answers: BTreeMap<(String, u32), Vec<(&Attempt, f64)>> = BTreeMap::new();
-    let counted: Vec<Vec<&Attempt>> = book.pupils.iter().map(|it| it.counted()).collect();
-    for pupil in &counted {
-        let all = rounds::tallies(pupil);
-        for attempt in pupil.iter().filter(|it| it.family != LESSON) {
-            let round = round_of(attempt);
-            let sum = all.iter().find(|it| it.round == round);
+pub fn items(results: &ClassResults<'_>) -> Vec<ItemStatistics> {
+    let mut answers: BTreeMap<(&str, u32), Vec<(&Attempt, f64)>> = BTreeMap::new();
+    for pupil in &results.pupils {
+        let of_questions = pupil.answers.iter().filter(|(it, _)| it.family != LESSON);
+        for (attempt, round) in of_questions {
+            let sum = pupil.round(round);
             let rest = sum.map_or(0.0, |it| it.points) - rounds::points(attempt);
             let item = answers.entry((round, attempt.number)).or_default();
             item.push((attempt, rest));
         }
     }
-    let mut asked: BTreeMap<String, Option<Round>> = BTreeMap::new();
+    let mut asked: BTreeMap<&str, Option<Round>> = BTreeMap::new();
     let each = answers
         .into_iter()
         .filter_map(|((round, number), answers)| {
-            let code = Code::parse(&round);
+            let code = Code::parse(round);
             if code
                 .as_ref()
                 .is_some_and(|code| code.course.follows_answers())
             {
                 return None;
             }
-            let of_code = asked
-                .entry(round.clone())
-                .or_insert_with(|| code.map(Round::of));
+            let of_code = asked.entry(round).or_insert_with(|| code.map(Round::of));
             let place = usize::try_from(number).ok()?.checked_sub(1)?;
             let question = of_code.as_ref().and_then(|it| it.questions().get(place));
             let question = question.map(|it| it.text.clone());
@@ -70,7 +66,7 @@ pub fn items(book: &Gradebook) -> Vec<ItemStatistics> {
                 .map(|(it, rest)| (rounds::points(it), *rest))
                 .unzip();
             Some(ItemStatistics {
-                round,
+                round: round.to_owned(),
                 number,
                 question,
                 answered: count,

@@ -8,6 +8,7 @@ mod beliefs;
 mod hand_in;
 mod items;
 mod pupils;
+mod results;
 mod rounds;
 mod tables;
 
@@ -15,5 +16,6 @@ pub use beliefs::{ClassBelief, beliefs};
 pub use hand_in::HandIn;
 pub use items::{ItemStatistics, items};
 pub use pupils::{Gradebook, Pupil};
+pub use results::{ClassResults, PupilResults};
 pub use rounds::{RoundTally, round_of};
 pub use tables::{beliefs_csv, items_csv, pupils_csv};

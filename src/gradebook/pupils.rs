@@ -2,10 +2,10 @@
 
 use std::collections::HashSet;
 
-use super::{HandIn, RoundTally, rounds};
+use super::{ClassResults, HandIn};
 use crate::files::tidy_name;
 use crate::numbers::counted;
-use crate::progress::{Attempt, Tally, TopicStanding, topics};
+use crate::progress::Attempt;
 
 /// A pupil with all that was handed in.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,37 +21,13 @@ pub struct Pupil {
 }
 
 impl Pupil {
-    /// The answers that count: to each question of a round the first.
-    pub fn counted(&self) -> Vec<&Attempt> {
-        let mut asked = HashSet::new();
-        let all = self.attempts.iter();
-        all.filter(|it| asked.insert((rounds::round_of(it), it.number, it.question.as_str())))
-            .collect()
-    }
-
-    /// These answers counted.
-    pub fn tally(&self) -> Tally {
-        Tally::of(self.counted())
-    }
-
-    /// The rounds that were begun, in their order.
-    pub fn rounds(&self) -> Vec<RoundTally> {
-        rounds::tallies(&self.counted())
-    }
-
-    /// How each topic went.
-    pub fn topics(&self) -> Vec<TopicStanding> {
-        topics(self.counted())
-    }
-
-    fn has(&self, answer: &Attempt) -> bool {
-        self.attempts.iter().any(|it| same(it, answer))
-    }
-
     /// Whether this is who handed that in: the same name and class, as far as a class is named,
     /// and an answer in common, or none on one side.
     fn is(&self, other: &HandIn) -> bool {
-        let shares = || other.attempts.iter().any(|it| self.has(it));
+        let shares = || {
+            let handed_in: HashSet<_> = other.attempts.iter().map(identity).collect();
+            { self.attempts.iter() }.any(|it| handed_in.contains(&identity(it)))
+        };
         let empty = self.attempts.is_empty() || other.attempts.is_empty();
         self.is_called_as(other) && (empty || shares())
     }
@@ -64,10 +40,15 @@ impl Pupil {
     }
 }
 
-/// Whether two are the same answer in two files.
-fn same(a: &Attempt, b: &Attempt) -> bool {
-    (a.time_s, a.seed, a.number) == (b.time_s, b.seed, b.number)
-        && (&a.family, &a.question, &a.answer) == (&b.family, &b.question, &b.answer)
+/// What an answer has in common with itself in another file, and with no other answer: when it
+/// was given and its place; what was asked and answered.
+type Identity<'a> = ((Option<i64>, u64, u32), [&'a str; 3]);
+
+fn identity(it: &Attempt) -> Identity<'_> {
+    (
+        (it.time_s, it.seed, it.number),
+        [&it.family, &it.question, &it.answer],
+    )
 }
 
 /// All pupils, in the order of their names.
@@ -91,7 +72,9 @@ impl Gradebook {
         if let Some(pupil) = self.pupils.iter_mut().find(|it| it.is(&hand_in)) {
             let all = hand_in.attempts.len();
             let mut fresh = hand_in.attempts;
-            fresh.retain(|it| !pupil.has(it));
+            let known: HashSet<_> = pupil.attempts.iter().map(identity).collect();
+            fresh.retain(|it| !known.contains(&identity(it)));
+            drop(known);
             let words = match fresh.len() {
                 0 => "nothing in it is new".to_owned(),
                 new => format!("{} of {all} new", counted(new, "answer")),
@@ -157,21 +140,8 @@ impl Gradebook {
         }
     }
 
-    /// The rounds that anybody has begun, in the order of their codes.
-    pub fn rounds(&self) -> Vec<String> {
-        let rounds = self.pupils.iter().flat_map(Pupil::rounds);
-        let mut rounds: Vec<String> = rounds.map(|it| it.round).collect();
-        rounds.sort();
-        rounds.dedup();
-        rounds
-    }
-
-    /// The topics that anybody was asked about, in the order of their names.
-    pub fn topics(&self) -> Vec<String> {
-        let topics = self.pupils.iter().flat_map(Pupil::topics);
-        let mut topics: Vec<String> = topics.map(|it| it.name).collect();
-        topics.sort();
-        topics.dedup();
-        topics
+    /// What the answers of every pupil come to.
+    pub fn results(&self) -> ClassResults<'_> {
+        ClassResults::of(self)
     }
 }

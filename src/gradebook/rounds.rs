@@ -1,6 +1,8 @@
 //! Answers by the round in which they were given.
 
-use serde_json::Value;
+use std::collections::HashMap;
+
+use serde::Deserialize;
 
 use crate::progress::{Attempt, LESSON};
 use crate::quiz::Grade;
@@ -18,15 +20,21 @@ pub struct RoundTally {
     pub points: f64,
 }
 
+/// What of the figures of a question tells its round.
+#[derive(Deserialize, Default)]
+struct Figures {
+    #[serde(default)]
+    round: Option<String>,
+}
+
 /// The round in which an answer was given: its code; of a chapter its title.
 pub fn round_of(attempt: &Attempt) -> String {
     if attempt.family == LESSON {
         return format!("chapter: {}", attempt.topic);
     }
-    let figures: Option<Value> = serde_json::from_str(&attempt.question).ok();
-    let code = figures.and_then(|it| Some(it.get("round")?.as_str()?.to_owned()));
+    let figures: Figures = serde_json::from_str(&attempt.question).unwrap_or_default();
     // Before codes were noted with the figures the seed was all there was.
-    code.unwrap_or_else(|| attempt.seed.to_string())
+    (figures.round).unwrap_or_else(|| attempt.seed.to_string())
 }
 
 /// Points for an answer, by how near it was.
@@ -35,23 +43,24 @@ pub(super) fn points(attempt: &Attempt) -> f64 {
 }
 
 /// These answers by their rounds, in the order in which those were begun.
-pub(super) fn tallies(attempts: &[&Attempt]) -> Vec<RoundTally> {
+pub(super) fn tallies(answers: &[(&Attempt, String)]) -> Vec<RoundTally> {
     let mut tallies: Vec<RoundTally> = Vec::new();
-    for attempt in attempts {
-        let round = round_of(attempt);
-        let at = tallies.iter().position(|it| it.round == round);
-        let at = at.unwrap_or_else(|| {
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    for (attempt, round) in answers {
+        let place = *places.entry(round).or_insert(tallies.len());
+        if place == tallies.len() {
             tallies.push(RoundTally {
-                round,
+                round: round.clone(),
                 answered: 0,
                 right: 0,
                 points: 0.0,
             });
-            tallies.len() - 1
-        });
-        tallies[at].answered += 1;
-        tallies[at].right += usize::from(attempt.right);
-        tallies[at].points += points(attempt);
+        }
+        if let Some(tally) = tallies.get_mut(place) {
+            tally.answered += 1;
+            tally.right += usize::from(attempt.right);
+            tally.points += points(attempt);
+        }
     }
     tallies
 }

@@ -1,6 +1,6 @@
 //! The gradebook as comma-separated values.
 
-use super::{Gradebook, beliefs, items};
+use super::{ClassResults, beliefs, items};
 use crate::numbers::fixed;
 use crate::progress::table;
 
@@ -8,8 +8,8 @@ use crate::progress::table;
 ///
 /// # Errors
 /// None that can be met in practice; the reason, should a row not be writable.
-pub fn pupils_csv(book: &Gradebook) -> Result<String, String> {
-    let (rounds, topics) = (book.rounds(), book.topics());
+pub fn pupils_csv(results: &ClassResults<'_>) -> Result<String, String> {
+    let (rounds, topics) = (results.rounds(), results.topics());
     let mut heads: Vec<String> = [
         "name",
         "class",
@@ -26,22 +26,20 @@ pub fn pupils_csv(book: &Gradebook) -> Result<String, String> {
     for topic in &topics {
         heads.extend(["answered", "right"].map(|what| format!("{topic}: {what}")));
     }
-    let rows: Vec<Vec<String>> = { book.pupils.iter() }
-        .map(|pupil| {
-            let tally = pupil.tally();
-            let done = pupil.rounds();
-            let points: f64 = done.iter().map(|it| it.points).sum();
+    let rows: Vec<Vec<String>> = { results.pupils.iter() }
+        .map(|it| {
+            let tally = it.tally;
+            let points: f64 = it.rounds.iter().map(|it| it.points).sum();
             let mut row = vec![
-                pupil.name.clone(),
-                pupil.class.clone(),
+                it.pupil.name.clone(),
+                it.pupil.class.clone(),
                 tally.attempts.to_string(),
                 tally.right.to_string(),
                 tally.share_right().map_or(String::new(), |it| fixed(it, 3)),
                 fixed(points, 1),
             ];
             for round in &rounds {
-                let it = done.iter().find(|it| it.round == *round);
-                row.extend(it.map_or_else(Default::default, |it| {
+                row.extend(it.round(round).map_or_else(Default::default, |it| {
                     [
                         it.answered.to_string(),
                         it.right.to_string(),
@@ -49,10 +47,8 @@ pub fn pupils_csv(book: &Gradebook) -> Result<String, String> {
                     ]
                 }));
             }
-            let known = pupil.topics();
             for topic in &topics {
-                let it = known.iter().find(|it| it.name == *topic);
-                row.extend(it.map_or_else(Default::default, |it| {
+                row.extend(it.topic(topic).map_or_else(Default::default, |it| {
                     [it.all.attempts.to_string(), it.all.right.to_string()]
                 }));
             }
@@ -67,9 +63,9 @@ pub fn pupils_csv(book: &Gradebook) -> Result<String, String> {
 ///
 /// # Errors
 /// None that can be met in practice; the reason, should a row not be writable.
-pub fn items_csv(book: &Gradebook) -> Result<String, String> {
-    let class = book.classes();
-    let rows: Vec<Vec<String>> = { items(book).into_iter() }
+pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
+    let class = results.book.classes();
+    let rows: Vec<Vec<String>> = { items(results).into_iter() }
         .map(|it| {
             let (belief, count) = it.commonest.map_or_else(Default::default, |(held, count)| {
                 (held.id().to_owned(), count.to_string())
@@ -107,9 +103,9 @@ pub fn items_csv(book: &Gradebook) -> Result<String, String> {
 ///
 /// # Errors
 /// None that can be met in practice; the reason, should a row not be writable.
-pub fn beliefs_csv(book: &Gradebook) -> Result<String, String> {
-    let class = book.classes();
-    let rows: Vec<Vec<String>> = { beliefs(book).into_iter() }
+pub fn beliefs_csv(results: &ClassResults<'_>) -> Result<String, String> {
+    let class = results.book.classes();
+    let rows: Vec<Vec<String>> = { beliefs(results).into_iter() }
         .map(|it| {
             vec![
                 it.misconception.id().into(),

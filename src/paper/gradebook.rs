@@ -3,10 +3,10 @@
 use maud::{Markup, html};
 
 use super::{HtmlPage, clean};
-use crate::gradebook::{Gradebook, Pupil, beliefs, items};
+use crate::gradebook::{ClassResults, PupilResults, beliefs, items};
 use crate::numbers::{counted, fixed};
+use crate::progress::Mastery;
 use crate::progress::words::percent;
-use crate::progress::{Mastery, beliefs as beliefs_of};
 
 /// Most letters of a name, and of a round or a topic at the head of a column.
 const NAME: usize = 44;
@@ -19,13 +19,14 @@ const COLUMNS: usize = 6;
 /// The gradebook as an HTML document: what the class did, what the questions showed, what the
 /// class believes, then a page a pupil.
 #[must_use]
-pub fn html(book: &Gradebook) -> String {
+pub fn html(results: &ClassResults<'_>) -> String {
     let page = HtmlPage::new("carrom: gradebook")
         .style(include_str!("gradebook.css"))
-        .sheet(sheet("Gradebook", &overview(book)))
-        .sheet(sheet("The questions", &questions(book)))
-        .sheet(sheet("What the class believes", &believed(book)));
-    let pupils = { book.pupils.iter() }.map(|it| sheet(&clean(&it.name, NAME), &report(it)));
+        .sheet(sheet("Gradebook", &overview(results)))
+        .sheet(sheet("The questions", &questions(results)))
+        .sheet(sheet("What the class believes", &believed(results)));
+    let pupils =
+        { results.pupils.iter() }.map(|it| sheet(&clean(&it.pupil.name, NAME), &report(it)));
     pupils.fold(page, HtmlPage::sheet).html()
 }
 
@@ -52,8 +53,9 @@ fn table(texts: usize, heads: &[String], rows: &[Vec<String>]) -> Markup {
     }
 }
 
-fn overview(book: &Gradebook) -> Markup {
-    let answers: usize = book.pupils.iter().map(|it| it.tally().attempts).sum();
+fn overview(results: &ClassResults<'_>) -> Markup {
+    let book = results.book;
+    let answers: usize = results.pupils.iter().map(|it| it.tally.attempts).sum();
     let all = html! {
         p {
             (counted(book.pupils.len(), "pupil")) ", " (counted(answers, "answer")) ". "
@@ -65,14 +67,13 @@ fn overview(book: &Gradebook) -> Markup {
             ul.notes { @for note in &book.notes { li { bdi { (clean(note, 240)) } } } }
         }
     };
-    let (rounds, topics) = (book.rounds(), book.topics());
+    let (rounds, topics) = (results.rounds(), results.topics());
     let rounds = by_columns(
-        book,
+        results,
         "Rounds: points (right of answered)",
         &rounds,
         |pupil, round| {
-            let done = pupil.rounds();
-            let it = done.iter().find(|it| it.round == round)?;
+            let it = pupil.round(round)?;
             Some(format!(
                 "{} ({} of {})",
                 fixed(it.points, 1),
@@ -82,12 +83,11 @@ fn overview(book: &Gradebook) -> Markup {
         },
     );
     let topics = by_columns(
-        book,
+        results,
         "Topics: right of answered",
         &topics,
         |pupil, topic| {
-            let known = pupil.topics();
-            let it = known.iter().find(|it| it.name == topic)?;
+            let it = pupil.topic(topic)?;
             Some(format!("{} of {}", it.all.right, it.all.attempts))
         },
     );
@@ -96,17 +96,17 @@ fn overview(book: &Gradebook) -> Markup {
 
 /// Tables of a row a pupil and a column for each of these.
 fn by_columns(
-    book: &Gradebook,
+    results: &ClassResults<'_>,
     title: &str,
-    columns: &[String],
-    cell: impl Fn(&Pupil, &str) -> Option<String>,
+    columns: &[&str],
+    cell: impl Fn(&PupilResults<'_>, &str) -> Option<String>,
 ) -> Markup {
     let tables = columns.chunks(COLUMNS).map(|columns| {
         let mut heads = vec!["pupil".to_owned(), "class".to_owned()];
         heads.extend(columns.iter().map(|it| clean(it, HEAD)));
-        let rows = book.pupils.iter().map(|pupil| {
-            let mut row = vec![clean(&pupil.name, NAME), clean(&pupil.class, 16)];
-            row.extend(columns.iter().map(|it| cell(pupil, it).unwrap_or_default()));
+        let rows = results.pupils.iter().map(|of| {
+            let mut row = vec![clean(&of.pupil.name, NAME), clean(&of.pupil.class, 16)];
+            row.extend(columns.iter().map(|it| cell(of, it).unwrap_or_default()));
             row
         });
         table(2, &heads, &rows.collect::<Vec<_>>())
@@ -114,7 +114,7 @@ fn by_columns(
     html! { h2 { (title) } @for table in tables { (table) } }
 }
 
-fn questions(book: &Gradebook) -> Markup {
+fn questions(results: &ClassResults<'_>) -> Markup {
     let heads = [
         "round",
         "",
@@ -125,7 +125,7 @@ fn questions(book: &Gradebook) -> Markup {
         "points",
         "tells apart",
     ];
-    let rows = items(book).into_iter().map(|it| {
+    let rows = items(results).into_iter().map(|it| {
         let commonest = it.commonest.map_or(String::new(), |(held, count)| {
             format!("{}: {count}", held.name())
         });
@@ -150,8 +150,8 @@ fn questions(book: &Gradebook) -> Markup {
     }
 }
 
-fn believed(book: &Gradebook) -> Markup {
-    let held = beliefs(book);
+fn believed(results: &ClassResults<'_>) -> Markup {
+    let held = beliefs(results);
     html! {
         @if held.is_empty() { p { "No answer fitted a misconception that is known." } }
         @for it in &held {
@@ -165,9 +165,9 @@ fn believed(book: &Gradebook) -> Markup {
 }
 
 /// What one pupil did.
-fn report(pupil: &Pupil) -> Markup {
-    let tally = pupil.tally();
-    let rounds: Vec<Vec<String>> = { pupil.rounds().into_iter() }
+fn report(results: &PupilResults<'_>) -> Markup {
+    let (pupil, tally) = (results.pupil, results.tally);
+    let rounds: Vec<Vec<String>> = { results.rounds.iter() }
         .map(|it| {
             let answered = it.answered.to_string();
             vec![
@@ -178,14 +178,14 @@ fn report(pupil: &Pupil) -> Markup {
             ]
         })
         .collect();
-    let topics: Vec<Vec<String>> = { pupil.topics().into_iter() }
+    let topics: Vec<Vec<String>> = { results.topics.iter() }
         .map(|it| {
             let [answered, right] = [it.all.attempts, it.all.right].map(|it| it.to_string());
             let mastery = it.mastery().name().to_owned();
             vec![clean(&it.name, NAME), mastery, answered, right]
         })
         .collect();
-    let held = beliefs_of(&pupil.attempts);
+    let held = &results.beliefs;
     html! {
         p {
             @if !pupil.class.is_empty() { bdi { (clean(&pupil.class, NAME)) } ". " }
@@ -198,7 +198,7 @@ fn report(pupil: &Pupil) -> Markup {
         p.dim { (Mastery::MEANING) }
         @if !held.is_empty() {
             h2 { "What the answers show" }
-            @for it in &held {
+            @for it in held {
                 p { strong { (it.misconception.name()) } " (" (it.trend().name()) "). " (it.misconception.advice()) }
             }
         }

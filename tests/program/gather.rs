@@ -3,9 +3,11 @@
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
+use std::time::{Duration, Instant};
 
 use carrom::gradebook::HandIn;
 use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::progress::Attempt;
 use carrom::store::Store;
 use scraper::{Html, Selector};
 
@@ -15,6 +17,10 @@ use crate::handed_in::hand_in;
 fn carrom(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_carrom"));
     command.args(arguments).output().unwrap()
+}
+
+fn stderr(done: &Output) -> String {
+    String::from_utf8_lossy(&done.stderr).into_owned()
 }
 
 /// Thirty-two files: 28 pupils, of whom two are called Ada and two have handed in twice, and two
@@ -209,6 +215,41 @@ fn what_a_player_hands_in_is_read_back() {
     let nobody = carrom(&["hand-in", "--player", "Nobody", "--data-dir", data]);
     assert_eq!(nobody.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&nobody.stderr).contains("no answer"));
+}
+
+/// A gradebook parsed all answers of a pupil again for every cell: with as many rounds as
+/// this it took minutes.
+#[test]
+fn a_hand_in_of_many_rounds_is_gathered_in_seconds() {
+    const ROUNDS: u64 = 4_000;
+    let folder = Folder::new("gather-many-rounds");
+    let handed_in = folder.path().join("handed-in");
+    fs::create_dir(&handed_in).unwrap();
+    let mut ada = hand_in(1, "Ada", 1, 1);
+    let answer = ada.attempts.remove(0);
+    ada.attempts.extend((1..=ROUNDS).map(|seed| {
+        Attempt {
+            seed,
+            question: answer
+                .question
+                .replace("mixed-7", &format!("speeds1-{seed}")),
+            ..answer.clone()
+        }
+    }));
+    fs::write(handed_in.join("ada.json"), ada.text().unwrap()).unwrap();
+    let out = folder.path().join("class.html");
+    let start = Instant::now();
+    let done = carrom(&[
+        "gather",
+        handed_in.to_str().unwrap(),
+        "--out",
+        out.to_str().unwrap(),
+    ]);
+    let took = start.elapsed();
+    assert!(done.status.success(), "{}", stderr(&done));
+    assert!(took < Duration::from_secs(20), "{took:?}");
+    let text = fs::read_to_string(out).unwrap();
+    assert_eq!(text.matches("10.0 (1 of 1)").count(), 4_000);
 }
 
 #[test]
