@@ -6,7 +6,7 @@ use thiserror::Error;
 use unicode_segmentation::UnicodeSegmentation;
 
 use super::WayOfVoting;
-use crate::files::tidy_name;
+use crate::files::{NO_NAME, is_blank_name, tidy_name};
 
 /// Most teams that play at one keyboard.
 pub const MOST_TEAMS: usize = 8;
@@ -92,6 +92,15 @@ pub(super) fn tidy(name: &str) -> String {
     short.trim_end().to_owned()
 }
 
+/// A name from a file. One without a visible letter, as earlier versions took it, is replaced
+/// by one that nobody of these has.
+pub(super) fn kept_name(name: &str, taken: &[String]) -> String {
+    match is_blank_name(name) {
+        true => free_name(NO_NAME, taken),
+        false => name.to_owned(),
+    }
+}
+
 /// A name like this one that nobody of these has: "Ada 2".
 pub(super) fn free_name(name: &str, taken: &[String]) -> String {
     let taken: BTreeSet<String> = taken.iter().map(|it| folded(it)).collect();
@@ -122,6 +131,7 @@ mod tests {
             Err(NameTrouble::Twice("ADA".into()))
         );
         assert_eq!(team_names([" ", "\u{200b}"]), Err(NameTrouble::None));
+        assert_eq!(team_names(["\u{2800}", "\u{3164}"]), Err(NameTrouble::None));
         let nine = ["a", "b", "c", "d", "e", "f", "g", "h", "i"];
         assert_eq!(team_names(nine), Err(NameTrouble::TooMany(9, 8)));
         assert_eq!(names_for(WayOfVoting::Devices, nine).unwrap().len(), 9);

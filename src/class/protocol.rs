@@ -128,7 +128,7 @@ impl Refusal {
         match self {
             Self::Code => "This class has another code. Look at the board again.",
             Self::Full => "The class is full: there is no more room.",
-            Self::Name => "Type a name of letters that can be seen.",
+            Self::Name => "Type a name with at least one letter that can be seen.",
             Self::Version => {
                 "Your carrom and the teacher's are of different versions. Open the page from the \
                  address on the board."

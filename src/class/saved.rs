@@ -6,9 +6,9 @@ use serde::Serialize;
 use strum::VariantArray;
 
 use super::ballot::{Door, Removed};
-use super::names::{names_for, tidy};
+use super::names::{kept_name, names_for, tidy};
 use super::{ClassChange, ClassPlace, ClassRound, ClassStep, NameTrouble, Said, Vote, WayOfVoting};
-use crate::files::{Fields, FileErrors, Source};
+use crate::files::{Fields, FileErrors, Source, is_blank_name};
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, CourseKind, Question};
 
@@ -199,8 +199,12 @@ impl ClassRound {
             let ways = WayOfVoting::VARIANTS.iter().map(|way| (way.into(), *way));
             fields.word(name, &ways.collect::<Vec<_>>())
         })?;
-        let teams = fields.any_texts("teams").and_then(|found| {
-            match names_for(way, found.iter().copied()) {
+        let teams = fields.any_texts("teams").and_then(|texts| {
+            let mut found: Vec<String> = texts.iter().map(|it| (*it).to_owned()).collect();
+            for at in 0..found.len() {
+                found[at] = kept_name(&found[at], &found);
+            }
+            match names_for(way, found.iter().map(String::as_str)) {
                 Ok(teams) if teams.is_empty() && way == WayOfVoting::Teams => {
                     fields.refuse("teams", NameTrouble::None.to_string())
                 }
@@ -217,9 +221,9 @@ impl ClassRound {
             fields.tables(name, 0..=usize::MAX, &["changes"])
         });
         let class = fields.or("class", String::new(), |name| {
-            fields.text_as(name, |class| match tidy(class) == class {
-                true => Ok(class.to_owned()),
-                false => Err("expected a name of at most 24 visible letters".into()),
+            fields.text_as(name, |class| match tidy(class) {
+                tidy if tidy == class || is_blank_name(class) => Ok(tidy),
+                _ => Err("expected a name of at most 24 visible letters".into()),
             })
         });
         let mut round = Self::voting(way, code?, teams?).of_class(&class?);
@@ -261,6 +265,7 @@ impl ClassRound {
             for (at, text) in changes.into_iter().enumerate() {
                 let change = ClassChange::parse(text)
                     .ok_or_else(|| format!("expected a change, found \"{}\"", text.escape_debug()));
+                let change = change.map(|change| round.with_kept_name(change));
                 match change.and_then(|change| round.change(&change)) {
                     Ok(()) => {}
                     // Nothing after it depends on it.
@@ -318,6 +323,14 @@ impl ClassRound {
             Ok(_) => fields.refuse("seats", format!("expected {people} texts")),
             Err(expected) => fields.refuse("seats", expected),
         }
+    }
+
+    /// A change from a file, with a name that can be seen.
+    fn with_kept_name(&self, mut change: ClassChange) -> ClassChange {
+        if let ClassChange::Join { name, .. } | ClassChange::Rename { name, .. } = &mut change {
+            *name = kept_name(name, self.teams());
+        }
+        change
     }
 
     /// Takes a vote from a file; one that does not fit its question is dropped and counted.

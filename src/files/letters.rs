@@ -43,8 +43,26 @@ pub(super) fn is_picture(letter: &str) -> bool {
     }
 }
 
-/// The name of somebody as it is shown and kept: its visible letters, with one blank
-/// between words. Accents stay on their letters, but do not pile up.
+/// What somebody is called whose name in a file has no visible letter.
+pub const NO_NAME: &str = "No name";
+
+/// Whether a character takes room and shows nothing, as a blank does, though Unicode counts it
+/// among letters, signs or accents: fillers, empty patterns, vowels that are not written.
+fn is_blank(letter: char) -> bool {
+    matches!(letter,
+        '\u{034f}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}' | '\u{180b}'..='\u{180f}'
+        | '\u{2800}' | '\u{3164}' | '\u{ffa0}' | '\u{16fe4}' | '\u{1bca0}'..='\u{1bca3}'
+        | '\u{1d159}' | '\u{1d173}'..='\u{1d17a}')
+}
+
+/// Whether a name is made of characters that show nothing. Earlier versions took such a name, so
+/// it may stand in a file.
+pub fn is_blank_name(name: &str) -> bool {
+    name.chars().any(is_blank) && tidy_name(name).is_empty()
+}
+
+/// The name of somebody as it is shown and kept: its letters, with one blank between words.
+/// Accents stay on their letters, but do not pile up. Empty if no letter of it is visible.
 pub fn tidy_name(name: &str) -> String {
     let mut tidy = String::new();
     let mut upon = 0;
@@ -61,6 +79,13 @@ pub fn tidy_name(name: &str) -> String {
         if fits && !is_invisible(letter) && !joins(letter) {
             tidy.push(letter);
         }
+    }
+    let is_visible = |letter: char| letter.width().unwrap_or(0) > 0 && !is_blank(letter);
+    if !tidy
+        .chars()
+        .any(|letter| letter != ' ' && is_visible(letter))
+    {
+        return String::new();
     }
     tidy.truncate(tidy.trim_end().len());
     tidy
@@ -117,9 +142,23 @@ mod tests {
             "\u{fffe}",
             "\u{301}",
             "\u{200d}\u{202e}",
+            "\u{2800}",
+            "\u{3164} \u{3164}",
+            "\u{115f}\u{1160}",
+            "\u{1160}",
+            "\u{ffa0}",
+            "\u{180e}\u{180b}",
+            "\u{2800}\u{fe0f}\u{301}",
+            "\u{1d159}\u{34f}",
         ] {
             assert_eq!(tidy_name(nobody), "", "{nobody:?}");
         }
+        // What has one visible letter is a name, with what else is in it.
+        for name in ["\u{2800}a", "한\u{3164}", "\u{1112}\u{1161}", "❤", "٣"] {
+            assert_eq!(tidy_name(name), name);
+            assert!(!is_blank_name(name));
+        }
+        assert!(is_blank_name("\u{2800}") && !is_blank_name("") && !is_blank_name("\u{200b}"));
         let pile = format!("e{}", "\u{301}".repeat(1000));
         assert_eq!(tidy_name(&pile), "e\u{301}\u{301}");
     }

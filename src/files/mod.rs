@@ -16,7 +16,7 @@ pub use draft::{UNFINISHED, UnplacedFile, fsync_dir};
 pub use error::{FileError, FileErrors, escape_control, escape_control_lines};
 pub use fields::{Fields, newer};
 pub(crate) use fields::{all, is_id};
-pub use letters::{is_invisible, tidy_name};
+pub use letters::{NO_NAME, is_blank_name, is_invisible, tidy_name};
 pub use list::{List, embedded, list, not_a_file};
 pub use number::{NumberSpec, Range};
 pub use put::{Document, Existing, Unwritten, put};

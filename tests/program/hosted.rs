@@ -184,7 +184,16 @@ fn names_of_any_signs_stay_names() {
     ] {
         assert_eq!(teacher.join(name).text("name"), shown);
     }
-    for name in ["", "   ", "\u{200b}\u{200d}", "\u{0}\u{1}"] {
+    for name in [
+        "",
+        "   ",
+        "\u{200b}\u{200d}",
+        "\u{0}\u{1}",
+        "\u{2800}",
+        "\u{3164}\u{3164}",
+        "\u{115f}\u{1160} \u{ffa0}",
+        "\u{180e}\u{fe0f}\u{200d}",
+    ] {
         assert_eq!(teacher.join(name).why(), Some("name"), "{name:?}");
     }
     assert_eq!(teacher.join(&"x".repeat(10_000)).why(), Some("format"));

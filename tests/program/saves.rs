@@ -145,6 +145,10 @@ fn a_game_of_the_first_format_still_opens() {
     assert_eq!(saved.record.strokes(), 30);
     assert_eq!(saved.text().unwrap().as_bytes(), bytes);
     assert_eq!(Fingerprint::of(&game), saved.end);
+    // A name that nobody can see was a name then.
+    let text = String::from_utf8_lossy(bytes).replace("\"Ada\"", "\"\u{3164}\"");
+    let (saved, _) = SavedGame::read("format-1.toml", text.as_bytes()).unwrap();
+    assert_eq!(saved.player, "No name");
 }
 
 /// Files that are no games of ours, and the message each must give.

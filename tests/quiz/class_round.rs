@@ -213,6 +213,37 @@ fn a_poisoned_vote_is_dropped_and_its_round_still_opens() {
     }
 }
 
+/// Names without a visible letter once were names; a file that holds some opens, and they can be
+/// told apart.
+#[test]
+fn names_that_nobody_can_see_are_refused_but_their_files_open() {
+    for name in [
+        "\u{2800}",
+        "\u{3164}",
+        "\u{115f}\u{1160}",
+        "\u{ffa0}",
+        "\u{180e}\u{200d}\u{fe0f}",
+    ] {
+        assert!(team_names([name]).is_err(), "{name:?}");
+        let round = round("7", &["Ants"]);
+        assert_eq!(round.name_for(name), None, "{name:?}");
+        assert_eq!(round.renamed(0, name), None, "{name:?}");
+    }
+    let seats = [1, 2, 3].map(|seat| SeatToken::of(seat).to_string());
+    let text = format!(
+        "format = 3\ncode = \"7\"\nclass = \"\u{2800}\"\nway = \"devices\"\n\
+         teams = [\"\u{2800}\", \"\u{3164}\"]\ndoor = \"{}\"\nseats = [\"{}\", \"{}\"]\n\n\
+         [[then]]\nchanges = [\"join {} \u{ffa0}\", \"rename 1 \u{2800}\u{2800}\"]\n",
+        DoorCode::of(7),
+        seats[0],
+        seats[1],
+        seats[2],
+    );
+    let round = ClassRound::read("old", text.as_bytes(), &Arc::default()).unwrap();
+    assert_eq!(round.class(), "");
+    assert_eq!(round.teams(), ["No name 4", "No name 2", "No name 3"]);
+}
+
 #[test]
 fn a_vote_of_another_kind_is_not_taken() {
     let mut round = round("7", &["Ants"]);

@@ -2,7 +2,7 @@
 
 use super::company::BySeat;
 use super::{Company, FORMAT, Fingerprint, Player, SavedGame, is_player_name};
-use crate::files::{Fields, FileErrors, Source};
+use crate::files::{Fields, FileErrors, NO_NAME, Source, is_blank_name};
 use crate::game::opponent::Strength;
 use crate::game::record::Record;
 use crate::game::table::Game;
@@ -38,6 +38,7 @@ impl SavedGame {
 fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
     let player = fields.text_as("player", |name| match is_player_name(name) {
         true => Ok(name.to_owned()),
+        false if is_blank_name(name) => Ok(NO_NAME.to_owned()),
         false => Err("expected a name of 1 to 40 visible letters".into()),
     });
     let players = fields.parsed::<BySeat<Player>>("players", "who plays from each seat");

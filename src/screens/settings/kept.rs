@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::field::SettingField;
-use crate::files::{FileErrors, Source, all};
+use crate::files::{FileErrors, Source, all, is_blank_name};
 use crate::game::is_player_name;
 use crate::screens::Settings;
 use crate::widgets::Depth;
@@ -98,6 +98,7 @@ impl KeptSettings {
                 let name = fields.text(id, LONGEST)?;
                 match is_player_name(name) {
                     true => Some(Some(name.to_owned())),
+                    false if is_blank_name(name) => Some(None),
                     false => fields.refuse(id, "expected a name of 1 to 40 visible letters"),
                 }
             });
@@ -169,6 +170,16 @@ mod tests {
         );
         assert_eq!((over.depth, over.foretold), (Depth::Ansi16, 3));
         assert!(over.reduced_motion && !over.predict && over.player == "Ada");
+    }
+
+    /// Earlier versions took it.
+    #[test]
+    fn a_name_that_nobody_can_see_is_none_and_the_other_settings_stay() {
+        let file = "format = 1\ncharset = \"unicode\"\nplayer = \"\u{2800}\"\n";
+        let kept = KeptSettings::read("settings.toml", file.as_bytes()).unwrap();
+        let over = kept.over(Settings::default());
+        assert_eq!(over.charset, Charset::Unicode);
+        assert_eq!(over.player, Settings::default().player);
     }
 
     #[test]
