@@ -11,7 +11,7 @@ use super::{Context, Next, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::{Panel, Placed, Writing};
-use crate::widgets::{SplitLayout, scroll_keys};
+use crate::widgets::{Scroll, SplitLayout, scroll_keys};
 
 /// What keys do on every screen that has no use of its own for them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -156,7 +156,13 @@ impl<S: Screen> Hosted<S> {
         let keys = self.keys(cx);
         let key = |action: &S::Action| Some(keys.key_of(&Pressed::Own(*action))?.to_string());
         let look = cx.settings.look();
-        let writing = Writing { look, key: &key };
+        let page = |rows| keys.key_of(&Pressed::Shared(SharedAction::Scroll(rows)));
+        let pages = match (page(-Scroll::PAGE), page(Scroll::PAGE)) {
+            (Some(back), Some(on)) => Some([back.to_string(), on.to_string()]),
+            _ => None,
+        };
+        let key = &key;
+        let writing = Writing { look, key, pages };
         let layout = (view.layout)(cx.body);
         let places = view.places(&layout).into_iter();
         let panels: Vec<_> = places
@@ -175,8 +181,7 @@ impl<S: Screen> Hosted<S> {
         let scrolled = self.scrolled.iter().find(|it| it.of == panel.title);
         let rows = match scrolled {
             Some(it) if it.chosen == placed.chosen() => it.rows.min(placed.overflow()),
-            Some(it) => placed.following(it.rows),
-            None => placed.following(0),
+            _ => placed.following(),
         };
         Shown {
             title: &panel.title,
@@ -243,10 +248,13 @@ impl<S: Screen> Hosted<S> {
             return self.screen.input(&Input::Mouse(*mouse), cx);
         };
         let cell = mouse.cell();
-        let (picture, hit) = self.with_panels(&view, cx, |layout, panels, _| {
-            let mut targets = panels.iter().flat_map(|it| it.placed.targets(it.rows));
+        let (picture, hit, is_long) = self.with_panels(&view, cx, |layout, panels, _| {
+            let under = panels.iter().find(|it| it.area.contains(cell.into()));
+            let is_long = |it: &Shown<_>| it.placed.overflow() > 0 && it.placed.chosen().is_none();
+            let mut targets = under.into_iter().flat_map(|it| it.placed.targets(it.rows));
             let hit = targets.find(|(cells, _)| cells.contains(cell.into()));
-            (layout.picture, hit.map(|(_, action)| action))
+            let hit = hit.map(|(_, action)| action);
+            (layout.picture, hit, under.is_some_and(is_long))
         });
         let has_picture = matches!(view.first, Part::Picture(..));
         drop(view);
@@ -259,9 +267,9 @@ impl<S: Screen> Hosted<S> {
             _ if has_picture => return self.screen.point(mouse, picture, cx),
             _ => return Next::Ignored,
         };
-        match self.screen.wheel(wheel, cx) {
-            Next::Ignored => self.scroll(wheel.into(), Some(cell), cx),
-            next => next,
+        match is_long {
+            true => self.scroll(wheel.into(), Some(cell), cx),
+            false => self.screen.wheel(wheel, cx),
         }
     }
 }

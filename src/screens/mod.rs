@@ -86,7 +86,8 @@ pub trait Screen {
         Next::Ignored
     }
 
-    /// Takes a turn of the wheel over its view, up (-1) or down (1).
+    /// Takes a turn of the wheel over its view, up (-1) or down (1), unless a long text there
+    /// is scrolled by it.
     fn wheel(&mut self, _by: i8, _cx: &mut Context) -> Next {
         Next::Ignored
     }

@@ -21,6 +21,8 @@ pub enum ListAction {
     End(isize),
     /// open the chosen line
     Open,
+    /// choose this line; the one that is chosen is opened
+    Point(usize),
 }
 
 /// Where the mark of a list is. A list ends at its ends: it does not go round.
@@ -66,6 +68,7 @@ impl ListView {
             ListAction::End(by) => self.go(by.saturating_mul(isize::MAX), lines),
             ListAction::Open if lines > 0 => return Outcome::Done(self.chosen(lines)),
             ListAction::Open => {}
+            ListAction::Point(line) => return self.point(line, lines),
         }
         Outcome::Used
     }
@@ -76,12 +79,17 @@ impl ListView {
         match (mouse.kind, line) {
             (MouseKind::ScrollUp, _) => self.go(-1, lines),
             (MouseKind::ScrollDown, _) => self.go(1, lines),
-            (MouseKind::Down, Some(line)) if line == self.chosen(lines) => {
-                return Outcome::Done(line);
-            }
-            (MouseKind::Down, Some(line)) => self.at = line,
+            (MouseKind::Down, Some(line)) => return self.point(line, lines),
             _ => return Outcome::Ignored,
         }
+        Outcome::Used
+    }
+
+    fn point(&mut self, line: usize, lines: usize) -> Outcome<usize> {
+        if line == self.chosen(lines) {
+            return Outcome::Done(line);
+        }
+        self.at = line;
         Outcome::Used
     }
 

@@ -7,6 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Block, Content, Panel};
+use crate::widgets::flow::Run;
 use crate::widgets::{Lines, Look, Role, text};
 
 /// How a panel is written: in which glyphs and colours, and what its keys are called.
@@ -15,6 +16,8 @@ pub(crate) struct Writing<'w, A> {
     pub look: Look,
     /// What the key is called that does something; `None` where none does.
     pub key: &'w dyn Fn(&A) -> Option<String>,
+    /// What the keys are called that go a page back and on in a text, if they do.
+    pub pages: Option<[String; 2]>,
 }
 
 /// A panel laid out: the blocks that have room, and where each stands.
@@ -68,7 +71,7 @@ impl<A: Copy> Panel<A> {
             }
             after_gap = is_gap;
             placed.blocks.push((placed.rows, block));
-            if matches!(block.content, Content::Field { chosen: true, .. }) {
+            if block.content.is_chosen() {
                 placed.chosen = Some(placed.rows..placed.rows + rows);
             }
             let down = |row: u16| row - from + placed.rows;
@@ -119,17 +122,12 @@ impl<A: Copy> Placed<'_, A> {
         self.chosen.as_ref().map(|rows| rows.start)
     }
 
-    /// How far it is to be scrolled that what is chosen is in sight: from `rows` no further
-    /// than it takes.
-    pub(crate) fn following(&self, rows: u16) -> u16 {
-        let shown = match &self.chosen {
-            Some(chosen) => {
-                let least = chosen.end.saturating_sub(self.area.height);
-                rows.max(least).min(chosen.start)
-            }
-            None => rows,
-        };
-        shown.min(self.overflow())
+    /// How far it is scrolled unless the player does it by hand: what is chosen stands in
+    /// the middle where not all has room.
+    pub(crate) fn following(&self) -> u16 {
+        let chosen = self.chosen().unwrap_or(0);
+        let above = chosen.saturating_sub(self.area.height / 2);
+        above.min(self.overflow())
     }
 
     /// The cells that do something, with what they do, once it is scrolled by so many rows.
@@ -157,7 +155,13 @@ impl<A: Copy> Placed<'_, A> {
             debug_assert_eq!(lines.written(), *row);
             write(&block.content, &mut lines, writing, &mut Vec::new());
         }
-        text::more_hint(self.area, buf, writing.look, scrolled, self.overflow());
+        if let (Some([back, on]), 1..) = (&writing.pages, self.overflow()) {
+            let hint = match scrolled < self.overflow() {
+                true => format!(" {on}: more "),
+                false => format!(" {back}: back "),
+            };
+            text::hint_below(self.area, buf, writing.look, &hint);
+        }
     }
 }
 
@@ -168,6 +172,7 @@ pub(crate) fn written<A: Copy>(lines: &mut Lines, write_into: impl FnOnce(&mut P
     let writing = Writing {
         look: lines.look(),
         key: &|_| None,
+        pages: None,
     };
     for block in &panel.blocks {
         write(&block.content, lines, &writing, &mut Vec::new());
@@ -182,6 +187,7 @@ fn write<A: Copy>(
     targets: &mut Vec<Target<A>>,
 ) {
     let from = lines.written();
+    let text_width = lines.width() + 1;
     match content {
         Content::Gap => lines.gap(),
         Content::Heading(text) => lines.line(text, Role::Title),
@@ -194,6 +200,25 @@ fn write<A: Copy>(
                 .map(|(it, role)| (it.as_str(), *role))
                 .collect();
             lines.columns((&name.0, name.1), &values);
+        }
+        Content::Row {
+            name,
+            side,
+            roles,
+            chosen,
+            action,
+        } => {
+            let (mark, role) = roles[0].of_choice(*chosen);
+            let (_, side_role) = roles[1].of_choice(*chosen);
+            lines.pair(&format!("{mark} {name}"), side, role, side_role);
+            targets.push(Target {
+                rows: from..lines.written(),
+                columns: 0..text_width,
+                action: *action,
+            });
+        }
+        Content::Item(text, role) => {
+            lines.flowing("-", 2, &[Run::new(text.as_str(), *role)]);
         }
         Content::Field {
             name,
@@ -212,7 +237,7 @@ fn write<A: Copy>(
             lines.pair(&format!("{mark} {name}"), &value, name_role, value_role);
             targets.extend(action.map(|action| Target {
                 rows: from..lines.written(),
-                columns: 0..lines.width() + 1,
+                columns: 0..text_width,
                 action,
             }));
         }

@@ -51,6 +51,19 @@ pub(crate) enum Content<A> {
         name: (String, Role),
         values: Vec<(String, Role)>,
     },
+    /// One of several things to choose from, in one row.
+    Row {
+        name: String,
+        /// What stands flush right.
+        side: String,
+        /// How it is written while another one is chosen.
+        roles: [Role; 2],
+        chosen: bool,
+        /// What a click on it does.
+        action: A,
+    },
+    /// One of several texts, behind a mark.
+    Item(String, Role),
     /// Something that can be set.
     Field {
         name: String,
@@ -152,6 +165,29 @@ impl<A> Panel<A> {
         });
     }
 
+    /// One of several things to choose from: its name, what stands flush right, and what a
+    /// click on it does.
+    pub(crate) fn row(
+        &mut self,
+        (name, role): (impl Into<String>, Role),
+        (side, side_role): (impl Into<String>, Role),
+        chosen: bool,
+        action: A,
+    ) {
+        self.push(Content::Row {
+            name: name.into(),
+            side: side.into(),
+            roles: [role, side_role],
+            chosen,
+            action,
+        });
+    }
+
+    /// One of several texts.
+    pub(crate) fn item(&mut self, text: impl Into<String>, role: Role) {
+        self.push(Content::Item(text.into(), role));
+    }
+
     /// Something that can be set: what it is called, how its value reads, and what a click
     /// on it does.
     pub(crate) fn field(
@@ -201,6 +237,14 @@ impl<A> Panel<A> {
 }
 
 impl<A> Content<A> {
+    /// Whether it is the one that is chosen.
+    fn is_chosen(&self) -> bool {
+        matches!(
+            self,
+            Self::Field { chosen: true, .. } | Self::Row { chosen: true, .. }
+        )
+    }
+
     fn map<B>(self, wrap: impl Fn(A) -> B) -> Content<B> {
         match self {
             Self::Gap => Content::Gap,
@@ -209,6 +253,20 @@ impl<A> Content<A> {
             Self::Paragraph(text, role) => Content::Paragraph(text, role),
             Self::Fact { name, value, roles } => Content::Fact { name, value, roles },
             Self::Columns { name, values } => Content::Columns { name, values },
+            Self::Row {
+                name,
+                side,
+                roles,
+                chosen,
+                action,
+            } => Content::Row {
+                name,
+                side,
+                roles,
+                chosen,
+                action: wrap(action),
+            },
+            Self::Item(text, role) => Content::Item(text, role),
             Self::Field {
                 name,
                 value,

@@ -17,6 +17,7 @@ fn key(action: &char) -> Option<String> {
 const WRITING: Writing<char> = Writing {
     look: LOOK,
     key: &key,
+    pages: None,
 };
 
 /// A place for so many rows of 20 letters and the margin.
@@ -106,20 +107,28 @@ fn a_click_on_a_field_or_on_the_words_of_a_prompt_does_what_stands_there() {
 fn what_is_chosen_is_kept_in_sight_and_what_is_scrolled_away_cannot_be_clicked() {
     let mut panel = Panel::new("");
     for c in 'a'..='f' {
-        panel.field(c.to_string(), "", (Role::Text, c == 'e'), Some(c));
+        let chosen = c == 'e';
+        panel.row((c.to_string(), Role::Text), ("", Role::Text), chosen, c);
     }
     let placed = panel.placed(place(3), &WRITING);
-    assert_eq!(placed.overflow(), 3);
-    assert_eq!(
-        [
-            placed.following(0),
-            placed.following(3),
-            placed.following(9)
-        ],
-        [2, 3, 3]
-    );
+    assert_eq!((placed.overflow(), placed.following()), (3, 3));
     let seen: String = placed.targets(2).map(|(_, action)| action).collect();
     assert_eq!(seen, "cde");
-    let hint = drawn(&panel, 3, 2).join(" ");
-    assert!(hint.contains("PageDown: more"), "{hint}");
+}
+
+#[test]
+fn a_long_text_says_which_key_brings_the_rest() {
+    let mut panel = Panel::<char>::new("");
+    panel.paragraph("one two three four five six seven", Role::Text);
+    let mut buf = Buffer::empty(Rect::new(0, 0, 28, 3));
+    let writing = Writing {
+        pages: Some(["b".into(), "n".into()]),
+        ..WRITING
+    };
+    for (scrolled, hint) in [(0, "n: more"), (1, "b: back")] {
+        panel
+            .placed(place(1), &writing)
+            .draw(scrolled, &mut buf, &writing);
+        assert!(text(&buf).contains(hint), "{}", text(&buf));
+    }
 }

@@ -20,6 +20,6 @@ pub use charset::Charset;
 pub use lines::{Lines, Spare};
 pub use look::Look;
 pub use scroll::{Scroll, overflow, scroll_keys};
-pub(crate) use scroll::{more_hint, rehearsed};
+pub(crate) use scroll::{hint_below, rehearsed};
 pub use terms::{held, unbroken};
 pub use wrap::{ago, clipped, equation, width, wrap};

@@ -66,21 +66,19 @@ impl Scroll {
         let most = overflow(area, look, &write);
         let rows = self.rows.min(most);
         write(&mut Lines::new(area, buf, look).scrolled(rows));
-        more_hint(area, buf, look, rows, most);
+        if most > 0 {
+            let hint = if rows < most {
+                " PageDown: more "
+            } else {
+                " PageUp: back "
+            };
+            hint_below(area, buf, look, hint);
+        }
     }
 }
 
-/// Says in the frame below `area` which key brings the rest of a text that is scrolled by
-/// so many `rows` of the `most` there are.
-pub(crate) fn more_hint(area: Rect, buf: &mut Buffer, look: Look, rows: u16, most: u16) {
-    if most == 0 {
-        return;
-    }
-    let hint = if rows < most {
-        " PageDown: more "
-    } else {
-        " PageUp: back "
-    };
+/// Writes a hint into the frame below `area`.
+pub(crate) fn hint_below(area: Rect, buf: &mut Buffer, look: Look, hint: &str) {
     let width = text::width(hint) as u16;
     let column = area.right().saturating_sub(width + 1).max(area.x);
     if buf.area.contains((column, area.bottom()).into()) {

@@ -2,14 +2,12 @@
 
 mod view;
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use crate::files::FileError;
 use crate::lessons::{Book, Chapter, Forget};
 use crate::messages::{Input, Key, StoreReply};
-use crate::screens::{Confirmation, Context, Next, Place, Screen};
+use crate::screens::{Confirmation, Context, Next, Place, Screen, View};
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 
@@ -176,15 +174,16 @@ impl Screen for Contents {
                 book.at = book.next().unwrap_or(0);
                 Next::Stay
             }
-            Input::Mouse(mouse) if book.is_known() => {
-                let line = view::line_at(book, cx.body, mouse.cell());
-                listed(book, |list, count| list.mouse(mouse, count, line))
-            }
             _ => Next::Ignored,
         }
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(area, buf, cx);
+    fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        let by = ListAction::Choose(by.into());
+        listed(&mut cx.book, |list, count| list.act(by, count))
+    }
+
+    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, ContentsAction>> {
+        Some(view::view(cx))
     }
 }

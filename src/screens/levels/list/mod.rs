@@ -2,12 +2,9 @@
 
 mod view;
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-
 use crate::levels::Shelf;
 use crate::messages::{Input, Key, StoreReply, StoreRequest};
-use crate::screens::{Context, Next, Place, Screen};
+use crate::screens::{Context, Next, Place, Screen, View};
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 
@@ -103,12 +100,6 @@ impl Screen for Levels {
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
-            Input::Mouse(mouse) => {
-                let line = view::choice_at(&cx.shelf, cx.body, mouse.cell());
-                let mut list = ListView::at(cx.shelf.at);
-                let outcome = list.mouse(mouse, choices(&cx.shelf), line);
-                self.listed(list, outcome, &mut cx.shelf)
-            }
             Input::Kept(answer) if matches!(answer.done, StoreReply::Stars(_)) && !self.moved => {
                 cx.shelf.at = cx.shelf.next().unwrap_or(0);
                 Next::Stay
@@ -117,7 +108,11 @@ impl Screen for Levels {
         }
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(area, buf, cx);
+    fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        self.act(LevelsAction::List(ListAction::Choose(by.into())), cx)
+    }
+
+    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, LevelsAction>> {
+        Some(view::view(&cx.shelf))
     }
 }

@@ -1,14 +1,15 @@
-//! How the list of levels looks.
+//! What the list of levels shows.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::LevelsAction;
 use crate::levels::{Level, Shelf};
-use crate::screens::Context;
+use crate::screens::View;
 use crate::screens::levels::play::dial_name;
 use crate::screens::levels::words;
-use crate::widgets::input::ListView;
-use crate::widgets::{Lines, Role, SplitLayout, text};
+use crate::widgets::input::ListAction;
+use crate::widgets::panel::Panel;
+use crate::widgets::{Role, SplitLayout};
 
 /// What stands beside the level that is to be won next.
 const NEXT: &str = "next";
@@ -24,142 +25,91 @@ fn layout(area: Rect) -> SplitLayout {
     }
 }
 
-/// A line of the list.
-enum LevelRow {
-    /// Nothing, between two packs.
-    Gap,
-    /// The name of a pack and how much of it is won.
-    Head(String),
-    /// A level or a problem, by its number among what can be chosen.
-    Choice(usize),
+/// The list, and what the chosen level is about.
+pub(super) fn view<'s>(shelf: &Shelf) -> View<'s, LevelsAction> {
+    let at = shelf.at.checked_sub(shelf.count());
+    let problem = at.and_then(|i| shelf.library().problems.get(i));
+    let about = if let Some(problem) = problem {
+        let mut panel = Panel::new("what is wrong");
+        panel.paragraph(problem.to_string(), Role::Warn);
+        panel.gap();
+        panel.paragraph("The other levels can be played all the same.", Role::Text);
+        panel
+    } else if let Some((_, level)) = shelf.get(shelf.at) {
+        about(level, shelf.stars(shelf.at))
+    } else {
+        let mut panel = Panel::new("the level");
+        panel.paragraph("There are no levels here.", Role::Text);
+        panel
+    };
+    View {
+        layout,
+        ..View::panels(list(shelf), about)
+    }
 }
 
-/// All lines of the list.
-fn rows(shelf: &Shelf) -> Vec<LevelRow> {
-    let mut rows = Vec::new();
-    let head = |rows: &mut Vec<LevelRow>, text: String| {
-        if !rows.is_empty() {
-            rows.push(LevelRow::Gap);
-        }
-        rows.push(LevelRow::Head(text));
-    };
+/// All levels, pack by pack, and after them what is left out.
+fn list(shelf: &Shelf) -> Panel<LevelsAction> {
+    let mut panel = Panel::new("levels");
     let mut number = 0;
     for pack in &shelf.library().packs {
         let members = number..number + pack.levels.len();
         let won = members.clone().filter(|n| shelf.stars(*n) > 0).count();
-        let title = format!("{}: {won} of {} won", pack.title(), pack.levels.len());
-        head(&mut rows, title);
-        rows.extend(members.clone().map(LevelRow::Choice));
+        panel.gap();
+        panel.heading(format!(
+            "{}: {won} of {} won",
+            pack.title(),
+            pack.levels.len()
+        ));
         number = members.end;
+        members.for_each(|at| choice(shelf, at, &mut panel));
     }
     let problems = shelf.library().problems.len();
     if problems > 0 {
         let files = if problems == 1 { "file" } else { "files" };
-        head(&mut rows, format!("left out: {problems} {files}"));
-        rows.extend((number..number + problems).map(LevelRow::Choice));
+        panel.gap();
+        panel.heading(format!("left out: {problems} {files}"));
+        (number..number + problems).for_each(|at| choice(shelf, at, &mut panel));
     }
-    rows
-}
-
-/// The first line shown.
-fn first_line(shelf: &Shelf, rows: &[LevelRow], height: u16) -> usize {
-    let chosen = |row: &LevelRow| matches!(row, LevelRow::Choice(at) if *at == shelf.at);
-    let at = rows.iter().position(chosen).unwrap_or(0);
-    ListView::first_shown(at, rows.len(), height)
-}
-
-/// The level or problem whose line is at this cell.
-pub(super) fn choice_at(shelf: &Shelf, area: Rect, cell: (u16, u16)) -> Option<usize> {
-    let list = layout(area).picture;
-    if !list.contains(cell.into()) {
-        return None;
-    }
-    let rows = rows(shelf);
-    let first = first_line(shelf, &rows, list.height);
-    match rows.get(first + usize::from(cell.1 - list.y))? {
-        LevelRow::Choice(at) => Some(*at),
-        LevelRow::Gap | LevelRow::Head(_) => None,
-    }
-}
-
-/// Draws the list and what the chosen level is about.
-pub(super) fn draw(area: Rect, buf: &mut Buffer, cx: &Context) {
-    let look = cx.settings.look();
-    let layout = layout(area);
-    let shelf = &cx.shelf;
-    let problem = shelf
-        .at
-        .checked_sub(shelf.count())
-        .and_then(|i| shelf.library().problems.get(i));
-    let side_title = if problem.is_some() {
-        "what is wrong"
-    } else {
-        "the level"
-    };
-    layout.draw(buf, &look, "levels", side_title);
-    let rows = rows(shelf);
-    let first = first_line(shelf, &rows, layout.picture.height);
-    let mut lines = Lines::new(layout.picture, buf, look);
-    for row in rows.iter().skip(first) {
-        match row {
-            LevelRow::Gap => lines.line("", Role::Text),
-            LevelRow::Head(text) => lines.line(text, Role::Title),
-            LevelRow::Choice(at) => choice(shelf, *at, &mut lines),
-        }
-    }
-    let mut lines = Lines::new(layout.panel, buf, look);
-    if let Some(problem) = problem {
-        lines.paragraph(&problem.to_string(), Role::Warn);
-        lines.gap();
-        lines.paragraph("The other levels can be played all the same.", Role::Text);
-    } else if let Some((_, level)) = shelf.get(shelf.at) {
-        about(level, shelf.stars(shelf.at), &mut lines);
-    } else {
-        lines.paragraph("There are no levels here.", Role::Text);
-    }
+    panel
 }
 
 /// The line of a level or a problem.
-fn choice(shelf: &Shelf, at: usize, lines: &mut Lines) {
-    let level = shelf.get(at).map(|(_, level)| level);
-    let usual = if level.is_some() {
-        Role::Text
-    } else {
-        Role::Warn
-    };
-    let (mark, role) = usual.of_choice(at == shelf.at);
-    let Some(level) = level else {
+fn choice(shelf: &Shelf, at: usize, panel: &mut Panel<LevelsAction>) {
+    let action = LevelsAction::List(ListAction::Point(at));
+    let chosen = at == shelf.at;
+    let Some((_, level)) = shelf.get(at) else {
         let problem = shelf.library().problems.get(at - shelf.count());
         let path = problem.map_or("", |problem| &problem.file);
         let file = path.rsplit(['/', '\\']).next().unwrap_or_default();
-        lines.line(&format!("{mark} {}", file.escape_debug()), role);
-        return;
+        let file = file.escape_debug().to_string();
+        return panel.row((file, Role::Warn), ("", Role::Warn), chosen, action);
     };
     let stars = match shelf.stars(at) {
         0 => "   ".to_owned(),
         stars => words::stars(stars),
     };
-    let name = format!("{mark} {:2} {stars} {}", at + 1, level.title);
-    let free = usize::from(lines.width()).saturating_sub(text::width(&name));
-    let is_next = shelf.next() == Some(at) && free > NEXT.len() + 1;
-    let next = if is_next { NEXT } else { "" };
-    lines.pair(&name, next, role, Role::Key);
+    let name = format!("{:2} {stars} {}", at + 1, level.title);
+    let next = if shelf.next() == Some(at) { NEXT } else { "" };
+    panel.row((name, Role::Text), (next, Role::Key), chosen, action);
 }
 
 /// What a level is about.
-fn about(level: &Level, stars: u8, lines: &mut Lines) {
-    lines.paragraph(&level.title, Role::Title);
+fn about(level: &Level, stars: u8) -> Panel<LevelsAction> {
+    let mut panel = Panel::new("the level");
+    panel.paragraph(&level.title, Role::Title);
     if stars > 0 {
-        lines.line(&words::stars(stars), Role::Good);
+        panel.line(words::stars(stars), Role::Good);
     }
-    lines.gap();
+    panel.gap();
     for goal in &level.goals {
-        lines.paragraph(&goal.describe(&level.scene), Role::Text);
+        panel.paragraph(goal.describe(&level.scene), Role::Text);
     }
-    lines.gap();
+    panel.gap();
     let dials = level.adjust.dials().map(|(dial, _)| dial_name(dial));
     let dials = dials.collect::<Vec<_>>().join(", ");
-    lines.paragraph(&format!("You set: {dials}."), Role::Dim);
-    lines.gap();
-    lines.paragraph("Enter: play it.", Role::Key);
+    panel.paragraph(format!("You set: {dials}."), Role::Dim);
+    panel.gap();
+    panel.prompt("play it", LevelsAction::List(ListAction::Open));
+    panel
 }
