@@ -41,8 +41,8 @@ impl Store {
             Err(trouble) => {
                 let name = format!("{ASIDE}-{}.db", self.aside.len() + 1);
                 self.notice = Some(format!(
-                    "{PROGRESS} was damaged: {trouble}. It is set aside as {name}, and what you \
-                     do from now on is kept in a new one."
+                    "{PROGRESS} cannot be used: {trouble}. It is kept as {name}, and what you do \
+                     from now on is saved in a new file."
                 ));
                 self.aside.push((name, bytes.clone()));
             }

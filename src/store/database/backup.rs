@@ -9,7 +9,7 @@ use rusqlite::backup::Backup;
 
 use super::error::DatabaseError;
 use super::mend::{columns, remove};
-use super::schema;
+use super::{schema, unchanged};
 use crate::files::fsync_dir;
 
 /// How many are kept.
@@ -66,10 +66,8 @@ pub(super) fn fill_in(
 ) -> Result<Option<String>, DatabaseError> {
     for name in names(folder) {
         let path = folder.join(&name);
-        let is_sound = Connection::open(&path).is_ok_and(|copy| {
-            schema::check_pages(&copy).is_ok()
-                && schema::version(&copy).is_ok_and(|it| it == version)
-        });
+        let is_sound = unchanged::examine(&path).is_ok_and(|it| it == version)
+            && unchanged::connection(&path).is_ok_and(|copy| schema::check(&copy).is_ok());
         if !is_sound {
             continue;
         }

@@ -16,9 +16,6 @@ const PLACES: &str = "SELECT chapter, page, alpha_deg FROM bookmark WHERE player
 const PAGES: &str = "SELECT chapter, page, asked, answer, is_right FROM page_seen \
     WHERE player = ?1";
 
-/// What is asked of the tables.
-pub(super) const QUERIES: [&str; 2] = [PLACES, PAGES];
-
 impl Database {
     /// Adds what a player has done in a chapter to its bookmark.
     pub(in crate::store) fn mark(

@@ -4,7 +4,7 @@
 use rusqlite::Connection;
 
 use super::error::DatabaseError;
-use super::{Database, Location, schema, tables};
+use super::{Database, Location, limits, schema, tables};
 use crate::progress::Attempt;
 
 /// Where the header of a file says how it is written: through a log beside it (2), which bytes
@@ -86,9 +86,12 @@ fn open(bytes: &[u8]) -> Result<Connection, DatabaseError> {
         ways.fill(1);
     }
     let mut connection = Connection::open_in_memory()?;
+    limits::limit_work(&mut connection, bytes.len() as u64)?;
     connection.deserialize_read_exact("main", &*bytes, bytes.len(), false)?;
     schema::prepare(&mut connection)?;
     schema::check(&connection)?;
+    // It lives for as long as the page.
+    limits::unlimit_work(&mut connection)?;
     Ok(connection)
 }
 
@@ -103,6 +106,7 @@ fn add(connection: &mut Connection, other: &mut Connection) -> Result<(), Databa
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests as database_tests;
     use super::*;
     use crate::levels::Starred;
 
@@ -169,10 +173,32 @@ mod tests {
         let whole = with(&[1], 1).bytes().unwrap().unwrap();
         assert!(Database::of_bytes(b"no database").is_err());
         assert!(Database::of_bytes(&whole[..whole.len() / 2]).is_err());
-        let mut newer = whole;
-        newer[60..64].copy_from_slice(&99_u32.to_be_bytes());
+        let mut newer = Connection::open_in_memory().unwrap();
+        newer
+            .execute_batch("CREATE TABLE later (x); PRAGMA user_version = 99")
+            .unwrap();
+        let newer = newer.serialize("main").unwrap().to_vec();
         let mut kept = Database::of_bytes(&newer).unwrap();
         assert!(kept.record(&attempt(9)).unwrap_err().contains("newer"));
         assert_eq!(kept.bytes(), Ok(Some(newer)));
+    }
+
+    #[test]
+    fn bytes_with_a_schema_that_is_not_ours_are_refused_before_they_are_queried() {
+        for sql in database_tests::FOREIGN_SCHEMAS {
+            let mut foreign =
+                database_tests::with_foreign_schema(Connection::open_in_memory(), sql);
+            let bytes = foreign.serialize("main").unwrap().to_vec();
+            let start = std::time::Instant::now();
+            let refused = Database::of_bytes(&bytes).err().unwrap();
+            let own = with(&[1], 1).take_in(&bytes).unwrap_err();
+            assert!(start.elapsed().as_secs() < 2, "{sql}");
+            for message in [refused, own] {
+                assert!(
+                    message.contains("not a carrom database"),
+                    "{sql}: {message}"
+                );
+            }
+        }
     }
 }

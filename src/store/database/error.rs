@@ -14,13 +14,10 @@ pub(super) enum DatabaseError {
     #[error("it is damaged; SQLite says: {0}")]
     Damaged(String),
     /// It is something else.
-    #[error(
-        "it is no database of carrom's, so it is left as it is; nothing is kept until it is \
-             moved away"
-    )]
-    NotOurs,
+    #[error("it is not a carrom database: {0}")]
+    NotOurs(String),
     /// Something else than a file has its name.
-    #[error("{0}, so it is left as it is; nothing is kept until it is moved away")]
+    #[error("{0}")]
     NoFile(String),
     /// A newer carrom has written it.
     #[error(
@@ -43,15 +40,30 @@ pub(super) enum DatabaseError {
 }
 
 impl DatabaseError {
+    /// A file that does not begin as those of carrom do.
+    pub(super) fn begins_otherwise() -> Self {
+        Self::NotOurs("it does not begin like one".into())
+    }
+
     /// Whether it may go well a little later.
     pub(super) fn is_busy(&self) -> bool {
         let busy = [ErrorCode::DatabaseBusy, ErrorCode::DatabaseLocked];
         self.code().is_some_and(|code| busy.contains(&code))
     }
 
-    /// Whether the file is no sound database of ours.
+    /// Whether something else has the name of the database.
+    pub(super) fn is_strange(&self) -> bool {
+        matches!(self, Self::NotOurs(_) | Self::NoFile(_))
+    }
+
+    /// Whether the file is no sound database of ours. One of ours never needs more work than
+    /// it is allowed.
     pub(super) fn is_damage(&self) -> bool {
-        let damage = [ErrorCode::DatabaseCorrupt, ErrorCode::NotADatabase];
+        let damage = [
+            ErrorCode::DatabaseCorrupt,
+            ErrorCode::NotADatabase,
+            ErrorCode::OperationInterrupted,
+        ];
         matches!(self, Self::Damaged(_)) || self.code().is_some_and(|code| damage.contains(&code))
     }
 
@@ -89,9 +101,9 @@ fn of_code(code: Option<ErrorCode>) -> &'static str {
         Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked) => {
             "another program holds it; SQLite says: "
         }
-        Some(ErrorCode::DatabaseCorrupt | ErrorCode::NotADatabase) => {
-            "it is damaged; SQLite says: "
-        }
+        Some(
+            ErrorCode::DatabaseCorrupt | ErrorCode::NotADatabase | ErrorCode::OperationInterrupted,
+        ) => "it is damaged; SQLite says: ",
         Some(ErrorCode::ReadOnly | ErrorCode::CannotOpen | ErrorCode::PermissionDenied) => {
             "it cannot be opened to be written; SQLite says: "
         }

@@ -9,7 +9,7 @@ use rusqlite::types::ToSqlOutput;
 use rusqlite::{Connection, ErrorCode, OpenFlags, params_from_iter};
 
 use super::error::DatabaseError;
-use super::{NAME, backup, schema};
+use super::{NAME, backup, limits, schema, size};
 use crate::files::fsync_dir;
 
 /// The new file, until it is whole.
@@ -38,7 +38,7 @@ struct Saved {
 /// saved. Nobody else may use it meanwhile.
 pub(super) fn mend(folder: &Path, trouble: &DatabaseError) -> Result<String, DatabaseError> {
     if !schema::is_ours(&folder.join(NAME)) {
-        return Err(DatabaseError::NotOurs);
+        return Err(DatabaseError::begins_otherwise());
     }
     let (draft, copy) = (folder.join(DRAFT), folder.join(COPY));
     remove(&draft)?;
@@ -80,6 +80,9 @@ fn copy_damaged(folder: &Path, to: &Path) -> io::Result<()> {
 /// Makes new indexes; fails unless the database is sound then.
 fn reindexed(draft: &Path) -> Result<(), DatabaseError> {
     let mut connection = Connection::open(draft)?;
+    limits::limit_work(&mut connection, size(draft))?;
+    limits::distrust(&connection)?;
+    schema::examine(&*connection.unchecked_transaction()?)?;
     connection.execute_batch("REINDEX")?;
     schema::prepare(&mut connection)?;
     schema::check(&connection)?;
@@ -91,9 +94,12 @@ fn salvaged(folder: &Path, damaged: &Path, draft: &Path) -> Result<Saved, Databa
     let old = Connection::open_with_flags(damaged, OpenFlags::SQLITE_OPEN_READ_ONLY)?;
     // Else SQLite reads nothing of a file that has been cut off.
     old.pragma_update(None, "writable_schema", true)?;
-    let version = match schema::version(&old) {
-        Ok(version @ 1..=schema::VERSION) => version,
-        _ => schema::VERSION,
+    let version = match (schema::examine(&old), schema::version_of_tables(&old)) {
+        (Ok(version), _) | (_, Ok(Some(version))) => version,
+        _ => match schema::version(&old) {
+            Ok(version @ 1..=schema::VERSION) => version,
+            _ => schema::VERSION,
+        },
     };
     let mut new = Connection::open(draft)?;
     schema::lay_out(&new, version)?;
@@ -231,7 +237,7 @@ pub(super) fn remove(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-fn with_ending(path: &Path, ending: &str) -> PathBuf {
+pub(super) fn with_ending(path: &Path, ending: &str) -> PathBuf {
     let mut path = path.as_os_str().to_owned();
     path.push(ending);
     path.into()

@@ -20,6 +20,7 @@ mod backup;
 mod bookmarks;
 mod bytes;
 mod error;
+mod limits;
 mod mend;
 mod schema;
 mod tables;
@@ -246,7 +247,7 @@ impl Database {
         folder: &Path,
         look: &impl Fn(&Transaction) -> rusqlite::Result<T>,
     ) -> Result<T, DatabaseError> {
-        let mut connection = unchanged::open(folder, NAME, self.checked.is_none())?;
+        let mut connection = unchanged::open(&path(folder), self.checked.is_none())?;
         self.checked = Some(self.today);
         transact(&mut connection, TransactionBehavior::Deferred, look)
     }
@@ -254,7 +255,14 @@ impl Database {
     fn told(&self, trouble: &DatabaseError) -> String {
         match &self.location {
             Location::Memory(_) | Location::Newer(..) => trouble.to_string(),
-            Location::Folder(folder) => format!("{}: {trouble}", path(folder).display()),
+            Location::Folder(folder) => {
+                let left = if trouble.is_strange() {
+                    ", so it is left as it is; nothing is kept until it is moved away"
+                } else {
+                    ""
+                };
+                format!("{}: {trouble}{left}", path(folder).display())
+            }
         }
     }
 }
@@ -278,8 +286,14 @@ fn look_at_file(path: &Path) -> Result<(), DatabaseError> {
             Err(DatabaseError::NoFile(not_a_file(path).without_file()))
         }
         Ok(about) if about.len() > 0 => match schema::version_in_header(path) {
-            Some(found) if is_newer(&found) => Err(DatabaseError::Newer(found)),
-            None if !schema::is_ours(path) => Err(DatabaseError::NotOurs),
+            // With the tables of this version it is the number that is damaged.
+            Some(found)
+                if is_newer(&found)
+                    && !unchanged::examine(path).is_err_and(|trouble| trouble.is_damage()) =>
+            {
+                Err(DatabaseError::Newer(found))
+            }
+            None if !schema::is_ours(path) => Err(DatabaseError::begins_otherwise()),
             _ => Ok(()),
         },
         _ => Ok(()),
@@ -297,10 +311,18 @@ fn path(folder: &Path) -> PathBuf {
     folder.join(NAME)
 }
 
+/// The bytes of a database and its log.
+fn size(path: &Path) -> u64 {
+    let files = ["", "-wal"].map(|ending| fs::metadata(mend::with_ending(path, ending)));
+    files.into_iter().flatten().map(|about| about.len()).sum()
+}
+
 /// Opens the database and brings it to the present version.
 fn open(folder: &Path, wait: Duration) -> Result<Connection, DatabaseError> {
-    let mut connection = Connection::open(path(folder))?;
+    let path = path(folder);
+    let mut connection = Connection::open(&path)?;
     connection.busy_timeout(wait)?;
+    limits::limit_work(&mut connection, size(&path))?;
     schema::prepare(&mut connection)?;
     Ok(connection)
 }

@@ -1,17 +1,21 @@
 //! The versions of the database.
 //!
 //! `user_version` says which one a file has. A step leads from each version to the
-//! next and is never changed once it was released; a change is a new step.
+//! next and is never changed once it was released; a change is a new step. Each step from
+//! the fourth on must change the schema: then a number that is too high for the schema is
+//! known to be damaged, and not that of a newer carrom.
 
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
+use std::sync::OnceLock;
 
 use rusqlite::config::DbConfig;
 use rusqlite::{Connection, TransactionBehavior};
 
 use super::error::DatabaseError;
-use super::{bookmarks, tables};
+use super::limits;
+use crate::files::escape_control;
 
 /// The steps, each to the version of its place, from 1.
 const STEPS: [&str; 3] = [
@@ -26,15 +30,25 @@ pub(super) const MAGIC: &[u8] = b"SQLite format 3\0";
 /// The present version.
 pub(super) const VERSION: i64 = STEPS.len() as i64;
 
+/// A table, an index or anything else in a schema.
+#[derive(PartialEq, Eq)]
+struct Item {
+    kind: String,
+    name: String,
+    /// All that the schema says of it, without spaces and comments.
+    text: Vec<u8>,
+}
+
+/// How many letters of a schema may be wrong for it to be ours and damaged.
+const WRONG_LETTERS: usize = 4;
+
 /// Brings a database to the present version, unless it is a newer one.
 pub(super) fn prepare(connection: &mut Connection) -> Result<(), DatabaseError> {
     // Closing must not move anything about in a file that is not ours to change.
     let no_checkpoint = DbConfig::SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE;
     connection.set_db_config(no_checkpoint, true)?;
-    let found = version(connection)?;
-    if found > VERSION {
-        return Err(DatabaseError::Newer(found));
-    }
+    limits::distrust(connection)?;
+    let found = examine(&*connection.unchecked_transaction()?)?;
     connection.set_db_config(no_checkpoint, false)?;
     connection.pragma_update(None, "journal_mode", "WAL")?;
     connection.pragma_update(None, "synchronous", "FULL")?;
@@ -47,19 +61,110 @@ pub(super) fn prepare(connection: &mut Connection) -> Result<(), DatabaseError> 
 fn upgrade(connection: &mut Connection) -> Result<(), DatabaseError> {
     let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
     // Another carrom may have been first.
-    let found = version(&transaction)?;
-    let tables: i64 =
-        transaction.query_row("SELECT count(*) FROM sqlite_schema", [], |row| row.get(0))?;
-    let is_ours = match found {
-        0 => tables == 0,
-        _ => found > 0 && has_tables(&transaction, tables::QUERIES).is_ok(),
-    };
-    if !is_ours {
-        return Err(DatabaseError::NotOurs);
-    }
+    let found = examine(&transaction)?;
     take_steps(&transaction, found, VERSION)?;
     transaction.commit()?;
     Ok(())
+}
+
+/// The version of a database that this carrom may read, by its number and by its schema, which
+/// must be the one that carrom makes: a view in place of a table could make any query endless.
+/// Must be in a transaction, so that both are of one moment.
+pub(super) fn examine(connection: &Connection) -> Result<i64, DatabaseError> {
+    let found = version(connection)?;
+    let items = items(connection)?;
+    let known = known()?;
+    let is_of = |version: i64| {
+        let known = usize::try_from(version).ok().and_then(|it| known.get(it));
+        known.is_some_and(|known| *known == items)
+    };
+    if is_of(found) {
+        return Ok(found);
+    }
+    if let Some(version) = (1..=VERSION).rev().find(|version| is_of(*version)) {
+        return Err(DatabaseError::Damaged(format!(
+            "its format number is {found}, but its tables are those of format {version}"
+        )));
+    }
+    if found > VERSION {
+        return Err(DatabaseError::Newer(found));
+    }
+    if known.iter().skip(1).any(|known| is_nearly(&items, known)) {
+        let why = "the description of its tables is damaged";
+        return Err(DatabaseError::Damaged(why.into()));
+    }
+    let strange = items
+        .iter()
+        .find(|item| !known.iter().flatten().any(|it| it == *item));
+    Err(DatabaseError::NotOurs(
+        strange.map_or("carrom's tables are missing".into(), |it| {
+            format!("carrom did not make its {} “{}”", it.kind, it.name)
+        }),
+    ))
+}
+
+/// The latest version that has the schema of this database; `None` if no version has.
+pub(super) fn version_of_tables(connection: &Connection) -> Result<Option<i64>, DatabaseError> {
+    let items = items(connection)?;
+    let known = (0..).zip(known()?).skip(1);
+    let same = known.filter(|(_, known)| **known == items);
+    Ok(same.map(|(version, _)| version).last())
+}
+
+/// What is in the schema of a database. What SQLite notes there of how tables are best
+/// searched is left out.
+fn items(connection: &Connection) -> rusqlite::Result<Vec<Item>> {
+    let mut items = connection.prepare(
+        "SELECT type, name, tbl_name, sql FROM sqlite_schema \
+         WHERE name NOT GLOB 'sqlite_stat[0-9]' ORDER BY name, type",
+    )?;
+    let items = items.query_map([], |row| {
+        let bytes = |column| row.get_ref(column).map(|it| it.as_bytes_or_null());
+        let readable = |column| match bytes(column) {
+            Ok(Ok(Some(bytes))) => escape_control(&String::from_utf8_lossy(bytes), 40),
+            _ => "part".into(),
+        };
+        let mut text = Vec::new();
+        for column in 0..4 {
+            let bytes = bytes(column)?.ok().flatten().unwrap_or_default();
+            for line in bytes.split(|byte| *byte == b'\n') {
+                let end = line.windows(2).position(|it| it == b"--");
+                let line = line.get(..end.unwrap_or(line.len())).unwrap_or_default();
+                text.extend(line.iter().filter(|byte| !byte.is_ascii_whitespace()));
+            }
+            text.push(b' ');
+        }
+        Ok(Item {
+            kind: readable(0),
+            name: readable(1),
+            text,
+        })
+    })?;
+    items.collect()
+}
+
+/// What is in the schema of each version, from 0, which is empty.
+fn known() -> rusqlite::Result<&'static [Vec<Item>]> {
+    static KNOWN: OnceLock<Vec<Vec<Item>>> = OnceLock::new();
+    if let Some(known) = KNOWN.get() {
+        return Ok(known);
+    }
+    let known = (0..=VERSION).map(|version| {
+        let empty = Connection::open_in_memory()?;
+        lay_out(&empty, version)?;
+        items(&empty)
+    });
+    let known = known.collect::<rusqlite::Result<_>>()?;
+    Ok(KNOWN.get_or_init(|| known))
+}
+
+/// Whether a schema differs from another in so few letters that they were damaged.
+fn is_nearly(items: &[Item], known: &[Item]) -> bool {
+    let text =
+        |items: &[Item]| -> Vec<u8> { items.iter().flat_map(|it| it.text.clone()).collect() };
+    let (items, known) = (text(items), text(known));
+    items.len() == known.len()
+        && items.iter().zip(&known).filter(|(a, b)| a != b).count() <= WRONG_LETTERS
 }
 
 /// Brings a database from one version to a later one.
@@ -95,12 +200,6 @@ pub(super) fn version_in_header(path: &Path) -> Option<i64> {
         .then(|| i32::from_be_bytes(*version).into())
 }
 
-/// Fails unless the tables of these queries are there with all their columns.
-fn has_tables(connection: &Connection, queries: [&str; 2]) -> rusqlite::Result<()> {
-    let mut prepared = queries.iter().map(|query| connection.prepare(query));
-    prepared.try_for_each(|it| it.map(drop))
-}
-
 /// Whether a file is a database of carrom's, damaged or not: it begins as one, but for a byte
 /// at most, and holds near its beginning how the answers' table was made.
 pub(super) fn is_ours(path: &Path) -> bool {
@@ -115,7 +214,7 @@ pub(super) fn is_ours(path: &Path) -> bool {
 }
 
 /// Looks a database through, page by page.
-pub(super) fn check_pages(connection: &Connection) -> Result<(), DatabaseError> {
+pub(super) fn check(connection: &Connection) -> Result<(), DatabaseError> {
     let found: String = connection.query_row("PRAGMA integrity_check(1)", [], |row| row.get(0))?;
     match found.as_str() {
         "ok" => Ok(()),
@@ -124,18 +223,4 @@ pub(super) fn check_pages(connection: &Connection) -> Result<(), DatabaseError> 
             found.replace("*** in database main ***", "").trim().into(),
         )),
     }
-}
-
-/// Looks a database of the present version through, page by page.
-pub(super) fn check(connection: &Connection) -> Result<(), DatabaseError> {
-    check_pages(connection)?;
-    check_tables(connection)
-}
-
-/// Fails unless a database of the present version has all tables.
-pub(super) fn check_tables(connection: &Connection) -> Result<(), DatabaseError> {
-    [tables::QUERIES, bookmarks::QUERIES]
-        .into_iter()
-        .try_for_each(|queries| has_tables(connection, queries))
-        .map_err(|_| DatabaseError::NotOurs)
 }

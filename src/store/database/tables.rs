@@ -14,9 +14,6 @@ const ATTEMPTS: &str = "SELECT time_s, player, family, topic, seed, number, ques
 
 const STARS: &str = "SELECT pack, level, stars FROM star WHERE player = ?1 ORDER BY pack, level";
 
-/// What is asked of the tables.
-pub(super) const QUERIES: [&str; 2] = [ATTEMPTS, STARS];
-
 impl Database {
     /// Keeps an answer.
     pub(in crate::store) fn record(&mut self, attempt: &Attempt) -> Result<(), String> {

@@ -388,6 +388,116 @@ fn what_is_no_database_of_ours_is_refused_and_left() {
     refused(&scratch);
 }
 
+/// What somebody could make of a database of the present version: each changes a schema so that
+/// looking something up, checking or writing runs what is not carrom's.
+pub(super) const FOREIGN_SCHEMAS: [&str; 7] = [
+    // Not endless, so that a carrom that falls for it fails and goes on.
+    "ALTER TABLE attempt RENAME TO hidden;
+     CREATE VIEW attempt AS
+        WITH RECURSIVE number (n) AS (SELECT 1 UNION ALL SELECT n + 1 FROM number LIMIT 200000)
+        SELECT n AS id, 1 AS time_s, 'Ada' AS player, 'where-to' AS family, 'x' AS topic, 1 AS seed,
+            n AS number, '{}' AS question, '{}' AS answer, '{}' AS truth, NULL AS error_deg,
+            1 AS credit, 1 AS is_right, NULL AS confidence, NULL AS misconception
+        FROM number;",
+    "CREATE TRIGGER more AFTER INSERT ON attempt BEGIN DELETE FROM attempt; END",
+    "CREATE INDEX slow ON attempt (hex(topic || family))",
+    "CREATE TABLE more (x CHECK (length(hex(zeroblob(x))) < 9))",
+    "CREATE VIRTUAL TABLE more USING fts5 (x)",
+    "CREATE VIEW star_2 AS SELECT * FROM star",
+    "DROP TABLE page_seen; CREATE TABLE page_seen (player TEXT, chapter TEXT, page TEXT,
+        asked TEXT, answer TEXT, is_right INTEGER AS (length(hex(player))))",
+];
+
+/// A database of the present version to which this was done.
+pub(super) fn with_foreign_schema(
+    connection: rusqlite::Result<Connection>,
+    sql: &str,
+) -> Connection {
+    let connection = connection.unwrap();
+    schema::lay_out(&connection, schema::VERSION).unwrap();
+    connection.execute_batch(sql).unwrap();
+    connection
+}
+
+#[test]
+fn a_schema_that_is_not_ours_is_refused_before_it_is_queried() {
+    for sql in FOREIGN_SCHEMAS {
+        let scratch = Scratch::new("foreign");
+        drop(with_foreign_schema(Connection::open(scratch.path()), sql));
+        let before = fs::read(scratch.path()).unwrap();
+        let start = Instant::now();
+        let refused = [
+            scratch.database().record(&attempt("Ada", 1)),
+            scratch.database().attempts(None).map(drop),
+            {
+                let mut only_looks = scratch.database();
+                only_looks.only_look();
+                only_looks.attempts(None).map(drop)
+            },
+        ];
+        assert!(start.elapsed() < Duration::from_secs(2), "{sql}");
+        for message in refused.map(Result::unwrap_err) {
+            assert!(
+                message.contains("carrom did not make its"),
+                "{sql}: {message}"
+            );
+            assert!(message.contains("left as it is"), "{sql}: {message}");
+        }
+        assert!(fs::read(scratch.path()).unwrap() == before, "{sql}");
+        assert_eq!(scratch.names(), ["progress.db"]);
+    }
+}
+
+/// Each bit of the number, with which a file that is whole seemed to be a newer carrom's.
+#[test]
+fn a_flipped_bit_of_the_format_number_is_mended() {
+    let (scratch, sound) = filled("version");
+    for (place, bit) in (60..64).flat_map(|place| (0..8).map(move |bit| (place, bit))) {
+        let mut damaged = sound.clone();
+        damaged[place] ^= 1 << bit;
+        for name in scratch.names() {
+            fs::remove_file(scratch.0.join(name)).unwrap();
+        }
+        fs::write(scratch.path(), damaged).unwrap();
+        let mut database = scratch.database();
+        let answers = database.attempts(None).map(|it| it.len());
+        assert_eq!(answers, Ok(200), "{place} {bit}");
+        // The schemas of 2 and 3 are the same, and so are the answers after the step.
+        let is_two = (place, bit) == (63, 0);
+        let notice = database.take_notice();
+        assert_eq!(notice.is_none(), is_two, "{place} {bit}: {notice:?}");
+        assert!(notice.is_none_or(|it| it.contains("Everything in it could be saved")));
+        let format = schema::version_in_header(&scratch.path());
+        assert_eq!(format, Some(schema::VERSION));
+    }
+}
+
+/// A letter of a column's name.
+#[test]
+fn a_flipped_byte_of_the_schema_is_damage() {
+    let (scratch, mut damaged) = filled("schema");
+    let words = b"question TEXT NOT NULL";
+    let place = damaged.windows(words.len()).position(|it| it == words);
+    damaged[place.unwrap()] ^= 1;
+    fs::write(scratch.path(), damaged).unwrap();
+    let mut database = scratch.database();
+    assert!(database.attempts(None).is_ok());
+    assert!(database.take_notice().unwrap().contains("damaged"));
+}
+
+/// What SQLite notes of how tables are best searched is in nobody's way.
+#[test]
+fn a_database_that_somebody_analyzed_is_still_ours() {
+    let (scratch, _) = filled("analyzed");
+    let other = Connection::open(scratch.path()).unwrap();
+    other.execute_batch("ANALYZE; VACUUM").unwrap();
+    drop(other);
+    let mut database = scratch.database();
+    assert_eq!(database.attempts(None).unwrap().len(), 200);
+    database.record(&attempt("Ada", 1)).unwrap();
+    assert_eq!(database.take_notice(), None);
+}
+
 /// One row that makes no sense hides none of the others.
 #[test]
 fn a_row_of_nonsense_hides_no_other() {
@@ -495,7 +605,7 @@ fn a_database_of_each_older_format_opens() {
         old.execute_batch(sql).unwrap();
         drop(old);
         // Where nothing can be written it means the same.
-        let unwritten = unchanged::open(&scratch.0, NAME, true).unwrap();
+        let unwritten = unchanged::open(&scratch.path(), true).unwrap();
         let found = tables::attempts(&unwritten, None).unwrap();
         assert_eq!(found, [attempt("Ada", 5)]);
         drop(unwritten);
@@ -553,7 +663,7 @@ fn what_cannot_be_changed_can_be_looked_up() {
         });
         database.record(&attempt("Ada", 2)).unwrap();
         let before = (scratch.names(), fs::read(scratch.path()).unwrap());
-        let mut connection = unchanged::open(&scratch.0, NAME, true).unwrap();
+        let mut connection = unchanged::open(&scratch.path(), true).unwrap();
         let found = transact(&mut connection, TransactionBehavior::Deferred, |it| {
             tables::attempts(it, None)
         });

@@ -9,32 +9,58 @@ use rusqlite::backup::Backup;
 use rusqlite::{Connection, OpenFlags};
 
 use super::error::DatabaseError;
-use super::schema;
+use super::mend::with_ending;
+use super::{limits, schema, size};
 
-/// Opens the database of this name in `folder` to look things up, without a file beside
-/// it; looks it through first if it is to be `checked`.
-pub(super) fn open(folder: &Path, name: &str, checked: bool) -> Result<Connection, DatabaseError> {
-    let log = format!("{name}-wal");
-    let in_log = fs::metadata(folder.join(&log)).is_ok_and(|about| about.len() > 0);
-    // What cannot change needs no locks, but its log is not looked at either.
-    let how = if in_log { "mode=ro" } else { "immutable=1" };
-    let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_URI;
-    let connection = Connection::open_with_flags(address(&folder.join(name), how), flags)?;
-    let found = match schema::version(&connection) {
-        Ok(found) if found > schema::VERSION => return Err(DatabaseError::Newer(found)),
-        Ok(found) => found,
-        Err(trouble) if trouble.is_damage() => return Err(trouble),
-        Err(_) if in_log => return Err(DatabaseError::InLog(log)),
-        Err(trouble) => return Err(trouble),
+/// Opens a database to look things up, without a file beside it; looks it through first if it
+/// is to be `checked`.
+pub(super) fn open(path: &Path, checked: bool) -> Result<Connection, DatabaseError> {
+    let log = with_ending(path, "-wal");
+    let connection = connection(path)?;
+    let found = match schema::examine(&*connection.unchecked_transaction()?) {
+        Err(DatabaseError::Sqlite(error)) if is_in_log(&log) => {
+            let trouble = DatabaseError::Sqlite(error);
+            let name = log.file_name().unwrap_or_default().display().to_string();
+            return Err(if trouble.is_damage() {
+                trouble
+            } else {
+                DatabaseError::InLog(name)
+            });
+        }
+        found => found?,
     };
     if checked {
-        schema::check_pages(&connection)?;
+        schema::check(&connection)?;
     }
     if found < schema::VERSION {
         return brought_up(&connection);
     }
-    schema::check_tables(&connection)?;
     Ok(connection)
+}
+
+/// The version of a database that this carrom may read; no file is made or changed for it.
+pub(super) fn examine(path: &Path) -> Result<i64, DatabaseError> {
+    schema::examine(&*connection(path)?.unchecked_transaction()?)
+}
+
+/// A connection that changes nothing.
+pub(super) fn connection(path: &Path) -> Result<Connection, DatabaseError> {
+    // What cannot change needs no locks, but its log is not looked at either.
+    let how = if is_in_log(&with_ending(path, "-wal")) {
+        "mode=ro"
+    } else {
+        "immutable=1"
+    };
+    let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_URI;
+    let mut connection = Connection::open_with_flags(address(path, how), flags)?;
+    limits::distrust(&connection)?;
+    limits::limit_work(&mut connection, size(path))?;
+    Ok(connection)
+}
+
+/// Whether there is anything in a log.
+fn is_in_log(log: &Path) -> bool {
+    fs::metadata(log).is_ok_and(|about| about.len() > 0)
 }
 
 /// A copy in memory of an older database that cannot be changed, in the present version.
