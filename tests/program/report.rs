@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use carrom::app::App;
-use carrom::lessons::{self, Bookmark, Chapter, GivenAnswer};
+use carrom::lessons::{self, Bookmark, Chapter, Checkpoint, CheckpointKind, GivenAnswer};
 use carrom::levels;
 use carrom::levels::Starred;
 use carrom::messages::{History, StoreCall, StoreReply, StoreRequest};
@@ -15,7 +15,7 @@ use carrom::paper::clean;
 use carrom::paper::report::{Report, Sources};
 use carrom::progress::{Attempt, Calendar, LESSON, csv, json};
 use carrom::quiz::Confidence;
-use carrom::quiz::Response;
+use carrom::quiz::{Rays, Response};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -268,6 +268,15 @@ fn no_name_breaks_a_screen() {
     }
 }
 
+/// An answer of the kind that a checkpoint asks for.
+fn fitting(checkpoint: &Checkpoint) -> Response {
+    match checkpoint.asked {
+        CheckpointKind::Rays => Response::Rays(Rays::new(1.0, 0.5)),
+        CheckpointKind::Number { .. } => Response::Number(1.0),
+        CheckpointKind::Choice(_) => Response::Choice(0),
+    }
+}
+
 /// All pages of a chapter seen and answered, the first so many questions rightly.
 fn read_through(chapter: &Chapter, right: usize) -> Bookmark {
     let mut mark = Bookmark::default();
@@ -277,7 +286,7 @@ fn read_through(chapter: &Chapter, right: usize) -> Bookmark {
             asked += 1;
             GivenAnswer {
                 asked: checkpoint.written.clone(),
-                answer: Response::Choice(0),
+                answer: fitting(checkpoint),
                 right: asked <= right,
                 first: None,
             }
