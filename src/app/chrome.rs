@@ -8,8 +8,11 @@ use ratatui::widgets::{Clear, Widget};
 use super::layer::AppLayer;
 use super::{App, SMALLEST};
 use crate::screens::AnyScreen;
+use crate::widgets::flow::Run;
 use crate::widgets::panels::draw_panel;
-use crate::widgets::{Charset, Lines, Look, Role, areas, keys, overflow, text};
+use crate::widgets::{
+    Charset, Lines, Look, Role, SheetKind, Words, areas, keys, overflow, sheet, text,
+};
 
 /// The part of a screen of this size that belongs to the screen on top.
 pub(super) fn body(size: Rect) -> Rect {
@@ -45,12 +48,17 @@ pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
         match layer {
             AppLayer::Help { scrolled } => {
                 let title = format!("help: {}", screen.title());
+                sheet::begin(SheetKind::Help, &title, "");
                 // All of the body: what looks out beside the page would only be cut words.
                 let page = framed(&title, (centred(body), body), buf, look);
                 write_help(app, screen.as_ref(), &mut page.scrolled(*scrolled));
             }
-            AppLayer::Notice(words) => show_note("please note", words, body, buf, look),
+            AppLayer::Notice(words) => {
+                sheet::begin(SheetKind::Notice, "please note", "");
+                show_note("please note", words, body, buf, look);
+            }
             AppLayer::Confirm(question) | AppLayer::Leave(question) => {
+                sheet::begin(SheetKind::Question, "please say", "");
                 show_note("please say", &question.text, body, buf, look);
             }
         }
@@ -89,6 +97,11 @@ fn title_line(app: &App, screen: &dyn AnyScreen, area: Rect, buf: &mut Buffer, l
     let name = format!(" carrom : {}", screen.title());
     let name = look.charset.text(&name);
     let status = [app.keeping(), screen.status(&app.context)].join("  ");
+    sheet::begin(
+        SheetKind::Screen,
+        &look.charset.text(&screen.title()),
+        &look.charset.text(status.trim()),
+    );
     let status = look.charset.text(status.trim());
     let title = look.theme.style(Role::Title);
     let (end, _) = buf.set_stringn(0, 0, name, area.width.into(), title);
@@ -181,7 +194,13 @@ fn show_note(title: &str, words: &str, body: Rect, buf: &mut Buffer, look: Look)
         ..columns
     };
     let mut note = framed(title, (frame, frame), buf, look);
-    lines.iter().for_each(|line| note.line(line, Role::Text));
+    let all = Run::new(words.clone(), Role::Text);
+    note.written_as(
+        |_| Words::text(all),
+        |note| {
+            lines.iter().for_each(|line| note.line(line, Role::Text));
+        },
+    );
 }
 
 /// The last word on the promise that an ASCII screen holds nothing else: names and

@@ -187,9 +187,10 @@ impl<T> KeptFiles<T> {
                 let rows = self.rows(lines.left());
                 let shown = files.iter().enumerate().skip(self.first_row(rows));
                 for (i, kept) in shown.take(rows.into()) {
-                    let (mark, role) = Role::Text.of_choice(i == chosen);
                     let age = kept.age.map(text::ago).unwrap_or_default();
-                    lines.pair(&format!("{mark} {}", title(kept)), &age, role, Role::Dim);
+                    lines.choice(i == chosen, Role::Text, |lines, mark, role| {
+                        lines.pair(&format!("{mark} {}", title(kept)), &age, role, Role::Dim);
+                    });
                 }
             }
         }

@@ -50,7 +50,8 @@ pub use input::{NumberEntry, NumberInput, Outcome, RayInput, brief, shown};
 pub use panels::SplitLayout;
 pub use svg::painted::{PaintedCell, PaintedPicture, glyph_shape, painted};
 pub use text::{
-    Charset, Lines, Look, Scroll, Spare, bar, cells, formula, keys, overflow, scroll_keys,
+    Charset, Item, Lines, Look, Scroll, Section, Sheet, SheetKind, Spare, Words, bar, cells,
+    formula, keys, overflow, recorded, scroll_keys,
 };
-pub(crate) use text::{areas, big, flow, rehearsed, signs};
+pub(crate) use text::{areas, big, flow, rehearsed, sheet, signs};
 pub use theme::{Depth, Palette, Role, Theme};

@@ -18,6 +18,7 @@ mod quiz;
 mod quiz_kinds;
 mod reading;
 mod rows_of_texts;
+mod sheets;
 mod table;
 mod tape;
 mod tapes;

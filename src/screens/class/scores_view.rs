@@ -11,7 +11,8 @@ use crate::numbers;
 use crate::quiz::Grade;
 use crate::widgets::bar::bar;
 use crate::widgets::big::{Align, Big};
-use crate::widgets::{Lines, Look, Role, text};
+use crate::widgets::flow::Run;
+use crate::widgets::{Item, Lines, Look, Role, Words, sheet, text};
 
 /// Rows of large letters.
 const LETTERS: u16 = 4;
@@ -139,12 +140,20 @@ fn draw_large(
     for (i, (row, [name, points])) in rows.iter().zip(letters).enumerate() {
         let whole = slot(area, i, high);
         let place = whole.inner(Margin::new(1, 0));
+        let pair = |(name, value): (&str, &str)| Words::Pair {
+            name: Run::new(name, Role::Title),
+            value: Run::new(value, Role::Title),
+        };
+        sheet::note(area, || Item::new(pair((&row.name, &row.points))));
         name.draw(place, buf, look, Role::Title, Align::Left);
         points.draw(place, buf, look, Role::Title, Align::Right);
         let mut lines = Lines::new(below(whole, LETTERS), buf, *look);
         let width = lines.width().saturating_sub(9);
         let bar = bar(row.share, width, look.charset);
-        lines.pair(&bar, &row.gain, Role::Predicted, Role::Title);
+        sheet::note(area, || {
+            Item::new(Words::meter("", row.share, &row.gain, Role::Predicted))
+        });
+        lines.unrecorded(|lines| lines.pair(&bar, &row.gain, Role::Predicted, Role::Title));
     }
 }
 
@@ -154,7 +163,10 @@ fn draw_plain(rows: &[ScoreRow], high: u16, area: Rect, buf: &mut Buffer, look: 
         row.write(&mut lines);
         if high > 1 {
             let width = lines.width().saturating_sub(1);
-            lines.line(&bar(row.share, width, look.charset), Role::Predicted);
+            lines.written_as(
+                |_| Words::meter("", row.share, "", Role::Predicted),
+                |lines| lines.line(&bar(row.share, width, look.charset), Role::Predicted),
+            );
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::class::MOST_TEAMS;
 use crate::quiz::CourseKind;
 use crate::widgets::input::{ListView, TextField};
 use crate::widgets::panels::draw_panel;
-use crate::widgets::{Charset, Lines, Look, Role, text};
+use crate::widgets::{Charset, Lines, Look, Role, Words, text};
 
 /// Rows below the frames: the ways to start, and the list of earlier rounds.
 const BELOW: u16 = 4;
@@ -84,18 +84,25 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
         let chosen = row == set_up.at();
         match row {
             SetUpRow::Team(team) => {
-                let name = typed(&set_up.teams[team], lines.width(), chosen, look.charset);
-                line(&format!("{} {name}", team + 1), chosen, &mut lines);
+                let field = &set_up.teams[team];
+                let name = typed(field, lines.width(), chosen, look.charset);
+                let words = format!("{} {name}", team + 1);
+                let label = format!("team {}", team + 1);
+                field_line(&words, &label, field, chosen, &mut lines);
             }
             SetUpRow::Add => line("+ add a team: type its name", chosen, &mut lines),
             SetUpRow::Class => {
                 let width = lines.width().saturating_sub(8);
                 let name = typed(&set_up.class, width, chosen, look.charset);
+                let label = match set_up.class.text().is_empty() {
+                    true => "the class, for tables: no name",
+                    false => "class",
+                };
                 let words = match set_up.class.text().is_empty() && !chosen {
                     true => "the class, for tables: no name",
                     false => &format!("class: {name}"),
                 };
-                line(words, chosen, &mut lines);
+                field_line(words, label, &set_up.class, chosen, &mut lines);
             }
             _ => {}
         }
@@ -130,8 +137,15 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
 }
 
 fn line(words: &str, chosen: bool, lines: &mut Lines) {
-    let (mark, role) = Role::Text.of_choice(chosen);
-    lines.line(&format!("{mark} {words} "), role);
+    lines.choice(chosen, Role::Text, |lines, mark, role| {
+        lines.line(&format!("{mark} {words} "), role);
+    });
+}
+
+/// The line of a field, which is called `label` where it has one beside it.
+fn field_line(words: &str, label: &str, field: &TextField, chosen: bool, lines: &mut Lines) {
+    let recorded = |_| Words::text_field(label, field.text());
+    lines.clicked_as(recorded, Some(chosen), |lines| line(words, chosen, lines));
 }
 
 /// What is typed, as far as there is room; where it is `chosen` up to the cursor, with

@@ -11,7 +11,8 @@ use super::words::{Beside, Paragraph, PlacedWords, screen_rows};
 use super::{question_view, shown_view, spread_view, tally_entry, vote_view};
 use crate::class::{ClassStep, Vote};
 use crate::quiz::Question;
-use crate::widgets::{Lines, Look, Role, areas, draw_question, rehearsed};
+use crate::widgets::flow::Run;
+use crate::widgets::{Item, Lines, Look, Role, Words, areas, draw_question, rehearsed, sheet};
 
 /// A step laid out on the screen.
 pub(super) struct StepView<'a> {
@@ -157,6 +158,8 @@ impl<'a> StepView<'a> {
             let seconds = left.as_nanos().div_ceil(1_000_000_000);
             let words = format!(" {}:{:02} ", seconds / 60, seconds % 60);
             let column = self.area.right().saturating_sub(words.len() as u16);
+            let clock = Run::new(words.trim(), Role::Selected);
+            sheet::note(self.area, || Item::new(Words::Large { runs: vec![clock] }));
             let style = look.theme.style(Role::Selected);
             buf.set_stringn(column, self.area.y, &words, words.len(), style);
         }

@@ -123,14 +123,14 @@ pub(super) fn draw(
     let grid = TeamGrid::new(round, at, above_last(foot));
     for (team, name) in round.teams().iter().enumerate() {
         let cell = grid.cell(team);
-        let (mark, role) = Role::Title.of_choice(team == at);
         let sign = sign(round, play.number(), team, entry.vote);
         let room = usize::from(cell.width.saturating_sub(BESIDE));
-        let words = format!("{mark} {} {} {sign}", team + 1, text::clipped(name, room));
-        Lines::new(cell, buf, *look).line(&words, role);
+        let name = text::clipped(name, room);
+        Lines::new(cell, buf, *look).choice(team == at, Role::Title, |lines, mark, role| {
+            lines.line(&format!("{mark} {} {name} {sign}", team + 1), role);
+        });
     }
     let last = round.teams().len();
-    let (mark, role) = Role::Text.of_choice(at == last);
     let next = match entry.vote {
         Vote::First => "Go on: talk",
         Vote::Second => "Go on: the shot",
@@ -141,7 +141,9 @@ pub(super) fn draw(
         ..foot
     };
     let note = note(round, play.number(), entry.vote);
-    Lines::new(row, buf, *look).pair(&format!("{mark} {next} "), &note, role, Role::Text);
+    Lines::new(row, buf, *look).choice(at == last, Role::Text, |lines, mark, role| {
+        lines.pair(&format!("{mark} {next} "), &note, role, Role::Text);
+    });
 }
 
 /// A sign of what a team has done: it has voted or changed its vote; it keeps it; nothing.

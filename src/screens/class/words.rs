@@ -8,7 +8,8 @@ use ratatui::layout::Rect;
 
 use crate::widgets::bar::bar;
 use crate::widgets::big::{BigPages, BigText, LetterSize};
-use crate::widgets::{Charset, Look, Role, areas};
+use crate::widgets::flow::Run;
+use crate::widgets::{Charset, Item, Look, Role, Words, areas, sheet};
 
 /// Rows between two paragraphs, and where that saves a page.
 const GAPS: [u16; 2] = [1, 0];
@@ -174,6 +175,7 @@ impl PlacedWords {
         let Some(shown) = self.pages.page(page) else {
             return;
         };
+        record(paragraphs, place);
         let role = |paragraph: usize| paragraphs.get(paragraph).map_or(Role::Text, |it| it.role);
         for (paragraph, row) in shown.draw(place, buf, look, role) {
             let share = paragraphs.get(paragraph).and_then(|it| it.share);
@@ -182,6 +184,19 @@ impl PlacedWords {
                 let style = look.theme.style(Role::Predicted);
                 buf.set_stringn(place.x, place.y + row, bar, place.width.into(), style);
             }
+        }
+    }
+}
+
+/// Records words for who needs no pages to show them all.
+pub(super) fn record(paragraphs: &[Paragraph], place: Rect) {
+    for paragraph in paragraphs {
+        let run = Run::new(paragraph.text.as_str(), paragraph.role);
+        sheet::note(place, || Item::new(Words::Large { runs: vec![run] }));
+        if let Some(share) = paragraph.share {
+            sheet::note(place, || {
+                Item::new(Words::meter("", share, "", Role::Predicted))
+            });
         }
     }
 }

@@ -15,7 +15,7 @@ use crate::screens::Context;
 use crate::widgets::bar::bar;
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
-use crate::widgets::{AnswerInput, Lines, Look, Role};
+use crate::widgets::{AnswerInput, Lines, Look, Role, Words};
 
 /// Rows above the answers to choose from.
 pub(super) const GUESS_HEAD: usize = 5;
@@ -137,8 +137,10 @@ pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, lines: &mut Lin
     lines.line(&thrown_at, Role::Dim);
     lines.line("", Role::Text);
     for (i, choice) in guess::CHOICES.iter().enumerate() {
-        let (mark, role) = Role::Text.of_choice(said.said() == Some(Response::Choice(i)));
-        lines.line(&format!("{mark} {} {} ", letter(i), choice.name), role);
+        let is_said = said.said() == Some(Response::Choice(i));
+        lines.choice(is_said, Role::Text, |lines, mark, role| {
+            lines.line(&format!("{mark} {} {} ", letter(i), choice.name), role);
+        });
     }
     lines.gap();
     let next = match said.said() {
@@ -198,7 +200,10 @@ fn progress(run: &BeamRun, lines: &mut Lines, cx: &Context) {
     let width = lines.width().saturating_sub(7);
     let bar = bar(share, width, cx.settings.charset);
     let percent = (100.0 * share).floor();
-    lines.line(&format!("{bar} {percent:3.0} %"), Role::Text);
+    lines.written_as(
+        |_| Words::meter("", share, &format!("{percent:.0} %"), Role::Text),
+        |lines| lines.line(&format!("{bar} {percent:3.0} %"), Role::Text),
+    );
     let state = if run.is_over() {
         "thrown"
     } else if run.is_running() {

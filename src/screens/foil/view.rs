@@ -7,7 +7,7 @@ use super::{FoilPage, FoilScreen, beam_page, measured_page, tracks_page};
 use crate::screens::Context;
 use crate::widgets::panel::written;
 use crate::widgets::picture::Picture;
-use crate::widgets::{Lines, Look, Role, SplitLayout, areas, text};
+use crate::widgets::{Item, Lines, Look, Role, SplitLayout, Words, areas, sheet, text};
 
 /// Where everything is.
 #[derive(Debug, Clone, Copy)]
@@ -64,6 +64,13 @@ pub(super) fn draw(foil: &FoilScreen, area: Rect, buf: &mut Buffer, cx: &Context
     for (page, column, name) in layout.tabs() {
         let (mark, role) = Role::Dim.of_choice(page == foil.page);
         let room = area.right().saturating_sub(column).into();
+        sheet::note(layout.tabs, || Item {
+            words: Words::Tab {
+                name: name.trim().to_owned(),
+            },
+            press: Some([column, layout.tabs.y]),
+            chosen: Some(page == foil.page),
+        });
         let name = format!("{mark}{}", &name[1..]);
         let style = look.theme.style(role);
         buf.set_stringn(column, layout.tabs.y, name, room, style);

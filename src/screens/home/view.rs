@@ -6,9 +6,10 @@ use ratatui::layout::Rect;
 use super::suggestion::is_new;
 use super::{ENTRIES, Home};
 use crate::screens::Context;
+use crate::widgets::flow::Run;
 use crate::widgets::input::ListView;
 use crate::widgets::panels::draw_panel;
-use crate::widgets::{Lines, Role, areas, text};
+use crate::widgets::{Charset, Lines, Role, Words, areas, text};
 
 /// Columns of the menu.
 const MENU: u16 = 42;
@@ -92,13 +93,19 @@ pub(super) fn draw(home: &Home, area: Rect, buf: &mut Buffer, cx: &Context) {
         }
         let suggestion = i < usize::from(rows.suggested);
         let role = if suggestion { Role::Key } else { Role::Text };
-        let (mark, role) = role.of_choice(i == chosen);
-        let name = format!("{mark} {key}  {name}");
-        let room = usize::from(lines.width()).saturating_sub(NAME);
-        match text::width(about) <= room && !about.is_empty() {
-            true => lines.line(&format!("{name:NAME$}{about}"), role),
-            false => lines.line(&name, role),
-        }
+        let recorded = |charset: Charset| Words::Pair {
+            name: Run::new(name.clone(), role).spelt(charset),
+            value: Run::new(about, Role::Dim).spelt(charset),
+        };
+        lines.clicked_as(recorded, Some(i == chosen), |lines| {
+            let (mark, role) = role.of_choice(i == chosen);
+            let name = format!("{mark} {key}  {name}");
+            let room = usize::from(lines.width()).saturating_sub(NAME);
+            match text::width(about) <= room && !about.is_empty() {
+                true => lines.line(&format!("{name:NAME$}{about}"), role),
+                false => lines.line(&name, role),
+            }
+        });
     }
     if !is_new(&home.history, &cx.book) {
         return;

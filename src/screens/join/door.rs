@@ -4,7 +4,7 @@ use crate::class::{DoorCode, LONGEST_NAME};
 use crate::messages::Key;
 use crate::screens::Place;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
-use crate::widgets::{Lines, Outcome, Role};
+use crate::widgets::{Lines, Outcome, Role, Words};
 
 /// The port of a class, where an address names none.
 pub(crate) const PORT: u16 = 8090;
@@ -204,13 +204,23 @@ impl DoorForm {
                 DoorRow::Name => "name    ",
                 DoorRow::Enter => "Come in",
             };
-            let (mark, role) = Role::Text.of_choice(row == at);
             let typed = match self.field_of(row) {
                 Some(field) if row == at => field.shown(),
                 Some(field) => field.text().to_owned(),
                 None => String::new(),
             };
-            lines.line(&format!("{mark} {name}{typed} "), role);
+            lines.choice(row == at, Role::Text, |lines, mark, role| {
+                let write = |lines: &mut Lines| {
+                    lines.line(&format!("{mark} {name}{typed} "), role);
+                };
+                match self.field_of(row) {
+                    Some(field) => {
+                        let recorded = |_| Words::text_field(name.trim(), field.text());
+                        lines.written_as(recorded, write);
+                    }
+                    None => write(lines),
+                }
+            });
             lines.gap();
         }
         if let Some(trouble) = &self.trouble {

@@ -13,7 +13,7 @@ use crate::widgets::bar::bar;
 use crate::widgets::hit::Watch;
 use crate::widgets::panel::written;
 use crate::widgets::panels::said_and_true;
-use crate::widgets::{AnswerInput, Lines, Look, Role, Scroll, SplitLayout, draw_question};
+use crate::widgets::{AnswerInput, Lines, Look, Role, Scroll, SplitLayout, Words, draw_question};
 
 /// Where picture and words are: the words alone where there is nothing to be seen.
 pub(super) fn layout(desk: Option<&Desk>, area: Rect) -> SplitLayout {
@@ -197,12 +197,14 @@ fn write_choices(question: &Question, counts: &[u32], lines: &mut Lines) {
         lines.hanging(&format!("{}  ", letter(i)), option, Role::Text);
         if let Some(count) = counts.get(i) {
             let width = lines.width().saturating_sub(8);
-            let bar = bar(f64::from(*count) / all.max(1.0), width, lines.charset());
-            lines.pair(
-                &format!("   {bar}"),
-                &count.to_string(),
-                Role::Predicted,
-                Role::Title,
+            let share = f64::from(*count) / all.max(1.0);
+            let bar = bar(share, width, lines.charset());
+            let count = count.to_string();
+            lines.written_as(
+                |_| Words::meter("", share, &count, Role::Predicted),
+                |lines| {
+                    lines.pair(&format!("   {bar}"), &count, Role::Predicted, Role::Title);
+                },
             );
         }
     }
@@ -278,9 +280,10 @@ fn write_sure(question: &Question, input: &AnswerInput, sure: Confidence, lines:
     lines.line("How sure are you?", Role::Title);
     lines.gap();
     for (number, confidence) in (1..).zip(Confidence::ALL) {
-        let (mark, role) = Role::Text.of_choice(confidence == sure);
         lines.target(confidence as usize, |lines| {
-            lines.line(&format!("{mark} {number} {} ", confidence.name()), role);
+            lines.choice(confidence == sure, Role::Text, |lines, mark, role| {
+                lines.line(&format!("{mark} {number} {} ", confidence.name()), role);
+            });
         });
     }
     lines.gap();

@@ -3,7 +3,7 @@
 use crate::lessons::{Inline, TextBlock, Tone};
 use crate::physics::Collision;
 use crate::widgets::flow::Run;
-use crate::widgets::{Charset, Lines, Role, formula};
+use crate::widgets::{Charset, Lines, Role, Words, formula};
 
 /// Columns by which formulas and the rows of a list are set in.
 const INDENT: u16 = 2;
@@ -47,10 +47,16 @@ fn write_in(
                 lines.flowing(&mark, indent, &runs(pieces));
             }
             TextBlock::Formula(formula) => {
-                for row in formula::set(formula, lines.charset()) {
-                    let role = one.unwrap_or(Role::Title);
-                    lines.line(&format!("{:1$}{row}", "", INDENT.into()), role);
-                }
+                let role = one.unwrap_or(Role::Title);
+                let recorded = |charset| Words::Equation {
+                    runs: vec![Run::new(formula.inline(), role).spelt(charset)],
+                };
+                let rows = formula::set(formula, lines.charset());
+                lines.written_as(recorded, |lines| {
+                    for row in rows {
+                        lines.line(&format!("{:1$}{row}", "", INDENT.into()), role);
+                    }
+                });
             }
         }
         before = Some(block);

@@ -10,7 +10,9 @@ use crate::quiz::{Ray, Response, letter};
 use crate::widgets::hit::side;
 use crate::widgets::input::{EntryAction, KeyTable, RayAction};
 use crate::widgets::panel::written;
-use crate::widgets::{AnswerAction, AnswerInput, Lines, NumberEntry, Outcome, RayInput, Role};
+use crate::widgets::{
+    AnswerAction, AnswerInput, Charset, Lines, NumberEntry, Outcome, RayInput, Role, Words,
+};
 
 /// An answer in the making.
 #[derive(Debug, Clone, PartialEq)]
@@ -146,15 +148,24 @@ impl CheckpointInput {
                 let (sign, unit) = expected.sign_and_unit();
                 let shown = format!("{}_ {unit}", entry.text());
                 rows(lines.written());
-                let name = format!("> {sign} =");
-                lines.pair(&name, &shown, Role::Selected, Role::Selected);
+                let name = format!("{sign} =");
+                let recorded = |charset: Charset| Words::Field {
+                    name: charset.text(&name).into_owned(),
+                    value: charset.text(&shown).into_owned(),
+                    locked: false,
+                };
+                lines.clicked_as(recorded, Some(true), |lines| {
+                    let name = format!("> {name}");
+                    lines.pair(&name, &shown, Role::Selected, Role::Selected);
+                });
             }
             (Self::Given(AnswerInput::Choice { chosen, .. }), CheckpointKind::Choice(choices)) => {
                 for (i, choice) in choices.iter().enumerate() {
                     rows(lines.written());
-                    let (mark, role) = Role::Text.of_choice(Some(i) == *chosen);
-                    let mark = format!("{mark}{}", letter(i));
-                    lines.flowing(&mark, 3, &prose::runs(&choice.text, role, None));
+                    lines.choice(Some(i) == *chosen, Role::Text, |lines, mark, role| {
+                        let mark = format!("{mark}{}", letter(i));
+                        lines.flowing(&mark, 3, &prose::runs(&choice.text, role, None));
+                    });
                 }
             }
             _ => {}

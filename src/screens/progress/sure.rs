@@ -4,7 +4,8 @@ use super::words::percent;
 use crate::messages::History;
 use crate::progress::{Calibrated, calibration, calibration_words};
 use crate::widgets::bar::bar;
-use crate::widgets::{Charset, Lines, Role};
+use crate::widgets::flow::Run;
+use crate::widgets::{Charset, Lines, Role, Words};
 
 /// Of each confidence the share that was right, over the range for which it pays.
 pub(super) fn table(history: &History, lines: &mut Lines) {
@@ -13,23 +14,27 @@ pub(super) fn table(history: &History, lines: &mut Lines) {
         let tally = &calibrated.tally;
         let of = format!("{} of {} right", tally.right, tally.attempts);
         lines.pair(calibrated.confidence.name(), &of, Role::Title, Role::Dim);
-        let share = tally.share_right();
-        lines.pair(
-            &bar(
-                share.unwrap_or(0.0),
-                width.saturating_sub(8),
-                lines.charset(),
-            ),
-            &percent(share),
-            if calibrated.beyond() < 0.0 {
-                Role::Warn
-            } else {
-                Role::Good
-            },
-            Role::Text,
+        let right = tally.share_right();
+        let share = right.unwrap_or(0.0);
+        let bar = bar(share, width.saturating_sub(8), lines.charset());
+        let role = match calibrated.beyond() < 0.0 {
+            true => Role::Warn,
+            false => Role::Good,
+        };
+        lines.written_as(
+            |_| Words::meter("", share, &percent(right), role),
+            |lines| lines.pair(&bar, &percent(right), role, Role::Text),
         );
+        let (from, to) = Calibrated::honest(calibrated.confidence);
+        let honest = format!("from {:.0} to {:.0} %", 100.0 * from, 100.0 * to);
         let range = range(&calibrated, width.saturating_sub(8), lines.charset());
-        lines.pair(&range, "honest", Role::Dim, Role::Dim);
+        lines.written_as(
+            |_| Words::Pair {
+                name: Run::new("honest", Role::Dim),
+                value: Run::new(honest, Role::Dim),
+            },
+            |lines| lines.pair(&range, "honest", Role::Dim, Role::Dim),
+        );
         lines.gap();
     }
 }

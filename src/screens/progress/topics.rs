@@ -6,7 +6,8 @@ use crate::messages::History;
 use crate::progress::{Due, LESSON, Mastery, TopicStanding, reviews, topics};
 use crate::quiz::Topic;
 use crate::widgets::bar::bar;
-use crate::widgets::{Lines, Role, text};
+use crate::widgets::flow::Run;
+use crate::widgets::{Lines, Role, Words, text};
 
 /// Columns of a topic's name.
 const NAME: usize = 26;
@@ -26,7 +27,14 @@ pub(super) fn table(history: &History, book: &Book, lines: &mut Lines) {
         let off = lines.charset().text("off °").into_owned();
         let head = format!("  {:NAME$}{:>4}{:>6}{off:>8}", "", "of", "right");
         let chart = if charted { "   lately" } else { "" };
-        lines.line(&(head + chart), Role::Dim);
+        let recorded = |charset| {
+            let cells = ["of", "right", "off °"].map(|it| Run::new(it, Role::Dim).spelt(charset));
+            Words::Columns {
+                name: Run::new("", Role::Dim),
+                values: cells.into(),
+            }
+        };
+        lines.written_as(recorded, |lines| lines.line(&(head + chart), Role::Dim));
     }
     for topic in topics_of_the_quiz(history) {
         let mark = topic.mastery().mark();
@@ -47,7 +55,12 @@ pub(super) fn table(history: &History, book: &Book, lines: &mut Lines) {
                 String::new()
             };
             let row = format!("{mark} {name}{count:>4}{right:>6}{off:>8}{chart}");
-            lines.line(&row, role);
+            let cells = [count.to_string(), right, off];
+            let recorded = |charset| Words::Columns {
+                name: Run::new(format!("{mark} {}", topic.name), role).spelt(charset),
+                values: cells.map(|it| Run::new(it, role).spelt(charset)).into(),
+            };
+            lines.written_as(recorded, |lines| lines.line(&row, role));
         } else {
             let room = usize::from(lines.width()).saturating_sub(2);
             lines.line(&format!("{mark} {}", brief(&topic.name, room)), role);

@@ -8,7 +8,7 @@ use crate::screens::leads;
 use crate::widgets::bar::bar;
 use crate::widgets::panel::written;
 use crate::widgets::panels::said_and_true;
-use crate::widgets::{AnswerInput, Lines, Role};
+use crate::widgets::{AnswerInput, Lines, Role, Words};
 
 /// The question, and what is being said to it.
 pub(super) fn asked(asked: &OpenQuestion, lines: &mut Lines) {
@@ -48,12 +48,13 @@ pub(super) fn confidence(
     let head = |text| (text, Role::Dim);
     lines.columns(head("points if"), &["wrong", "right"].map(head));
     for (number, confidence) in (1..).zip(Confidence::ALL) {
-        let (mark, role) = Role::Text.of_choice(confidence == chosen);
-        let name = format!("{mark} {number} {}", confidence.name());
         let points = [0.0, 1.0].map(|credit| format!("{:.0}", confidence.points(credit)));
         lines.target(confidence as usize, |lines| {
-            let points = points.each_ref().map(|p| (p.as_str(), Role::Text));
-            lines.columns((&name, role), &points);
+            lines.choice(confidence == chosen, Role::Text, |lines, mark, role| {
+                let name = format!("{mark} {number} {}", confidence.name());
+                let points = points.each_ref().map(|p| (p.as_str(), Role::Text));
+                lines.columns((&name, role), &points);
+            });
         });
     }
     lines.gap();
@@ -163,7 +164,10 @@ fn credit_bar(grade: &Grade, lines: &mut Lines) {
     // A name of eight columns, five and a blank for the share.
     let width = lines.width().saturating_sub(8 + 1 + 6);
     let bar = bar(grade.credit, width, lines.charset());
-    lines.pair(&format!("credit  {bar}"), &percent, Role::Text, Role::Text);
+    lines.written_as(
+        |_| Words::meter("credit", grade.credit, &percent, Role::Text),
+        |lines| lines.pair(&format!("credit  {bar}"), &percent, Role::Text, Role::Text),
+    );
 }
 
 /// Rows of [`write_answers`].

@@ -7,7 +7,8 @@ use crate::quiz::{
     Answer, Code, Confidence, CourseKind, Form, Question, Summary, SummaryLine, explain,
 };
 use crate::screens::leads;
-use crate::widgets::{Lines, Role};
+use crate::widgets::flow::Run;
+use crate::widgets::{Charset, Lines, Role, Words};
 
 /// Writes the look back: the score, a row a question with a mark at the one `at`, how
 /// well confidence and answers went together, and what to try next. Gives the row of
@@ -155,11 +156,25 @@ impl SummaryTable {
             "    {gap}{:>10}{gap}{:>11}{gap}       {legend}",
             "you said", "truth"
         );
-        lines.line(&over, Role::Dim);
+        lines.unrecorded(|lines| lines.line(&over, Role::Dim));
         let each = if self.rays { "   S    C" } else { "" };
         let cells = [" ", "", " ", each, each, "pts"];
         let head = self.cells(cells, "sure?", "about", "it was");
-        lines.line(&head, Role::Dim);
+        let recorded = |charset| {
+            let said = if self.rays {
+                "you said: S C"
+            } else {
+                "you said"
+            };
+            let about = if self.topic { "about" } else { "it was" };
+            let cells = [said, "truth", "pts", "sure?", about];
+            let values = cells.map(|it| Run::new(it, Role::Dim).spelt(charset));
+            Words::Columns {
+                name: Run::new(legend, Role::Dim),
+                values: values.into(),
+            }
+        };
+        lines.written_as(recorded, |lines| lines.line(&head, Role::Dim));
     }
 
     fn row(
@@ -189,7 +204,22 @@ impl SummaryTable {
             &line.topic.name(),
             explain(question, answer).title,
         );
-        lines.line(&row, role);
+        let (topic, outcome) = (line.topic.name(), explain(question, answer).title);
+        let about = match (self.topic, self.outcome) {
+            (true, true) => format!("{topic}: {outcome}"),
+            (true, false) => topic.to_string(),
+            _ => outcome.to_owned(),
+        };
+        let sure = line.grade.confidence.name();
+        let recorded = |charset: Charset| {
+            let values = [&said, &truth, &points, sure, &about];
+            let values = values.map(|it| Run::new(it, role).spelt(charset));
+            Words::Columns {
+                name: Run::new(format!("{number}{mark}").trim(), role),
+                values: values.into(),
+            }
+        };
+        lines.clicked_as(recorded, Some(chosen), |lines| lines.line(&row, role));
     }
 
     /// The mark of the chosen line, number, mark, what was said, the truth and points;

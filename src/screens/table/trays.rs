@@ -1,6 +1,8 @@
 //! The trays on the lower frame of the board: what each team has pocketed, counted, and
 //! what has just fallen on its way there.
 
+use std::iter;
+
 use glam::{DVec2, dvec2};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -9,8 +11,9 @@ use super::active_game::{ActiveGame, TablePhase};
 use super::replay::{FALL, FallingPiece, StrokeReplay};
 use super::words;
 use crate::game::{ByTeam, Game, Piece, Rules, Team};
+use crate::widgets::flow::Run;
 use crate::widgets::ink::token;
-use crate::widgets::{Look, Role, text};
+use crate::widgets::{Item, Look, Role, Words, sheet, text};
 
 /// What lies in a tray.
 #[derive(Debug, Clone, Default)]
@@ -145,6 +148,19 @@ fn draw_tray(
         };
         return (first, first);
     }
+    sheet::note(board, || {
+        let piece = |piece: &Piece| {
+            let role = words::role(*piece);
+            Run::new(token(role, look.charset), role)
+        };
+        let name = Run::new(format!("{} ", active.options.team_name(team)), Role::Dim);
+        let runs = { iter::once(name) }.chain(tray.pieces.iter().map(piece));
+        let runs = runs.chain([Run::new(count.as_str(), Role::Text)]);
+        Item::new(Words::Text {
+            mark: String::new(),
+            runs: runs.collect(),
+        })
+    });
     let row = board.bottom();
     let mut column = match team {
         Team::First => board.x,

@@ -186,12 +186,13 @@ impl AnswerInput {
             (Self::Choice { chosen, .. }, Form::Choice { options, .. }) => {
                 let apart = Self::choice_gap(options, lines, lines.left());
                 for (i, option) in options.iter().enumerate() {
-                    let (mark, role) = Role::Text.of_choice(Some(i) == *chosen);
                     if i > 0 && apart > 0 {
                         lines.gap();
                     }
                     lines.target(i, |lines| {
-                        lines.hanging(&format!("{mark} {} ", letter(i)), option, role);
+                        lines.choice(Some(i) == *chosen, Role::Text, |lines, mark, role| {
+                            lines.hanging(&format!("{mark} {} ", letter(i)), option, role);
+                        });
                     });
                 }
             }

@@ -7,10 +7,11 @@
 use std::cell::{Cell, RefCell};
 
 use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
 
 use super::{Canvas, PlacedLabel};
-use crate::widgets::Look;
 use crate::widgets::picture::Picture;
+use crate::widgets::{Look, sheet};
 
 thread_local! {
     static GATHERED: RefCell<Option<Vec<DrawnPicture>>> = const { RefCell::new(None) };
@@ -30,6 +31,14 @@ pub struct DrawnPicture {
     pub(in crate::widgets) cells: Buffer,
 }
 
+impl DrawnPicture {
+    /// The cells that it takes up.
+    #[must_use]
+    pub fn area(&self) -> Rect {
+        self.cells.area
+    }
+}
+
 /// Does what draws, and gives the pictures that were drawn by it. Who `hides_cells` behind
 /// vectors is spared the shades at the edges of discs.
 pub fn gather<T>(hides_cells: bool, draw: impl FnOnce() -> T) -> (T, Vec<DrawnPicture>) {
@@ -47,6 +56,7 @@ pub(super) fn hides_cells() -> bool {
 
 /// Notes a picture that has just been drawn into cells, if anyone gathers them.
 pub(super) fn note(picture: &Picture, canvas: &Canvas, buffer: &Buffer, look: &Look) {
+    sheet::picture(picture.area());
     GATHERED.with_borrow_mut(|gathered| {
         let Some(gathered) = gathered else {
             return;

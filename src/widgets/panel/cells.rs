@@ -8,7 +8,7 @@ use ratatui::layout::Rect;
 
 use super::{Block, Content, Panel};
 use crate::widgets::flow::Run;
-use crate::widgets::{Lines, Look, Role, text};
+use crate::widgets::{Charset, Lines, Look, Role, Words, text};
 
 /// How a panel is written: in which glyphs and colours, and what its keys are called.
 pub(crate) struct Writing<'w, A> {
@@ -40,11 +40,11 @@ struct Target<A> {
     action: A,
 }
 
-impl<A: Copy> Panel<A> {
+impl<A: Copy + PartialEq> Panel<A> {
     /// Lays it out in `area`, which it may be longer than: then it can be scrolled.
     pub(crate) fn placed(&self, area: Rect, writing: &Writing<A>) -> Placed<'_, A> {
         let mut scratch = Buffer::empty(area);
-        let mut lines = Lines::new(area, &mut scratch, writing.look);
+        let mut lines = Lines::unseen(area, &mut scratch, writing.look);
         let mut targets = Vec::new();
         let mut lengths = Vec::new();
         for block in &self.blocks {
@@ -111,7 +111,7 @@ impl<A: Copy> Panel<A> {
     }
 }
 
-impl<A: Copy> Placed<'_, A> {
+impl<A: Copy + PartialEq> Placed<'_, A> {
     /// Rows that the area has no room for.
     pub(crate) fn overflow(&self) -> u16 {
         self.rows.saturating_sub(self.area.height)
@@ -166,7 +166,10 @@ impl<A: Copy> Placed<'_, A> {
 }
 
 /// Writes a panel below what has been written; nothing in it can be clicked.
-pub(crate) fn written<A: Copy>(lines: &mut Lines, write_into: impl FnOnce(&mut Panel<A>)) {
+pub(crate) fn written<A: Copy + PartialEq>(
+    lines: &mut Lines,
+    write_into: impl FnOnce(&mut Panel<A>),
+) {
     let mut panel = Panel::new("");
     write_into(&mut panel);
     let writing = Writing {
@@ -180,7 +183,7 @@ pub(crate) fn written<A: Copy>(lines: &mut Lines, write_into: impl FnOnce(&mut P
 }
 
 /// Writes one block, and notes which cells do what.
-fn write<A: Copy>(
+fn write<A: Copy + PartialEq>(
     content: &Content<A>,
     lines: &mut Lines,
     writing: &Writing<A>,
@@ -208,9 +211,10 @@ fn write<A: Copy>(
             chosen,
             action,
         } => {
-            let (mark, role) = roles[0].of_choice(*chosen);
             let (_, side_role) = roles[1].of_choice(*chosen);
-            lines.pair(&format!("{mark} {name}"), side, role, side_role);
+            lines.choice(*chosen, roles[0], |lines, mark, role| {
+                lines.pair(&format!("{mark} {name}"), side, role, side_role);
+            });
             targets.push(Target {
                 rows: from..lines.written(),
                 columns: 0..text_width,
@@ -234,7 +238,14 @@ fn write<A: Copy>(
                 (false, Role::Dim) => (value.clone(), Role::Text),
                 (false, role) => (value.clone(), role),
             };
-            lines.pair(&format!("{mark} {name}"), &value, name_role, value_role);
+            let words = |charset: Charset| Words::Field {
+                name: charset.text(name).into_owned(),
+                value: charset.text(&value).into_owned(),
+                locked: *locked,
+            };
+            lines.clicked_as(words, Some(*chosen), |lines| {
+                lines.pair(&format!("{mark} {name}"), &value, name_role, value_role);
+            });
             targets.extend(action.map(|action| Target {
                 rows: from..lines.written(),
                 columns: 0..text_width,
@@ -246,7 +257,7 @@ fn write<A: Copy>(
 }
 
 /// Writes what can be done next as a text: the key of each, and its words.
-fn write_prompts<A: Copy>(
+fn write_prompts<A: Copy + PartialEq>(
     prompts: &[(String, A)],
     lines: &mut Lines,
     writing: &Writing<A>,
@@ -267,7 +278,7 @@ fn write_prompts<A: Copy>(
     let sentences: Vec<String> = prompts.iter().map(sentence).collect();
     let from = lines.written();
     let rows = lines.wrapped(&sentences.join(" "));
-    lines.paragraph(&sentences.join(" "), Role::Key);
+    let before_prompts = targets.len();
     // Rows differ from the text in blanks alone: so many other letters are before each.
     let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).count();
     let mut end = 0;
@@ -296,4 +307,12 @@ fn write_prompts<A: Copy>(
             }));
         }
     }
+    for (words, action) in prompts {
+        let own = targets[before_prompts..]
+            .iter()
+            .find(|it| it.action == *action);
+        let cell = own.map(|target| (target.columns.start - 1, target.rows.start));
+        lines.record_prompt(words, (writing.key)(action), cell);
+    }
+    lines.unrecorded(|lines| lines.paragraph(&sentences.join(" "), Role::Key));
 }

@@ -8,7 +8,7 @@ use ratatui::{
     widgets::{Block, Widget},
 };
 
-use crate::widgets::{Charset, Role, Theme};
+use crate::widgets::{Charset, Role, Theme, sheet};
 
 /// A frame that any terminal can draw.
 const ASCII: border::Set<'static> = border::Set {
@@ -49,6 +49,7 @@ pub(crate) fn draw_panel(
     charset: Charset,
     theme: &Theme,
 ) -> Rect {
+    sheet::frame(area, &charset.text(title));
     let block = panel(title, charset, theme);
     let inside = block.inner(area);
     block.render(area.intersection(buffer.area), buffer);

@@ -2,10 +2,12 @@
 
 use std::ops::Range;
 
+use serde::Serialize;
+
 use crate::widgets::{Charset, Role, text};
 
 /// A stretch of text in one style. No-break blanks hold words together.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Run {
     /// The text.
     pub text: String,
@@ -20,6 +22,12 @@ impl Run {
             text: text.into(),
             role,
         }
+    }
+
+    /// The same as a charset writes it, with blanks as they are read.
+    pub(crate) fn spelt(&self, charset: Charset) -> Self {
+        let text = charset.text(&self.text).into_owned();
+        Self { text, ..*self }
     }
 }
 

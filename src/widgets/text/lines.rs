@@ -5,6 +5,7 @@ use std::ops::Range;
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use super::flow::{Run, flow};
+use super::sheet::{self, Item, Words};
 use crate::widgets::{Charset, Look, Role, areas, text};
 
 /// A column of text being written from the top of an area.
@@ -16,6 +17,18 @@ pub struct Lines<'a> {
     targets: Vec<(Range<u16>, usize)>,
     buf: &'a mut Buffer,
     look: Look,
+    /// Whether what is written is recorded as what it is.
+    is_recorded: bool,
+    /// Whether what is being written does something when it is clicked, and whether it is
+    /// the chosen one of several.
+    standing: Standing,
+}
+
+/// How what is being written stands to what can be chosen.
+#[derive(Debug, Clone, Copy, Default)]
+struct Standing {
+    can_be_clicked: bool,
+    chosen: Option<bool>,
 }
 
 /// Rows left over once all that is needed has its place. Rows of lesser worth are
@@ -45,6 +58,16 @@ impl<'a> Lines<'a> {
             targets: Vec::new(),
             buf,
             look,
+            is_recorded: true,
+            standing: Standing::default(),
+        }
+    }
+
+    /// The same where nobody will see it, such as to learn how many rows a text takes.
+    pub(crate) fn unseen(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
+        Self {
+            is_recorded: false,
+            ..Self::new(area, buf, look)
         }
     }
 
@@ -98,8 +121,127 @@ impl<'a> Lines<'a> {
     /// Writes rows that can be pointed at: they stand for the choice of this number.
     pub fn target(&mut self, choice: usize, write: impl FnOnce(&mut Self)) {
         let first = self.written;
-        write(self);
+        let standing = Standing {
+            can_be_clicked: true,
+            ..self.standing
+        };
+        self.standing(standing, write);
         self.targets.push((first..self.written, choice));
+    }
+
+    /// Writes one of several things to choose from. `write` is given the mark before it and
+    /// its role, which is `role` unless it is the chosen one.
+    pub(crate) fn choice(
+        &mut self,
+        chosen: bool,
+        role: Role,
+        write: impl FnOnce(&mut Self, &'static str, Role),
+    ) {
+        let (mark, role) = role.of_choice(chosen);
+        let standing = Standing {
+            can_be_clicked: true,
+            chosen: Some(chosen),
+        };
+        self.standing(standing, |lines| write(lines, mark, role));
+    }
+
+    fn standing(&mut self, standing: Standing, write: impl FnOnce(&mut Self)) {
+        let around = std::mem::replace(&mut self.standing, standing);
+        write(self);
+        self.standing = around;
+    }
+
+    /// Writes something that is recorded as `words`, whatever its rows are written by.
+    pub(crate) fn written_as(
+        &mut self,
+        words: impl FnOnce(Charset) -> Words,
+        write: impl FnOnce(&mut Self),
+    ) {
+        self.record(words);
+        self.unrecorded(write);
+    }
+
+    /// Writes something that is recorded otherwise, or not at all.
+    pub(crate) fn unrecorded(&mut self, write: impl FnOnce(&mut Self)) {
+        let was_recorded = std::mem::replace(&mut self.is_recorded, false);
+        write(self);
+        self.is_recorded = was_recorded;
+    }
+
+    /// Records what can be done next, with its key, and where it is written: its column and
+    /// its row from the top.
+    pub(crate) fn record_prompt(&self, words: &str, key: Option<String>, cell: Option<(u16, u16)>) {
+        if !self.is_recorded {
+            return;
+        }
+        let area = self.area;
+        let seen = cell.and_then(|(column, row)| {
+            let row = row.checked_sub(self.scrolled)?;
+            (row < area.height).then(|| [area.x + column, area.y + row])
+        });
+        sheet::note(area, || Item {
+            words: Words::Prompt {
+                words: self.look.charset.text(words).into_owned(),
+                key,
+            },
+            press: seen,
+            chosen: None,
+        });
+    }
+
+    /// The same of something that can be clicked, and may be the chosen one of several.
+    pub(crate) fn clicked_as(
+        &mut self,
+        words: impl FnOnce(Charset) -> Words,
+        chosen: Option<bool>,
+        write: impl FnOnce(&mut Self),
+    ) {
+        let standing = Standing {
+            can_be_clicked: true,
+            chosen,
+        };
+        self.standing(standing, |lines| lines.written_as(words, write));
+    }
+
+    /// Records what is about to be written in the next row.
+    fn record(&self, words: impl FnOnce(Charset) -> Words) {
+        if !self.is_recorded {
+            return;
+        }
+        let (area, standing) = (self.area, self.standing);
+        let row = self.written.checked_sub(self.scrolled);
+        let row = row.filter(|row| *row < area.height && standing.can_be_clicked);
+        sheet::note(area, || Item {
+            words: words(self.look.charset),
+            press: row.map(|row| [area.x, area.y + row]),
+            chosen: standing.chosen,
+        });
+    }
+
+    /// Records a text: what it prompts for, if it names keys and what they do.
+    fn record_text(&self, mark: &str, runs: &[Run]) {
+        if !self.is_recorded || !sheet::is_recording() {
+            return;
+        }
+        if let [
+            Run {
+                text,
+                role: Role::Key,
+            },
+        ] = runs
+            && mark.is_empty()
+            && let Some(prompts) = sheet::prompts(&self.look.charset.text(text))
+        {
+            return prompts.into_iter().for_each(|it| self.record(|_| it));
+        }
+        let is_blank = runs.iter().all(|run| run.text.trim().is_empty());
+        self.record(|charset| match is_blank && mark.trim().is_empty() {
+            true => Words::Gap,
+            false => Words::Text {
+                mark: charset.text(mark.trim()).into_owned(),
+                runs: { runs.iter() }.map(|run| run.spelt(charset)).collect(),
+            },
+        });
     }
 
     /// The choice for which a row stands, the rows counted from 0 as they were written.
@@ -112,12 +254,14 @@ impl<'a> Lines<'a> {
     /// An empty row, unless there is nothing above it.
     pub fn gap(&mut self) {
         if self.written > 0 {
+            self.record(|_| Words::Gap);
             self.written += 1;
         }
     }
 
     /// One row; cut at the edge.
     pub fn line(&mut self, text: &str, role: Role) {
+        self.record_text("", &[Run::new(self.unmarked(text), role)]);
         self.put(0, text, role);
         self.written += 1;
     }
@@ -125,6 +269,10 @@ impl<'a> Lines<'a> {
     /// One row: a name on the left, its value flush right. A name too long for the room
     /// beside the value is cut, and dots tell of it.
     pub fn pair(&mut self, name: &str, value: &str, name_role: Role, value_role: Role) {
+        self.record(|charset| Words::Pair {
+            name: Run::new(self.unmarked(name), name_role).spelt(charset),
+            value: Run::new(value, value_role).spelt(charset),
+        });
         let width = self.width_of(value) as u16;
         let column = self.area.width.saturating_sub(width + 1);
         let name = self.look.charset.text(name);
@@ -146,6 +294,13 @@ impl<'a> Lines<'a> {
     /// twice the room of a value; a value too wide for its column moves to the right
     /// rather than touch what is before it.
     pub fn columns(&mut self, name: (&str, Role), values: &[(&str, Role)]) {
+        self.record(|charset| {
+            let spelt = |(text, role): &(&str, Role)| Run::new(*text, *role).spelt(charset);
+            Words::Columns {
+                name: Run::new(self.unmarked(name.0), name.1).spelt(charset),
+                values: values.iter().map(spelt).collect(),
+            }
+        });
         let width = usize::from(self.area.width);
         self.put(0, name.0, name.1);
         let mut free = self.width_of(name.0) + 1;
@@ -166,6 +321,9 @@ impl<'a> Lines<'a> {
     /// An equation over as many rows as it takes, those after the first set in by
     /// `indent`: the rest of an equation is no equation of its own.
     pub fn equation(&mut self, equation: &str, indent: u16, role: Role) {
+        self.record(|charset| Words::Equation {
+            runs: vec![Run::new(equation, role).spelt(charset)],
+        });
         let text = self.look.charset.text(equation);
         let width = self.area.width.saturating_sub(1).into();
         let mut column = 0;
@@ -179,6 +337,7 @@ impl<'a> Lines<'a> {
     /// Text in several styles over as many rows as it takes, the rows after the first
     /// set in by `indent`; the first begins with `mark`.
     pub fn flowing(&mut self, mark: &str, indent: u16, runs: &[Run]) {
+        self.record_text(self.unmarked(mark), runs);
         let width = self.area.width.saturating_sub(1 + indent).into();
         self.put(0, mark, Role::Dim);
         for row in flow(runs, width, self.look.charset) {
@@ -194,6 +353,7 @@ impl<'a> Lines<'a> {
     /// Text over as many rows as it takes behind a mark, under which nothing else is
     /// written.
     pub fn hanging(&mut self, mark: &str, text: &str, role: Role) {
+        self.record_text(self.unmarked(mark), &[Run::new(text, role)]);
         let (indent, rows) = self.hung(mark, text);
         self.put(0, mark, role);
         for row in rows {
@@ -210,13 +370,10 @@ impl<'a> Lines<'a> {
     /// Rows that what `write` writes takes, beginning with an empty area.
     pub fn rows_by(&self, write: impl FnOnce(&mut Lines)) -> u16 {
         let mut scratch = Buffer::empty(self.area);
+        // The margin has been taken off already.
         let mut lines = Lines {
             area: self.area,
-            written: 0,
-            scrolled: 0,
-            targets: Vec::new(),
-            buf: &mut scratch,
-            look: self.look,
+            ..Lines::unseen(self.area, &mut scratch, self.look)
         };
         write(&mut lines);
         lines.written
@@ -227,6 +384,14 @@ impl<'a> Lines<'a> {
         let indent = self.width_of(mark) as u16;
         let width = self.area.width.saturating_sub(1 + indent).into();
         (indent, text::wrap(&self.look.charset.text(text), width))
+    }
+
+    /// A text without the mark before what can be chosen.
+    fn unmarked<'t>(&self, text: &'t str) -> &'t str {
+        match self.standing.chosen {
+            Some(_) => text.get(1..).unwrap_or_default().trim_start(),
+            None => text,
+        }
     }
 
     /// Columns that a text takes as it is written.

@@ -1,4 +1,5 @@
-//! Letters in cells: how they are spelt and broken into rows, formulas, large type, bars.
+//! Letters in cells: how they are spelt and broken into rows, formulas, large type, bars;
+//! and what they were, for whoever can do better than cells (`sheet`).
 
 pub(crate) mod areas;
 pub mod bar;
@@ -12,6 +13,7 @@ pub mod keys;
 mod lines;
 mod look;
 mod scroll;
+pub(crate) mod sheet;
 pub(crate) mod signs;
 mod terms;
 mod wrap;
@@ -21,5 +23,6 @@ pub use lines::{Lines, Spare};
 pub use look::Look;
 pub use scroll::{Scroll, overflow, scroll_keys};
 pub(crate) use scroll::{hint_below, rehearsed};
+pub use sheet::{Item, Section, Sheet, SheetKind, Words, recorded};
 pub use terms::{held, unbroken};
 pub use wrap::{ago, clipped, equation, width, wrap};

@@ -109,7 +109,7 @@ pub fn overflow(area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> u16 {
 /// What `write` gives when it writes where nobody sees it.
 pub(crate) fn rehearsed<T>(area: Rect, look: Look, write: impl FnOnce(&mut Lines) -> T) -> T {
     let mut scratch = Buffer::empty(area);
-    write(&mut Lines::new(area, &mut scratch, look))
+    write(&mut Lines::unseen(area, &mut scratch, look))
 }
 
 #[cfg(test)]

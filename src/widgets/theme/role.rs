@@ -1,12 +1,14 @@
 //! What a thing on screen is, and its colour in each palette.
 
 use ratatui::style::{Color, Modifier};
+use serde::Serialize;
 use strum::VariantArray;
 
 use super::{Palette, colour::Rgb};
 
 /// What a thing on screen is. The theme turns it into a colour and a weight.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, VariantArray)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, VariantArray)]
+#[serde(rename_all = "kebab-case")]
 pub enum Role {
     /// What everything lies on.
     Background,

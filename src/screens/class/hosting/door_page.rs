@@ -10,7 +10,8 @@ use crate::messages::OpenDoor;
 use crate::screens::class::heading::{below, centred};
 use crate::screens::class::view::column;
 use crate::widgets::big::{Align, Big};
-use crate::widgets::{Lines, Look, Role, areas, rehearsed};
+use crate::widgets::flow::Run;
+use crate::widgets::{Item, Lines, Look, Role, Words, areas, rehearsed, sheet};
 
 /// What is said when nobody has come for a while.
 const HINT: &str = "Nobody in yet? Devices must be in the same network as this computer. Many \
@@ -194,9 +195,13 @@ fn draw_words(
         false => "In the browser, type the address",
     };
     place = say(asks, Role::Key, place);
+    let large = |words: &str| Words::Large {
+        runs: vec![Run::new(words, Role::Title)],
+    };
     place = match large_address(address, area, look) {
         _ if address_is_below => place,
         Some(big) => {
+            sheet::note(place, || Item::new(large(address)));
             big.draw(place, buf, look, Role::Title, Align::Left);
             below(place, big.rows() + 1)
         }
@@ -209,6 +214,7 @@ fn draw_words(
     place = below(place, 1);
     place = match Big::fit(&code, width, room.min(8), look.charset) {
         Some(big) => {
+            sheet::note(place, || Item::new(large(&code)));
             big.draw(place, buf, look, Role::Title, Align::Left);
             below(place, big.rows() + 1)
         }

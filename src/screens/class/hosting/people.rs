@@ -279,7 +279,6 @@ impl People {
             .skip(first)
             .take(above.height.into())
         {
-            let (mark, role) = Role::Text.of_choice(i == at);
             let (name, state) = match row {
                 Row::Person(person) => (
                     round.teams().get(*person).map_or("", String::as_str),
@@ -296,7 +295,9 @@ impl People {
             };
             let room = usize::from(lines.width()).saturating_sub(text::width(&state) + 5);
             let name = text::clipped(&look.charset.text(&name), room);
-            lines.pair(&format!("{mark} {name} "), &state, role, Role::Dim);
+            lines.choice(i == at, Role::Text, |lines, mark, role| {
+                lines.pair(&format!("{mark} {name} "), &state, role, Role::Dim);
+            });
         }
         let mut lines = Lines::new(below, buf, *look);
         lines.gap();

@@ -7,7 +7,7 @@ use super::LiveFigure;
 use crate::physics::Collision;
 use crate::physics::worked::{self, WorkedStep};
 use crate::screens::lab::LabField;
-use crate::widgets::{Lines, Look, Role};
+use crate::widgets::{Lines, Look, Role, Words};
 
 /// What the student sets in a solution of their own.
 pub(super) const FIELDS: [LabField; 5] = [
@@ -40,8 +40,15 @@ pub(super) fn draw(
             let (mark, role) = Role::Dim.of_choice(i == chosen);
             let (_, value) = Role::Text.of_choice(i == chosen);
             let field = field.field(&setup);
-            let name = format!("{mark} {}", field.name);
-            lines.pair(&name, &field.shown, role, value);
+            let recorded = |_| Words::Field {
+                name: field.name.to_string(),
+                value: field.shown.clone(),
+                locked: false,
+            };
+            lines.clicked_as(recorded, Some(i == chosen), |lines| {
+                let name = format!("{mark} {}", field.name);
+                lines.pair(&name, &field.shown, role, value);
+            });
         }
         lines.gap();
     }

@@ -315,7 +315,7 @@ impl LevelPlay {
             return None;
         }
         let mut scratch = Buffer::empty(panel);
-        let mut lines = Lines::new(panel, &mut scratch, cx.settings.look());
+        let mut lines = Lines::unseen(panel, &mut scratch, cx.settings.look());
         panel::goals(self, &mut lines);
         let row = (cell.1 - panel.y).checked_sub(lines.written())?;
         let count = self.level().adjust.dials().count();

@@ -10,7 +10,7 @@ use crate::progress::{Mastery, TopicStanding};
 use crate::quiz::{Code, Course, CourseKind, Family};
 use crate::screens::Context;
 use crate::widgets::input::{ListView, TextField};
-use crate::widgets::{Lines, Look, Role, SplitLayout, rehearsed, text};
+use crate::widgets::{Lines, Look, Role, SplitLayout, Words, rehearsed, text};
 
 /// Why rounds are mixed.
 const WHY_MIXED: &str = "Mixed questions feel harder than many of one kind in a row, and you will \
@@ -70,15 +70,16 @@ pub(super) fn draw(choosing: &Choosing, area: Rect, buf: &mut Buffer, cx: &Conte
 /// A line that can be chosen, with what is said of it on the right.
 fn line(lines: &mut Lines, name: &str, value: &str, chosen: bool, role: Role) {
     let (_, value_role) = Role::Dim.of_choice(chosen);
-    let (mark, role) = role.of_choice(chosen);
-    let name = format!("{mark} {name}");
-    let room = usize::from(lines.width()).saturating_sub(text::width(&name) + 2);
-    let value = if text::width(value) <= room {
-        value
-    } else {
-        ""
-    };
-    lines.pair(&name, value, role, value_role);
+    lines.choice(chosen, role, |lines, mark, role| {
+        let name = format!("{mark} {name}");
+        let room = usize::from(lines.width()).saturating_sub(text::width(&name) + 2);
+        let value = if text::width(value) <= room {
+            value
+        } else {
+            ""
+        };
+        lines.pair(&name, value, role, value_role);
+    });
 }
 
 fn rounds(choosing: &Choosing, book: &Book, each: u16, lines: &mut Lines) {
@@ -300,7 +301,10 @@ fn about_topic(choosing: &Choosing, lines: &mut Lines) {
 fn code(choosing: &Choosing, typed: &TextField, refused: bool, lines: &mut Lines) {
     lines.line("The code of the round:", Role::Text);
     lines.gap();
-    lines.line(&format!("> {}", typed.shown()), Role::Selected);
+    let recorded = |_| Words::text_field("code", typed.text());
+    lines.clicked_as(recorded, Some(true), |lines| {
+        lines.line(&format!("> {}", typed.shown()), Role::Selected);
+    });
     lines.gap();
     match code_of(typed.text(), &choosing.own) {
         Some(Code { course, seed }) => {

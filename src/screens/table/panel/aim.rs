@@ -8,7 +8,7 @@ use crate::screens::table::aim::{Aim, SPEEDS};
 use crate::screens::table::preview::{FirstHit, Preview, WayEnd};
 use crate::screens::table::words;
 use crate::widgets::bar::bar;
-use crate::widgets::{Lines, Role};
+use crate::widgets::{Lines, Role, Words};
 
 /// Most cells of the bar of strength.
 const BAR: u16 = 10;
@@ -82,7 +82,11 @@ fn direction(active: &ActiveGame, aim: &Aim) -> String {
 fn strength(aim: &Aim, lines: &mut Lines) {
     let bar_width = lines.width().saturating_sub(NAME_AND_SPEED).min(BAR);
     let bar = bar(aim.speed / SPEEDS.1, bar_width, lines.charset());
-    lines.fact("strength", &format!("{bar} {:.1} m/s", aim.speed));
+    let speed = format!("{:.1} m/s", aim.speed);
+    lines.written_as(
+        |_| Words::meter("strength", aim.speed / SPEEDS.1, &speed, Role::Text),
+        |lines| lines.fact("strength", &format!("{bar} {speed}")),
+    );
 }
 
 /// Whose turn it is, with what colour, and what the laws ask of the stroke.

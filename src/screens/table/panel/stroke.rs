@@ -98,9 +98,10 @@ pub(super) fn list(replay: &StrokeReplay, lines: &mut Lines) {
     let first = ListView::first_shown(chosen, impacts.len(), rows);
     for (i, impact) in shown.skip(first).take(rows.into()) {
         let [a, b] = impact.discs.map(name);
-        let (mark, role) = Role::Text.of_choice(i == chosen);
-        let text = format!("{mark}{:2} {a} on {b}", i + 1);
-        lines.pair(&text, &format!("{:.5} s", impact.time), role, role);
+        lines.choice(i == chosen, Role::Text, |lines, mark, role| {
+            let text = format!("{mark}{:2} {a} on {b}", i + 1);
+            lines.pair(&text, &format!("{:.5} s", impact.time), role, role);
+        });
     }
 }
 

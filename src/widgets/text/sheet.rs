@@ -1,0 +1,408 @@
+//! What a screen says in words, for whoever can do better than cells.
+//!
+//! A screen writes its words into cells, and what they were is lost there: a heading, a
+//! value, one of several choices. A browser has elements for all of them: its shell records
+//! them while it has the screen drawn, as it gathers the pictures. They go only to whoever
+//! asked, for the one call it asked for.
+
+use std::cell::RefCell;
+
+use ratatui::layout::Rect;
+use serde::Serialize;
+
+use super::flow::Run;
+use crate::messages::Key;
+use crate::widgets::Role;
+
+thread_local! {
+    static RECORDED: RefCell<Option<Recorder>> = const { RefCell::new(None) };
+}
+
+/// A screen, or what lies over one: a list of its own.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Sheet {
+    /// What it is.
+    pub kind: SheetKind,
+    /// What it is called.
+    pub title: String,
+    /// What is set up, how it stands.
+    pub status: String,
+    /// Its parts in the order in which they are read.
+    pub sections: Vec<Section>,
+}
+
+/// What a sheet is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SheetKind {
+    /// The screen itself.
+    Screen,
+    /// A page that explains the screen.
+    Help,
+    /// Something the player is told.
+    Notice,
+    /// Something the player is asked.
+    Question,
+}
+
+/// What stands in one frame, or in a part of the screen without one.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Section {
+    /// The title of the frame; empty for none.
+    pub title: String,
+    /// What stands in it, from the top.
+    pub items: Vec<Item>,
+    #[serde(skip)]
+    area: Rect,
+    #[serde(skip)]
+    is_framed: bool,
+}
+
+/// One thing that stands in a section.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Item {
+    /// What it is.
+    #[serde(flatten)]
+    pub words: Words,
+    /// The cell where a click does what it stands for: column and row.
+    pub press: Option<[u16; 2]>,
+    /// Whether it is the one that is chosen; `None` of what is not for choosing.
+    pub chosen: Option<bool>,
+}
+
+/// What something is, and what it says.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "is", rename_all = "kebab-case")]
+pub enum Words {
+    /// A distance to what is above.
+    Gap,
+    /// A picture: the one of this number among those that were drawn.
+    Picture {
+        /// Its number, from 0.
+        number: usize,
+    },
+    /// What is read from the left to the right, behind a mark if it has one.
+    Text {
+        /// "1. ", "- "; empty for none.
+        mark: String,
+        /// The words.
+        runs: Vec<Run>,
+    },
+    /// An equation, a row of its own.
+    Equation {
+        /// What it says.
+        runs: Vec<Run>,
+    },
+    /// What something is called, and its value.
+    Pair {
+        /// Its name.
+        name: Run,
+        /// Its value.
+        value: Run,
+    },
+    /// A row of a table.
+    Columns {
+        /// What it is about.
+        name: Run,
+        /// A value for each column.
+        values: Vec<Run>,
+    },
+    /// Something that can be set.
+    Field {
+        /// Its name.
+        name: String,
+        /// Its value as it reads; a number that is being typed ends in `_`.
+        value: String,
+        /// Whether it cannot be changed just now.
+        locked: bool,
+    },
+    /// A text that can be typed.
+    TextField {
+        /// What it is.
+        name: String,
+        /// What has been typed.
+        value: String,
+    },
+    /// What can be done next.
+    Prompt {
+        /// What it is.
+        words: String,
+        /// The name of the key that does it.
+        key: Option<String>,
+    },
+    /// One of several pages.
+    Tab {
+        /// Its name.
+        name: String,
+    },
+    /// A share of a whole.
+    Meter {
+        /// What is shared, before it.
+        name: String,
+        /// From 0 to 1.
+        share: f64,
+        /// The share in words, behind it.
+        value: String,
+        /// Its colour.
+        role: Role,
+    },
+    /// Words for the back row.
+    Large {
+        /// The words.
+        runs: Vec<Run>,
+    },
+}
+
+/// What is being recorded.
+struct Recorder {
+    sheets: Vec<Sheet>,
+    pictures: usize,
+}
+
+impl Recorder {
+    fn sheet(&mut self) -> &mut Sheet {
+        if self.sheets.is_empty() {
+            self.sheets.push(Sheet::new(SheetKind::Screen, "", ""));
+        }
+        let last = self.sheets.len() - 1;
+        &mut self.sheets[last]
+    }
+
+    fn note(&mut self, area: Rect, item: Item) {
+        self.sheet().section(area).items.push(item);
+    }
+}
+
+impl Sheet {
+    fn new(kind: SheetKind, title: &str, status: &str) -> Self {
+        Self {
+            kind,
+            title: title.to_owned(),
+            status: status.to_owned(),
+            sections: Vec::new(),
+        }
+    }
+
+    /// The section of what stands in an area: that of the smallest frame round it, or one
+    /// of its own.
+    fn section(&mut self, area: Rect) -> &mut Section {
+        let round = |frame: &Section| frame.is_framed && frame.area.union(area) == frame.area;
+        let sections = self.sections.iter().enumerate();
+        let framed = sections.filter(|(_, it)| round(it));
+        let framed = framed.min_by_key(|(_, it)| it.area.area());
+        let own = |it: &Section| !it.is_framed && it.area == area;
+        let at = framed.map(|(at, _)| at);
+        let at = at.or_else(|| self.sections.iter().position(own));
+        let at = at.unwrap_or_else(|| {
+            self.sections.push(Section {
+                title: String::new(),
+                items: Vec::new(),
+                area,
+                is_framed: false,
+            });
+            self.sections.len() - 1
+        });
+        &mut self.sections[at]
+    }
+}
+
+impl Words {
+    /// Words in one style.
+    pub(crate) fn text(run: Run) -> Self {
+        Self::Text {
+            mark: String::new(),
+            runs: vec![run],
+        }
+    }
+
+    /// A share of a whole, what it is called and how it reads.
+    pub(crate) fn meter(name: &str, share: f64, value: &str, role: Role) -> Self {
+        Self::Meter {
+            name: name.to_owned(),
+            share,
+            value: value.to_owned(),
+            role,
+        }
+    }
+
+    /// A text that can be typed, and what has been.
+    pub(crate) fn text_field(name: &str, value: &str) -> Self {
+        Self::TextField {
+            name: name.to_owned(),
+            value: value.to_owned(),
+        }
+    }
+}
+
+impl Item {
+    /// Something that does nothing.
+    pub(crate) const fn new(words: Words) -> Self {
+        Self {
+            words,
+            press: None,
+            chosen: None,
+        }
+    }
+}
+
+/// Does what draws, and gives what it says in words, the screen first and then what lies
+/// over it.
+pub fn recorded<T>(draw: impl FnOnce() -> T) -> (T, Vec<Sheet>) {
+    RECORDED.set(Some(Recorder {
+        sheets: Vec::new(),
+        pictures: 0,
+    }));
+    let drawn = draw();
+    let sheets = RECORDED.take().map_or_else(Vec::new, |it| it.sheets);
+    (drawn, sheets.into_iter().map(tidied).collect())
+}
+
+/// Without sections in which there is nothing, and gaps at the ends of those that there are.
+fn tidied(mut sheet: Sheet) -> Sheet {
+    for section in &mut sheet.sections {
+        let is_gap = |item: &Item| matches!(item.words, Words::Gap);
+        section.items.dedup_by(|b, a| is_gap(a) && is_gap(b));
+        if section.items.last().is_some_and(is_gap) {
+            section.items.pop();
+        }
+        if section.items.first().is_some_and(is_gap) {
+            section.items.remove(0);
+        }
+    }
+    sheet.sections.retain(|section| !section.items.is_empty());
+    sheet
+}
+
+/// Whether anyone records what is drawn.
+pub(crate) fn is_recording() -> bool {
+    RECORDED.with_borrow(Option::is_some)
+}
+
+fn with(note: impl FnOnce(&mut Recorder)) {
+    RECORDED.with_borrow_mut(|recorder| recorder.iter_mut().next().map_or((), note));
+}
+
+/// Notes that a screen begins, or something that lies over it.
+pub(crate) fn begin(kind: SheetKind, title: &str, status: &str) {
+    with(|recorder| recorder.sheets.push(Sheet::new(kind, title, status)));
+}
+
+/// Notes a frame: what is drawn inside it later belongs together.
+pub(crate) fn frame(area: Rect, title: &str) {
+    if area.is_empty() {
+        return;
+    }
+    with(|recorder| {
+        recorder.sheet().sections.push(Section {
+            title: title.to_owned(),
+            items: Vec::new(),
+            area,
+            is_framed: true,
+        });
+    });
+}
+
+/// Notes a picture that has just been drawn.
+pub(crate) fn picture(area: Rect) {
+    with(|recorder| {
+        let number = recorder.pictures;
+        recorder.pictures += 1;
+        recorder.note(area, Item::new(Words::Picture { number }));
+    });
+}
+
+/// Notes something that was written into an area. `make` is asked only if anyone records.
+pub(crate) fn note(area: Rect, make: impl FnOnce() -> Item) {
+    if is_recording() {
+        let item = make();
+        with(|recorder| recorder.note(area, item));
+    }
+}
+
+/// What a text in the role of keys prompts for: "Enter: set it. v: live off." Each prompt is
+/// its key and its words; what else the text says stands between them. `None` if it prompts
+/// for nothing.
+pub(crate) fn prompts(text: &str) -> Option<Vec<Words>> {
+    let all: Vec<_> = sentences(text).map(prompt).collect();
+    let is_prompt = |words: &Words| matches!(words, Words::Prompt { .. });
+    all.iter().any(is_prompt).then_some(all)
+}
+
+/// A sentence: a prompt, if it begins with a key, or a text.
+fn prompt(sentence: &str) -> Words {
+    let inner = sentence.trim_start_matches('(').trim_end_matches(')');
+    let keyed = inner.split_once(": ");
+    let keyed = keyed.and_then(|(key, words)| Some((Key::parse(key)?, words)));
+    match keyed {
+        Some((key, words)) => Words::Prompt {
+            words: words.trim_end_matches('.').to_owned(),
+            key: Some(key.to_string()),
+        },
+        None => Words::text(Run::new(sentence, Role::Text)),
+    }
+}
+
+/// The sentences of a text.
+fn sentences(text: &str) -> impl Iterator<Item = &str> {
+    let mut rest = text.trim();
+    std::iter::from_fn(move || {
+        if rest.is_empty() {
+            return None;
+        }
+        let ends = [". ", "! ", "? "].into_iter();
+        let end = ends.filter_map(|end| rest.find(end)).min();
+        let (sentence, after) = rest.split_at(end.map_or(rest.len(), |end| end + 1));
+        rest = after.trim_start();
+        Some(sentence)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_of_keys_becomes_its_prompts_and_any_other_stays_a_text() {
+        let prompt = |words: &str, key: &str| Words::Prompt {
+            words: words.into(),
+            key: Some(key.into()),
+        };
+        assert_eq!(
+            prompts("Enter: shoot! v: live off."),
+            Some(vec![prompt("shoot!", "Enter"), prompt("live off", "v")])
+        );
+        let text = |words: &str| Words::text(Run::new(words, Role::Text));
+        assert_eq!(
+            prompts("Enter: throw. (p: predict first)"),
+            Some(vec![prompt("throw", "Enter"), prompt("predict first", "p")])
+        );
+        assert_eq!(
+            prompts("Enter: that is my vote. How sure changes nothing."),
+            Some(vec![
+                prompt("that is my vote", "Enter"),
+                text("How sure changes nothing."),
+            ])
+        );
+        assert_eq!(prompts("New here? Press l, then Enter."), None);
+        assert_eq!(prompts("New here: begin."), None);
+    }
+
+    #[test]
+    fn what_stands_in_a_frame_belongs_to_it_wherever_its_area_begins() {
+        let text = |words: &str| Item::new(Words::text(Run::new(words, Role::Text)));
+        let ((), sheets) = recorded(|| {
+            begin(SheetKind::Screen, "lab", "");
+            frame(Rect::new(0, 0, 10, 10), "picture");
+            frame(Rect::new(10, 0, 10, 10), "panel");
+            frame(Rect::new(0, 0, 0, 10), "no room");
+            note(Rect::new(12, 1, 7, 8), || text("beside"));
+            picture(Rect::new(1, 1, 8, 8));
+            note(Rect::new(0, 12, 20, 1), || text("below"));
+        });
+        let titles: Vec<_> = sheets[0].sections.iter().map(|it| &it.title).collect();
+        assert_eq!(titles, ["picture", "panel", ""]);
+        assert_eq!(sheets[0].sections[1].items, [text("beside")]);
+        let ((), none) = recorded(|| ());
+        assert!(none.is_empty());
+    }
+}
