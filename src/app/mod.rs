@@ -35,8 +35,8 @@ use crate::screens::{
     settings::SettingsScreen,
     table::Table,
 };
-use crate::widgets::Outcome;
 use crate::widgets::input::KeyTable;
+use crate::widgets::{Outcome, PictureSizes};
 
 use layer::AppLayer;
 
@@ -151,6 +151,12 @@ impl App {
     /// What the player has set, to be changed.
     pub fn settings_mut(&mut self) -> &mut Settings {
         &mut self.context.settings
+    }
+
+    /// Gives pictures sizes of their own, whatever the size of the screen: for a page that
+    /// lays out what is recorded as it likes.
+    pub fn set_pictures(&mut self, sizes: Option<PictureSizes>) {
+        self.context.pictures = sizes;
     }
 
     /// What was kept of the settings when the app began; `None` leaves that alone.

@@ -18,7 +18,7 @@ use crate::quiz::concepts::Library;
 use crate::widgets::hit::HitPace;
 use crate::widgets::input::Rebound;
 use crate::widgets::replay::WatchRate;
-use crate::widgets::{Charset, Depth, Look, Palette, Theme};
+use crate::widgets::{Charset, Depth, Look, Palette, PictureSizes, Room, Theme};
 
 /// How the app looks and behaves for this player.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,6 +95,8 @@ pub struct Context {
     /// The part of the screen that belongs to the screen on top: all but the
     /// title line and the line of keys.
     pub body: Rect,
+    /// How large pictures are in it, where that does not follow from its size.
+    pub pictures: Option<PictureSizes>,
     /// The levels.
     pub shelf: Shelf,
     /// The chapters.
@@ -122,6 +124,7 @@ impl Context {
         Self {
             settings,
             body: Rect::default(),
+            pictures: None,
             shelf: Shelf::default(),
             book: Book::default(),
             own: Arc::default(),
@@ -134,6 +137,14 @@ impl Context {
             tickets: 0,
             asked: Vec::new(),
             told: None,
+        }
+    }
+
+    /// The place of the screen on top, for what has pictures.
+    pub fn room(&self) -> Room {
+        Room {
+            area: self.body,
+            pictures: self.pictures,
         }
     }
 

@@ -163,7 +163,12 @@ impl<S: Screen> Hosted<S> {
         };
         let key = &key;
         let writing = Writing { look, key, pages };
-        let layout = (view.layout)(cx.body);
+        // Only pictures have sizes of their own.
+        let room = match view.first {
+            Part::Picture(..) => cx.room(),
+            Part::Panel(_) => cx.body.into(),
+        };
+        let layout = (view.layout)(room);
         let places = view.places(&layout).into_iter();
         let panels: Vec<_> = places
             .map(|(panel, area)| self.shown(panel, area, &writing))

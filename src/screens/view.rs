@@ -4,12 +4,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::widgets::panel::Panel;
-use crate::widgets::{Look, SplitLayout};
+use crate::widgets::{Look, Room, SplitLayout};
 
 /// What a screen shows.
 pub struct View<'s, A> {
     /// Where both parts stand in the area of the screen.
-    pub(super) layout: fn(Rect) -> SplitLayout,
+    pub(super) layout: fn(Room) -> SplitLayout,
     /// The part that has most of the room.
     pub(super) first: Part<'s, A>,
     /// What stands beside it.

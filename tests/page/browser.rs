@@ -14,13 +14,10 @@ pub(crate) trait Browser {
     fn run(&mut self, script: &str, arguments: &[Value]) -> Value;
 }
 
-/// The letters of the screen, row by row.
+/// What can be read on the page, and what stands in its fields.
 pub(crate) const SCREEN: &str = "
-    const { painted } = window.carrom.call({ do: 'paint' });
-    const [columns, rows] = painted.size;
-    const cells = window.carrom.cells(columns * rows);
-    return Array.from({ length: rows }, (_, row) => Array.from({ length: columns },
-      (_, column) => String.fromCodePoint(cells[4 * (row * columns + column)])).join('')).join('\\n');";
+    const values = [...document.querySelectorAll('#screen input')].map((it) => it.value);
+    return [document.body.innerText, ...values].join('\\n').replaceAll('\\u00a0', ' ');";
 
 /// The address of the page to test.
 pub(crate) fn page() -> String {

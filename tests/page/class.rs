@@ -20,13 +20,6 @@ use crate::keys::said;
 use crate::teacher::{Teacher, kept};
 use crate::touch::Phone;
 
-/// Types letters, as the keyboard of a phone does.
-fn type_in(phone: &mut Phone, text: &str) {
-    for letter in text.chars() {
-        browser::press(&mut phone.0, &[&letter.to_string()]);
-    }
-}
-
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_phone_joins_votes_and_comes_back() {
@@ -37,18 +30,17 @@ fn a_phone_joins_votes_and_comes_back() {
     let address = format!("http://127.0.0.1:{}/", teacher.port);
     let mut phone = Phone::open(&address, &format!("code={}", teacher.code));
     phone.expect("Your class plays a round");
-    type_in(&mut phone, "Ada");
-    phone.press("Enter");
-    phone.press("Enter");
+    phone.type_in("Ada");
+    phone.press("Come in");
     phone.expect("You are in, Ada.");
     teacher.press("<Enter><Enter>", "0 of 1 have voted");
     phone.expect("Where will they go?");
     for angle in ["60", "30"] {
-        type_in(&mut phone, angle);
-        phone.press("Enter");
+        phone.type_in(angle);
+        phone.go_on();
     }
     phone.expect("How sure are you?");
-    phone.press("Enter");
+    phone.go_on();
     phone.expect("Your vote is in.");
     teacher.wait_for("1 of 1 have voted");
     let said = kept(&folder).ballot(0, 0).first.unwrap().rays().unwrap();
@@ -138,7 +130,7 @@ fn what_pages_and_programs_hand_in_is_gathered() {
         browser.run(to_class, &[Value::from(teacher.code.clone())]);
         press(&mut browser, "", "Your class plays a round");
         let keys = format!("{name}<Enter><Enter>");
-        press(&mut browser, &keys, "hand in the 3 answers");
+        press(&mut browser, &keys, "Hand in the 3 answers");
         press(&mut browser, "h", "Send ");
         press(&mut browser, "y", "Handed in: 3 answers.");
         // Once more is no second file.

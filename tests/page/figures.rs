@@ -40,8 +40,7 @@ fn gaps(times: &[f64]) -> Vec<f64> {
 const WORK: &str = "
     return Array.from({ length: 45 }, () => {
       const start = performance.now();
-      program.call({ do: 'pass', ms: 16 });
-      painter.paint(program.call({ do: 'paint' }).painted);
+      window.carrom.step(16);
       return performance.now() - start;
     });";
 

@@ -174,8 +174,15 @@ fn play(number: u64) -> Result<u64, Box<dyn Error>> {
         let leads = matches!(&command, Command::Key { key } if LEADING.contains(&key.as_str()));
         reply = shell.call(command, &bytes);
         if leads || step % PAINTED == 0 {
-            let painted = shell.call(Command::Paint, &[]).painted.unwrap_or_default();
-            if painted.pictures.iter().any(|it| it.svg.contains("NaN")) {
+            let painted = shell
+                .call(Command::Paint { since: 0 }, &[])
+                .painted
+                .unwrap_or_default();
+            if painted
+                .pictures
+                .iter()
+                .any(|it| it.svg.as_ref().is_some_and(|svg| svg.contains("NaN")))
+            {
                 return Err(format!("session {number} draws NaN at {step}").into());
             }
             if let Some(keys) = painted.keys {

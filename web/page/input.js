@@ -7,11 +7,12 @@ const input = (() => {
     PageDown: "PageDown", Home: "Home", End: "End", F1: "F1", " ": "Space",
   };
   const ARROWS = { Up: "▲", Left: "◀", Right: "▶", Down: "▼" };
-  const canvas = painter.canvas;
+  const screen = document.getElementById("screen");
   const bar = document.getElementById("keys");
+  const layer = document.getElementById("layer");
   const typing = document.getElementById("typing");
   let say = () => {};
-  let began = false, digits = false, shown = "", last = [];
+  let digits = false, shown = "", likely = null, last = [], own = [];
 
   function start(speak) {
     say = speak;
@@ -20,180 +21,227 @@ const input = (() => {
       const text = event.clipboardData.getData("text");
       if (text && isOurs(event)) say({ do: "paste", text });
     });
-    canvas.addEventListener("pointerdown", down);
-    canvas.addEventListener("pointermove", moved);
-    canvas.addEventListener("pointerup", lifted);
-    canvas.addEventListener("pointercancel", lifted);
-    canvas.addEventListener("wheel", wheel, { passive: false });
-    canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    screen.addEventListener("pointerdown", down);
+    screen.addEventListener("pointermove", moved);
+    screen.addEventListener("pointerup", lifted);
+    screen.addEventListener("pointercancel", lifted);
+    screen.addEventListener("wheel", wheel, { passive: false });
     typing.addEventListener("input", () => {
       for (const letter of typing.value) key(letter);
       typing.value = "";
     });
-    // Not by clicks alone: a browser leaves out a click that follows a swipe.
-    let held = null;
-    bar.addEventListener("pointerdown", (event) => (held = event.target.closest("button")));
-    bar.addEventListener("pointercancel", () => (held = null));
-    bar.addEventListener("pointerup", (event) => {
-      const button = event.target.closest("button");
-      if (button && button === held) use(button);
-      held = null;
-    });
-    bar.addEventListener("click", (event) => {
-      const button = event.target.closest("button");
-      if (button && event.detail === 0) use(button);
+    panels.start({ key, press });
+    layer.addEventListener("cancel", (event) => {
+      event.preventDefault();
+      key("Escape");
     });
   }
 
-  function use(button) {
-    const { key: name, does } = button.dataset;
-    if (name) key(name);
-    if (does === "digits") {
-      digits = !digits;
-      show();
-    }
-    if (does === "type") typing.focus();
-    if (does === "menu") openMenu();
+  const key = (name) => say({ do: "key", key: name });
+
+  // A click on a cell.
+  function press([x, y]) {
+    for (const kind of ["down", "up"]) say({ do: "mouse", kind, x: x + 0.5, y: y + 0.5 });
   }
 
   // The menu, with what can be set on every screen.
   function openMenu() {
     const sets = ({ id }) => /^everywhere\.(charset|theme|motion)$/.test(id);
-    const choices = last.filter(sets).map(({ keys, help }) =>
-      button(keys[keys.length - 1], help[0].toUpperCase() + help.slice(1), help));
-    document.getElementById("choices").innerHTML = choices.join("");
+    const choices = own.filter(sets).map(({ keys, help }) => {
+      const node = panels.make("button", "", panels.capital(help));
+      node.dataset.key = keys[keys.length - 1];
+      return node;
+    });
+    document.getElementById("choices").replaceChildren(...choices);
     document.getElementById("menu").showModal();
   }
 
-  const key = (name) => say({ do: "key", key: name });
-  const isOurs = (event) =>
-    !document.getElementById("game").hidden && !document.querySelector("dialog[open]") &&
-    (event.target === document.body || event.target === typing || event.target.closest?.("#keys"));
+  const isTyped = (node) => node.localName === "input";
+  const isOurs = (event) => {
+    const open = document.querySelector("dialog[open]");
+    if (document.getElementById("game").hidden || (open && open !== layer)) return false;
+    return event.target === document.body || event.target === typing || !isTyped(event.target);
+  };
 
   function pressed(event) {
-    if (!isOurs(event) || event.ctrlKey !== event.altKey || event.metaKey) return;
-    if (event.isComposing) return;
-    // The first Tab of all goes to the link to plain text.
-    if (event.key === "Tab" && !began) return;
-    const onButton = event.target.closest?.("#keys");
-    if (onButton && ["Tab", "Enter", " "].includes(event.key)) return;
+    if (event.ctrlKey !== event.altKey || event.metaKey || event.isComposing) return;
     const letter = [...event.key].length === 1 && event.key !== " " ? event.key : null;
-    if (event.target === typing && letter) return;
+    // In a field the keys are the field's, but for those that go on or elsewhere.
+    if (event.target.closest?.("#screen") && isTyped(event.target)) {
+      if (!["Enter", "ArrowUp", "ArrowDown"].includes(event.key)) return;
+      event.preventDefault();
+      key(NAMED[event.key]);
+      const chosen = screen.querySelector(".field.chosen input");
+      if (chosen) chosen.focus();
+      else event.target.blur();
+      return;
+    }
+    if (!isOurs(event)) return;
     const name = event.key === "Tab" ? (event.shiftKey ? "Shift+Tab" : "Tab") : NAMED[event.key];
+    // Tab is the browser's, unless it has a name of its own on this screen.
+    if (event.key === "Tab") {
+      const isNamed = last.some((row) => row.name && row.keys[0] === name);
+      if (!isNamed || event.target !== document.body) return;
+    }
+    const onButton = event.target.closest?.("button, a, summary");
+    if (onButton && ["Enter", " "].includes(event.key)) return;
+    if (event.target === typing && letter) return;
     if (!name && !letter) return;
-    began = true;
     event.preventDefault();
     key(name || letter);
   }
 
-  // The mouse is told as it is. A finger on a picture drags, beside one it scrolls or taps.
-  const HAND = 0.8;
+  // The mouse is told as it is over a picture; a finger drags there.
   let hand = null;
 
-  function tell(kind, event) {
-    const [x, y] = painter.cellsAt(event.clientX, event.clientY);
+  function tell(kind, canvas, event) {
+    const [x, y] = painter.cellsAt(canvas, event.clientX, event.clientY);
     say({ do: "mouse", kind, x, y });
   }
 
   function down(event) {
-    if (event.button !== 0 || hand) return;
+    const canvas = event.target;
+    if (event.button !== 0 || hand || canvas.localName !== "canvas") return;
     event.preventDefault();
     document.activeElement?.blur?.();
-    began = true;
     canvas.setPointerCapture(event.pointerId);
-    const [x, y] = painter.cellsAt(event.clientX, event.clientY);
-    const drags = event.pointerType === "mouse" || painter.isPicture(x, y);
-    hand = { id: event.pointerId, drags, x, y, scrolled: false };
-    if (drags) tell("down", event);
+    hand = { id: event.pointerId, canvas };
+    tell("down", canvas, event);
   }
 
   function moved(event) {
-    if (!hand || event.pointerId !== hand.id) return;
-    if (hand.drags) return tell("drag", event);
-    const [, y] = painter.cellsAt(event.clientX, event.clientY);
-    while (Math.abs(y - hand.y) >= HAND) {
-      const way = y > hand.y ? 1 : -1;
-      hand.y += way;
-      hand.scrolled = true;
-      say({ do: "mouse", kind: way > 0 ? "scroll-up" : "scroll-down", x: hand.x, y: hand.y });
-    }
+    if (hand && event.pointerId === hand.id) tell("drag", hand.canvas, event);
   }
 
   function lifted(event) {
     if (!hand || event.pointerId !== hand.id) return;
-    const { drags, scrolled } = hand;
+    const { canvas } = hand;
     hand = null;
-    if (!drags && !scrolled && event.type === "pointerup") tell("down", event);
-    if (drags || !scrolled) tell("up", event);
+    tell("up", canvas, event);
   }
 
+  // The wheel over a picture is the game's; with Ctrl it zooms, and elsewhere it scrolls.
   let turned = 0;
   function wheel(event) {
+    if (event.target.localName !== "canvas" || event.ctrlKey) return;
     event.preventDefault();
     const rows = event.deltaMode === 0 ? event.deltaY / 40 : event.deltaY;
     if (Math.sign(rows) !== Math.sign(turned)) turned = 0;
     turned += rows;
     for (; Math.abs(turned) >= 1; turned -= Math.sign(turned)) {
-      tell(turned > 0 ? "scroll-down" : "scroll-up", event);
+      tell(turned > 0 ? "scroll-down" : "scroll-up", event.target, event);
     }
   }
 
-  // Shows the keys of the moment: others than before, or the same in another place.
+  // Shows the keys of the moment: others than before, or beside other elements.
   function show(rows = last) {
     last = rows;
-    const buttons = layout(rows);
-    if (buttons === shown) return;
-    shown = buttons;
-    bar.innerHTML = buttons;
+    const state = panels.state();
+    if (state.isCovered) return answers(rows);
+    own = rows;
+    const told = JSON.stringify([rows, state, digits]);
+    if (told !== shown) bar.replaceChildren(...layout(rows, state));
+    shown = told;
+    panels.leaveOut(likely);
   }
 
-  const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
-  const button = (name, label, help, kind = "key", below = "") =>
-    `<button data-${kind}="${escaped(name)}" aria-label="${escaped(help || label)}">${escaped(label)}` +
-    `${below ? `<small>${escaped(below)}</small>` : ""}</button>`;
+  // A button for a key, with what it does below or beside its name.
+  function button(name, label, help, below = "") {
+    const node = panels.make("button", "", label);
+    node.type = "button";
+    node.dataset.key = name;
+    node.setAttribute("aria-label", help || label);
+    if (below) node.append(panels.make("small", "", below));
+    if (below || name in ARROWS) panels.repeats(node, () => key(name));
+    else panels.pressed(node, () => key(name));
+    return node;
+  }
 
-  // The buttons for keys. Digits are folded away, arrows are a pad, and q has no button:
-  // a page is left as pages are.
-  function layout(rows) {
-    if (document.body.classList.contains("fine")) return button("menu", "☰ menu", "menu", "does");
-    const arrows = new Set();
-    const numbers = [];
-    const first = [], rest = [], last = [];
-    let explain = "<span></span>";
+  function doing(kind, label, help, act) {
+    const node = panels.make("button", kind, label);
+    node.type = "button";
+    node.setAttribute("aria-label", help);
+    panels.pressed(node, act);
+    return node;
+  }
+
+  // The buttons of what lies over the screen.
+  function answers(rows) {
+    const named = rows.filter(({ name }) => name && name !== "scroll");
+    const isHelp = layer.className === "help";
+    const label = (name) => (isHelp ? "Back" : panels.capital(name));
+    const nodes = named.map(({ keys, name, help }) => button(keys[0], label(name), help));
+    layer.querySelector(".answers").replaceChildren(...nodes);
+  }
+
+  // One button for what is likeliest, and a row of small ones. What is an element on the
+  // screen has none here: fields, choices, other prompts; and q has none, for a page is left
+  // as pages are.
+  function layout(rows, state) {
+    const { prompt, hasFields, hasNumber, hasChoices } = state;
+    const row = panels.make("div", "row");
+    const arrows = new Map();
+    const numbers = [], rest = [];
+    let back = null, explain = null;
+    likely = prompt;
     for (const { id = "", keys, name, help } of rows) {
-      if (id === "everywhere.help") explain = button(keys[0], "?", "help");
-      if ((id.startsWith("everywhere.") && id !== "everywhere.back") || id.endsWith(".quit")) continue;
-      const isNumber = keys.some((key) => /^[0-9]$/.test(key)) && keys.length > 5;
-      const both = [];
-      for (const key of keys) {
-        if (key in ARROWS) arrows.add(key);
-        else if (isNumber && key.length === 1) numbers.push(button(key, key, key));
-        else if (id === "everywhere.back" || key === "Esc") last.push(button(key, "⟵", name || "back"));
-        else if (name) {
-          // Answers are on the screen to be tapped; "likewise" says so beside the keys alone.
-          const below = keys.length > 1 && name !== "likewise" && name;
-          const made = button(key, keys.length > 1 ? key : name, help || name, "key", below);
-          if (key === "Enter") first.unshift(made);
-          else if (key === "Space") first.push(made);
-          else if (below) both.push(made);
-          else rest.push(made);
-        }
+      if (id === "everywhere.help") explain = doing("", "?", "help", () => key(keys[0]));
+      if (id === "everywhere.back" || keys[0] === "Escape") {
+        back = doing("", "⟵", name || "back", () => key(keys[0]));
+        continue;
       }
-      // What goes one way and the other stands side by side.
-      while (both.length) rest.push(`<span class="pair">${both.splice(0, 2).join("")}</span>`);
+      if (id.startsWith("everywhere.") || id.endsWith(".quit")) continue;
+      if (keys.some((it) => /^[0-9]$/.test(it)) && keys.length > 5) {
+        if (!hasNumber && !hasChoices) numbers.push(...keys.filter((it) => it.length === 1));
+        continue;
+      }
+      const isArrow = keys.every((it) => it in ARROWS);
+      if (isArrow) {
+        const isDone = keys[0] === "Up" || keys[0] === "Down" ? hasFields || hasChoices : hasFields;
+        if (!isDone) arrows.set(keys.join(), { keys, name, help });
+        continue;
+      }
+      if (!name || name === "likewise") continue;
+      if (["Enter", "Space"].includes(keys[0])) {
+        // A step of a value is on the screen to be tapped.
+        if (hasFields && /value|change/.test(name)) continue;
+        const isPrompt = prompt && prompt.key === keys[0];
+        if (likely && ["Enter", "Space"].includes(likely.key)) {
+          if (!isPrompt) rest.push(button(keys[0], name, help || name));
+        } else likely = isPrompt ? prompt : { is: "prompt", words: name, key: keys[0] };
+        continue;
+      }
+      // Choices are on the screen to be tapped.
+      if (hasChoices && keys.every((it) => /^[0-9a-h]$/.test(it)) && keys.length > 1) continue;
+      const letters = keys.filter((it) => !(it in ARROWS));
+      if (prompt && letters.includes(prompt.key)) continue;
+      if (letters.length < 2) rest.push(button(letters[0] || keys[0], name, help || name));
+      else {
+        const pair = panels.make("span", "pair");
+        const signs = letters.length === 2 ? ["‹", "›"] : letters;
+        pair.append(...letters.map((it, i) => button(it, signs[i], help || name, name)));
+        rest.push(pair);
+      }
     }
-    // The menu and the help are in the corners of the pad, or where there is none, last.
-    const menu = button("menu", "☰", "menu", "does");
-    const arrow = (key) => arrows.has(key) ? button(key, ARROWS[key], key) : "<span></span>";
-    const pad = [menu, arrow("Up"), explain, arrow("Left"), arrow("Down"), arrow("Right")];
-    if (!arrows.size) last.push(explain, menu);
-    const parts = [];
-    if (arrows.size) parts.push(`<div class="pad">${pad.join("")}</div>`);
-    if (numbers.length) rest.push(button("digits", digits ? "123 ▾" : "123", "digits", "does"));
-    if (numbers.length && digits) rest.push(...numbers, button("Backspace", "⌫", "take back"));
-    rest.push(...last, button("type", "abc", "a keyboard for letters", "does"));
-    parts.push(`<div class="rest">${[...first, ...rest].join("")}</div>`);
-    return parts.join("");
+    for (const { keys, name, help } of arrows.values()) {
+      const pair = panels.make("span", "pair");
+      pair.append(...keys.map((it) => button(it, ARROWS[it], help || name, name)));
+      rest.unshift(pair);
+    }
+    if (numbers.length) {
+      rest.push(doing("", digits ? "123 ▾" : "123", "digits", () => {
+        digits = !digits;
+        show();
+      }));
+      if (digits) rest.push(...[...numbers, "Backspace"].map((it) => button(it, it === "Backspace" ? "⌫" : it, it)));
+    }
+    const menu = doing("menu", "☰", "menu", openMenu);
+    row.append(menu, ...[explain, back].filter(Boolean), ...rest);
+    if (!likely) return [row];
+    const item = likely;
+    const primary = doing("primary", panels.capital(likely.words.replace(/\.$/, "")), likely.words,
+      () => panels.does(item));
+    return [primary, row];
   }
 
   return { start, show, key };

@@ -4,13 +4,10 @@ const page = (() => {
   const body = document.body;
   const words = document.getElementById("words");
   const game = document.getElementById("game");
-  const place = document.getElementById("place");
-  const bar = document.getElementById("keys");
   const menu = document.getElementById("menu");
   const chooser = document.getElementById("file");
   const typing = document.getElementById("typing");
-  let colours = "", ready = false, lived = 0, frame = 0, timer = 0, outdated = true, failedOnce = false;
-  let touched = matchMedia("(pointer: coarse)").matches;
+  let colours = "", drawn = 0, ready = false, lived = 0, frame = 0, timer = 0, outdated = true, failedOnce = false;
 
   // For tests: when the first frame was there, frames drawn, and how often the page woke.
   const seen = { first: 0, frames: 0, wakes: 0 };
@@ -30,18 +27,6 @@ const page = (() => {
     addEventListener("resize", fit);
     (self.visualViewport || self).addEventListener("resize", fit);
     addEventListener("hashchange", open);
-    // Who touches the screen needs buttons, whatever else there is.
-    addEventListener("pointerdown", (event) => {
-      if (event.pointerType !== "touch" || touched) return;
-      touched = true;
-      fit();
-    });
-    for (const change of ["focus", "blur"]) {
-      typing.addEventListener(change, () => {
-        body.classList.toggle("typing", change === "focus");
-        fit();
-      });
-    }
     addEventListener("dragover", (event) => event.preventDefault());
     addEventListener("drop", (event) => {
       event.preventDefault();
@@ -75,10 +60,9 @@ const page = (() => {
     for (const [path, text] of given) own.push([path, encoder.encode(text)]);
     const packed = keeper.packed(own);
     measure();
-    const [columns, rows] = room();
     const wants = (what) => matchMedia(`(prefers-${what})`).matches;
     const reply = program.call({
-      do: "open", fragment: classroom.fragment(), columns, rows, own: packed.files,
+      do: "open", fragment: classroom.fragment(), ...room(), own: packed.files,
       seed: crypto.getRandomValues(new Uint32Array(1))[0] % 1000000,
       light: wants("color-scheme: light"), still: wants("reduced-motion: reduce"),
     }, packed.bytes);
@@ -94,30 +78,33 @@ const page = (() => {
     outdated = true;
     heed(reply);
     draw();
+    // Now that head and foot are there it is known what they take.
+    fit();
   }
 
-  // Where the buttons are: none for a mouse, at the side of a low screen, else below.
+  // A keyboard on the screen leaves less room than the window says.
   function measure() {
-    const beside = touched && innerWidth > innerHeight && innerHeight < 600;
-    body.classList.toggle("fine", !touched);
-    body.classList.toggle("beside", beside);
-    input.show();
-    bar.style.height = touched && !beside ? "156px" : "";
-    // A keyboard on the screen leaves less room than the window says.
-    const height = self.visualViewport && Math.round(visualViewport.height);
-    game.style.height = height && height < innerHeight ? `${height}px` : "";
+    const height = self.visualViewport && Math.round(visualViewport.height * visualViewport.scale);
+    game.style.height = height && height < innerHeight - 1 ? `${height}px` : "";
   }
 
-  function room() {
-    game.hidden = false;
-    return painter.fit(place.clientWidth, place.clientHeight);
+  // How many cells there are, and how large pictures are among them.
+  const room = () => painter.fit(innerWidth, innerHeight - foot());
+
+  // What head and foot of the page take.
+  function foot() {
+    const of = (name) => game.querySelector(name).offsetHeight;
+    return game.hidden ? 120 : of("header") + of("nav");
   }
 
+  let fitted = "";
   function fit() {
     if (game.hidden) return;
     measure();
-    const [columns, rows] = room();
-    speak({ do: "resize", columns, rows });
+    const now = room();
+    if (JSON.stringify(now) === fitted) return;
+    fitted = JSON.stringify(now);
+    speak({ do: "resize", ...now });
   }
 
   // Says something to the program, and does what follows.
@@ -189,15 +176,18 @@ const page = (() => {
 
   function draw() {
     outdated = false;
-    const { painted } = program.call({ do: "paint" });
+    const { painted } = program.call({ do: "paint", since: drawn });
+    drawn = painted.number;
     if (String(painted.colours) !== colours) {
       colours = String(painted.colours);
       const [ink, paper] = painted.colours.map((it) => "#" + it.toString(16).padStart(6, "0"));
       body.style.setProperty("--ink", ink);
       body.style.setProperty("--paper", paper);
     }
-    if (painted.keys) input.show(painted.keys);
+    if (painted.inks) panels.colour(painted.inks);
     painter.paint(painted);
+    if (painted.sheets) panels.show(painted.sheets);
+    if (painted.keys || painted.sheets) input.show(painted.keys || undefined);
     seen.frames += 1;
     seen.first ||= performance.now();
     if (last.wake_ms === null) lived = performance.now();
@@ -229,6 +219,7 @@ const page = (() => {
     menu.close();
     if (key) input.key(key);
     if (does === "open") chooser.click();
+    if (does === "type") typing.focus();
     if (does === "plain") location.hash = "plain";
     if (does === "take") {
       const { files, bytes } = program.call({ do: "progress" });
@@ -247,12 +238,19 @@ const page = (() => {
     say("Something went wrong in carrom, and it stopped.\nWhat you answered is kept. Load the page again to go on.");
   }
 
-  return { start, isReady: () => ready, seen: () => ({ ...seen }) };
+  // For tests: so many ms pass, and what they bring is drawn.
+  function step(ms) {
+    program.call({ do: "pass", ms });
+    draw();
+  }
+
+  return { start, step, isReady: () => ready, seen: () => ({ ...seen }) };
 })();
 
 // For tests, which drive a carrom of their own with these.
 window.carrom = {
   call: program.call, cells: program.cells, isReady: page.isReady, seen: page.seen,
+  step: page.step,
   told: () => keeper.kept(),
 };
 

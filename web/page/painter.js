@@ -1,69 +1,113 @@
-// The painter: changed cells on a canvas, and pictures as vectors in their place.
+// The painter: pictures as vectors, each on a canvas of its own; where a picture is made of
+// cells alone, its cells.
 
 const painter = (() => {
   const VECTOR = 1 << 16, BOLD = 1, ITALIC = 4, UNDERLINED = 8;
   const MONO = "'DejaVu Sans Mono', Menlo, Consolas, 'Cascadia Mono', 'Roboto Mono', 'Liberation Mono', monospace";
   const SANS = "'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', Roboto, 'DejaVu Sans', sans-serif";
-  const canvas = document.getElementById("screen");
-  const pen = canvas.getContext("2d", { alpha: false });
+  // Fewest CSS pixels of a column: with fewer, letters in a picture would be below 14.
+  const LEAST = 9;
+  // Columns of the panel's cells, which nobody sees, and rows, so that nothing gives way.
+  const PANEL = 62, ROWS = 100;
+  // Picture and panel side by side, and the space around both.
+  const BESIDE = matchMedia("(min-width: 44.5rem) and (min-aspect-ratio: 5/6)");
+  const AIR = 16;
+  let pen = null;
   // A cell in pixels of the device, the font that fits it, and where its letters stand.
   let cell = { width: 9, height: 18, size: 15, base: 14 };
-  let grid = [0, 0];
-  let before = null, picturesBefore = [];
+  let ratio = 1;
+  // The pictures by their numbers: canvas, area, vectors, cells.
+  const all = [];
   const shapes = new Map(), widths = new Map();
+  // The greatest height of the window at a width: a keyboard on it hides a part.
+  const heights = new Map();
 
   const hex = (colour) => "#" + colour.toString(16).padStart(6, "0");
 
-  // How many cells there is room for, and how large they are: in width and height of CSS
-  // pixels. A cell is twice as high as wide, so that what is round is round.
+  // How large pictures are in a place of so many CSS pixels: the cells of the whole, and of
+  // pictures that take what there is and of square ones. A cell is twice as high as wide, so
+  // that what is round is round.
   function fit(width, height) {
-    const ratio = window.devicePixelRatio || 1;
-    const upright = height >= width && width < 700;
-    const wanted = upright ? [61, 20] : height < 500 ? [80, 22] : [104, 32];
-    const room = [width * ratio, height * ratio];
-    const wide = Math.max(3, Math.floor(Math.min(room[0] / wanted[0], room[1] / (2 * wanted[1]))));
-    const columns = Math.min(300, Math.floor(room[0] / wide));
-    const rows = Math.min(150, Math.floor(room[1] / (2 * wide)));
+    ratio = window.devicePixelRatio || 1;
+    const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
+    heights.set(width, Math.max(height, heights.get(width) || 0));
+    height = heights.get(width);
+    // Above a picture stands its title, below it may be a line.
+    const room = BESIDE.matches
+      ? [Math.max(360, Math.min(width - 22 * rem, 0.68 * width) - 2 * AIR), height - 4.5 * rem]
+      : [width - AIR, Math.min(0.78 * width, 0.46 * height)];
+    const square = BESIDE.matches
+      ? Math.min(...room)
+      : Math.min(width - AIR, 0.62 * height);
+    const wide = Math.round(ratio * Math.max(LEAST, Math.min(16, room[0] / 76)));
+    const count = (pixels, each) => Math.max(6, Math.floor((pixels * ratio) / each));
+    const any = [count(room[0], wide), count(room[1], 2 * wide)];
+    const rows = count(square, 2 * wide);
+    const pen = (all.find(Boolean)?.canvas || document.createElement("canvas")).getContext("2d");
     pen.font = `100px ${MONO}`;
     const size = (100 * wide) / pen.measureText("0").width;
     pen.font = `${size}px ${MONO}`;
     const box = pen.measureText("Hg");
     const [up, down] = [box.fontBoundingBoxAscent, box.fontBoundingBoxDescent];
     cell = { width: wide, height: 2 * wide, size, base: (2 * wide - up - down) / 2 + up };
-    grid = [columns, rows];
-    [canvas.width, canvas.height] = [columns * cell.width, rows * cell.height];
-    canvas.style.width = `${canvas.width / ratio}px`;
-    canvas.style.height = `${canvas.height / ratio}px`;
-    before = null;
+    for (const drawn of all) if (drawn) drawn.svg = null;
     widths.clear();
-    return grid;
+    return {
+      columns: Math.min(300, Math.max(any[0], 2 * rows) + 2 + PANEL),
+      rows: Math.max(ROWS, any[1] + 4, rows + 4),
+      pictures: { any, square: [2 * rows, rows] },
+    };
+  }
+
+  // The canvas of a picture.
+  function canvas(number) {
+    const drawn = (all[number] = all[number] || {});
+    if (!drawn.canvas) {
+      drawn.canvas = document.createElement("canvas");
+      drawn.canvas.setAttribute("role", "img");
+      drawn.canvas.carromPicture = number;
+    }
+    return drawn.canvas;
   }
 
   // Paints what has changed.
   function paint(painted) {
     const [columns, rows] = painted.size;
-    const count = columns * rows;
-    const cells = program.cells(count);
-    const all = !before || before.length !== cells.length;
-    const fresh = new Uint8Array(count);
-    for (let i = 0, k = 0; i < count; i++, k += 4) {
-      const same = !all && cells[k] === before[k] && cells[k + 1] === before[k + 1] &&
-        cells[k + 2] === before[k + 2] && cells[k + 3] === before[k + 3];
-      if (same) continue;
-      fresh[i] = 1;
-      if (!(cells[k + 3] & VECTOR)) paintCell(cells, i, i % columns, Math.floor(i / columns));
-    }
-    painted.pictures.forEach((picture, at) => {
+    const cells = program.cells(columns * rows);
+    painted.pictures.forEach((picture, number) => {
+      canvas(number);
+      const drawn = all[number];
       const [x, y, w, h] = picture.area;
-      let stale = picturesBefore[at] !== picture.svg;
-      for (let row = y; row < y + h && !stale; row++) {
-        stale = fresh.subarray(row * columns + x, row * columns + x + w).includes(1);
+      const own = new Uint32Array(4 * w * h);
+      for (let row = 0; row < h; row++) {
+        const from = 4 * ((y + row) * columns + x);
+        own.set(cells.subarray(from, from + 4 * w), 4 * row * w);
       }
-      if (stale && picture.svg) paintPicture(picture, painted.colours[1], cells, columns);
+      const svg = picture.svg === null ? drawn.told : picture.svg;
+      const same = drawn.svg === svg && drawn.cells.length === own.length &&
+        String(drawn.area) === String(picture.area) && own.every((it, i) => it === drawn.cells[i]);
+      drawn.told = svg;
+      if (same) return;
+      Object.assign(drawn, { svg, cells: own, area: picture.area });
+      redraw(drawn, hex(painted.colours[1]));
     });
-    picturesBefore = painted.pictures.map((picture) => picture.svg);
-    if (all) before = cells.slice();
-    else before.set(cells);
+  }
+
+  function redraw({ canvas, area: [x, y, w, h], svg, cells }, paper) {
+    const [width, height] = [w * cell.width, h * cell.height];
+    if (canvas.width !== width || canvas.height !== height) {
+      [canvas.width, canvas.height] = [width, height];
+      canvas.style.width = `${width / ratio}px`;
+      canvas.style.aspectRatio = `${width} / ${height}`;
+    }
+    pen = canvas.getContext("2d", { alpha: false });
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.fillStyle = paper;
+    pen.fillRect(0, 0, width, height);
+    if (svg) paintPicture(svg, [x, y]);
+    for (let i = 0; i < w * h; i++) {
+      if (!(cells[4 * i + 3] & VECTOR)) paintCell(cells, i, i % w, Math.floor(i / w));
+    }
   }
 
   function paintCell(cells, i, column, row) {
@@ -115,33 +159,14 @@ const painter = (() => {
     return shapes.get(letter);
   }
 
-  // Paints a picture where its cells show nothing else.
-  function paintPicture(picture, paper, cells, columns) {
-    const [x, y, w, h] = picture.area;
-    const own = new Path2D();
-    const isOwn = (column, row) => (cells[4 * (row * columns + column) + 3] & VECTOR) !== 0;
-    let whole = true;
-    for (let row = y; row < y + h && whole; row++) {
-      for (let column = x; column < x + w && whole; column++) whole = isOwn(column, row);
-    }
-    if (whole) own.rect(x * cell.width, y * cell.height, w * cell.width, h * cell.height);
-    for (let row = y; row < y + h && !whole; row++) {
-      for (let start = x, column = x; column <= x + w; column++) {
-        if (column < x + w && isOwn(column, row)) continue;
-        if (column > start) {
-          own.rect(start * cell.width, row * cell.height, (column - start) * cell.width, cell.height);
-        }
-        start = column + 1;
-      }
-    }
+  // Paints the vectors of a picture that begins at a cell.
+  function paintPicture(svg, [x, y]) {
     pen.save();
-    pen.fillStyle = hex(paper);
-    pen.fill(own);
-    pen.clip(own);
     pen.scale(cell.width / 9, cell.height / 18);
+    pen.translate(-9 * x, -18 * y);
     pen.lineCap = "round";
     pen.lineJoin = "bevel";
-    for (const [, name, attributes, text] of picture.svg.matchAll(/<(\w+)([^>]*)>([^<]*)/g)) {
+    for (const [, name, attributes, text] of svg.matchAll(/<(\w+)([^>]*)>([^<]*)/g)) {
       const of = {};
       for (const [, key, value] of attributes.matchAll(/([\w-]+)="([^"]*)"/g)) of[key] = value;
       element(name, of, text);
@@ -212,16 +237,12 @@ const painter = (() => {
     pen.textAlign = "left";
   }
 
-  // The place in cells of a point of the window.
-  function cellsAt(clientX, clientY) {
+  // The place in cells of a point of the window, on a canvas or beside it.
+  function cellsAt(canvas, clientX, clientY) {
     const box = canvas.getBoundingClientRect();
-    return [((clientX - box.left) / box.width) * grid[0], ((clientY - box.top) / box.height) * grid[1]];
+    const [x, y, w, h] = all[canvas.carromPicture].area;
+    return [x + ((clientX - box.left) / box.width) * w, y + ((clientY - box.top) / box.height) * h];
   }
 
-  const isPicture = (x, y) => {
-    const i = 4 * (Math.floor(y) * grid[0] + Math.floor(x)) + 3;
-    return before && (before[i] & VECTOR) !== 0;
-  };
-
-  return { canvas, fit, paint, cellsAt, isPicture };
+  return { fit, paint, canvas, cellsAt };
 })();

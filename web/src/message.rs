@@ -1,5 +1,6 @@
 //! What the page says, and what it is told: JSON, and behind a zero byte the bytes of files.
 
+use carrom::widgets::{PictureSizes, Role, Section, SheetKind};
 use serde::{Deserialize, Serialize};
 
 /// Something the page says.
@@ -33,6 +34,9 @@ pub enum Command {
         columns: u16,
         /// Rows.
         rows: u16,
+        /// The sizes of pictures, where the page lays the screen out itself.
+        #[serde(default)]
+        pictures: Option<PictureSizes>,
     },
     /// Time has passed.
     Pass {
@@ -54,7 +58,11 @@ pub enum Command {
         color: Option<String>,
     },
     /// Draw the screen.
-    Paint,
+    Paint {
+        /// The number of the last one that was painted: only what has changed since is told.
+        #[serde(default)]
+        since: u64,
+    },
     /// Do one search that waits.
     Think,
     /// The files that the browser keeps, whose bytes follow.
@@ -164,6 +172,8 @@ pub struct Opening {
     pub columns: u16,
     /// Rows of the screen.
     pub rows: u16,
+    /// The sizes of pictures, where the page lays the screen out itself.
+    pub pictures: Option<PictureSizes>,
     /// Whether the player likes it light.
     pub light: bool,
     /// Whether the player does not like things to move.
@@ -227,6 +237,8 @@ pub struct Download {
 /// What was drawn beside the cells.
 #[derive(Debug, Clone, Default, Serialize)]
 pub struct Painted {
+    /// Its number.
+    pub number: u64,
     /// Columns and rows.
     pub size: [u16; 2],
     /// The pictures.
@@ -235,6 +247,23 @@ pub struct Painted {
     pub keys: Option<Vec<Keys>>,
     /// The colours of plain text and of what is behind it, 0xRRGGBB.
     pub colours: [u32; 2],
+    /// The colour of each role, if they are others than before.
+    pub inks: Option<Vec<(Role, u32)>>,
+    /// What the screen says, and what lies over it, if that is not as before.
+    pub sheets: Option<Vec<Sheet>>,
+}
+
+/// What a screen says, or what lies over it.
+#[derive(Debug, Clone, Serialize)]
+pub struct Sheet {
+    /// What it is.
+    pub kind: SheetKind,
+    /// What it is called.
+    pub title: String,
+    /// How it stands.
+    pub status: String,
+    /// Its sections; `None` in place of one that is as it was.
+    pub sections: Vec<Option<Section>>,
 }
 
 /// A picture among the cells.
@@ -244,8 +273,8 @@ pub struct Picture {
     pub area: [u16; 4],
     /// The colour behind it.
     pub paper: u32,
-    /// Its vectors, in units of which a cell is 9 by 18.
-    pub svg: String,
+    /// Its vectors, in units of which a cell is 9 by 18; `None` if they are as before.
+    pub svg: Option<String>,
 }
 
 /// Keys that belong together.

@@ -10,7 +10,9 @@ use carrom::messages::{
     Effect, HostCall, HostNews, Input, JoinCall, JoinNews, Key, Mouse, MouseKind, SearchTask,
 };
 use carrom::shells::{FRAME, search::search};
-use carrom::widgets::{PaintedCell, gather, glyph_shape, painted};
+use carrom::widgets::{
+    PaintedCell, PaintedPicture, Role, Section, Sheet, gather, glyph_shape, inks, painted, recorded,
+};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
@@ -21,7 +23,7 @@ use crate::keeping::Keeping;
 use crate::message::{
     Call, Command, Download, FileLength, Keys, News, Opening, Painted, Picture, Reply, split,
 };
-use crate::{opening, own, talk};
+use crate::{message, opening, own, talk};
 
 /// The bit of a cell that a picture takes the place of.
 const VECTOR: u32 = 1 << 16;
@@ -33,7 +35,12 @@ pub struct Shell {
     /// What was drawn last, and how it is painted.
     drawn: Buffer,
     painted: Vec<PaintedCell>,
+    /// How often it was drawn, and what was told of that last.
+    paints: u64,
     told_keys: Vec<Keys>,
+    told_sheets: Vec<Sheet>,
+    told_inks: Vec<(Role, u32)>,
+    told_pictures: Vec<String>,
     keeping: Keeping,
     searches: VecDeque<SearchTask>,
     downloads: Vec<Download>,
@@ -60,7 +67,11 @@ impl Shell {
             screen,
             drawn: Buffer::default(),
             painted: Vec::new(),
+            paints: 0,
             told_keys: Vec::new(),
+            told_sheets: Vec::new(),
+            told_inks: Vec::new(),
+            told_pictures: Vec::new(),
             keeping,
             searches: VecDeque::new(),
             downloads: Vec::new(),
@@ -69,6 +80,7 @@ impl Shell {
             opening: opening.clone(),
             talk: talk::Talked::default(),
         };
+        shell.app.set_pictures(opening.pictures);
         shell.input(&Input::Resize(opening.columns, opening.rows));
         let reply = shell.reply();
         (shell, reply)
@@ -90,7 +102,12 @@ impl Shell {
                 }
             }
             Command::Paste { text } => self.input(&Input::Paste(text)),
-            Command::Resize { columns, rows } => {
+            Command::Resize {
+                columns,
+                rows,
+                pictures,
+            } => {
+                self.app.set_pictures(pictures);
                 self.screen.backend_mut().resize(columns, rows);
                 self.input(&Input::Resize(columns, rows));
             }
@@ -105,7 +122,7 @@ impl Shell {
                 let depth = color.and_then(|name| name.parse().ok());
                 settings.depth = depth.unwrap_or(settings.depth);
             }
-            Command::Paint => told.painted = Some(self.paint()),
+            Command::Paint { since } => told.painted = Some(self.paint(since)),
             Command::Think => {
                 if let Some(task) = self.searches.pop_front() {
                     self.input(&Input::Searched(Box::new(search(&task))));
@@ -274,40 +291,92 @@ impl Shell {
         }
     }
 
-    fn paint(&mut self) -> Painted {
+    fn paint(&mut self, since: u64) -> Painted {
+        if since != self.paints {
+            self.told_keys.clear();
+            self.told_sheets.clear();
+            self.told_inks.clear();
+            self.told_pictures.clear();
+        }
+        self.paints += 1;
         let app = &self.app;
         let screen = &mut self.screen;
         let Ok(()) = screen.autoresize();
         // Who compares cells wants them as a terminal has them.
         let hides_cells = !self.opening.simulated;
         // Nothing is sent to a terminal, so what it would have to be sent is not worked out.
-        let (drawn, pictures) = gather(hides_cells, || {
-            let mut frame = screen.get_frame();
-            let area = frame.area();
-            app.draw(&mut frame);
-            mem::replace(screen.current_buffer_mut(), Buffer::empty(area))
+        let ((drawn, pictures), sheets) = recorded(|| {
+            gather(hides_cells, || {
+                let mut frame = screen.get_frame();
+                let area = frame.area();
+                app.draw(&mut frame);
+                mem::replace(screen.current_buffer_mut(), Buffer::empty(area))
+            })
         });
         let (cells, pictures) = painted(&drawn, &pictures);
         self.painted = cells;
         self.drawn = drawn;
         Painted {
+            number: self.paints,
             size: [self.drawn.area.width, self.drawn.area.height],
-            pictures: pictures
-                .into_iter()
-                .map(|picture| Picture {
-                    area: [
-                        picture.area.x,
-                        picture.area.y,
-                        picture.area.width,
-                        picture.area.height,
-                    ],
-                    paper: picture.paper,
-                    svg: picture.svg,
-                })
-                .collect(),
+            pictures: self.changed_pictures(pictures),
             keys: self.changed_keys(),
             colours: self.colours(),
+            inks: self.changed_inks(),
+            sheets: self.changed_sheets(sheets),
         }
+    }
+
+    /// The pictures, without the vectors of those that are as they were told last.
+    fn changed_pictures(&mut self, pictures: Vec<PaintedPicture>) -> Vec<Picture> {
+        let before = mem::take(&mut self.told_pictures);
+        let told = pictures.into_iter().enumerate().map(|(at, picture)| {
+            let area = picture.area;
+            let is_new = before.get(at) != Some(&picture.svg);
+            self.told_pictures.push(picture.svg.clone());
+            Picture {
+                area: [area.x, area.y, area.width, area.height],
+                paper: picture.paper,
+                svg: is_new.then_some(picture.svg),
+            }
+        });
+        told.collect()
+    }
+
+    /// What the screen says, without the sections that are as they were told last; `None` if
+    /// all are.
+    fn changed_sheets(&mut self, sheets: Vec<Sheet>) -> Option<Vec<message::Sheet>> {
+        // Who compares cells has no use for it.
+        if self.opening.simulated || sheets == self.told_sheets {
+            return None;
+        }
+        let before = mem::take(&mut self.told_sheets);
+        let told = sheets.iter().enumerate().map(|(at, sheet)| {
+            let same = before.get(at).filter(|it| it.kind == sheet.kind);
+            let section = |(number, section)| {
+                let told = same.and_then(|it| it.sections.get(number));
+                (told != Some(section)).then(|| Section::clone(section))
+            };
+            message::Sheet {
+                kind: sheet.kind,
+                title: sheet.title.clone(),
+                status: sheet.status.clone(),
+                sections: sheet.sections.iter().enumerate().map(section).collect(),
+            }
+        });
+        let told = told.collect();
+        self.told_sheets = sheets;
+        Some(told)
+    }
+
+    /// The colours of roles, if they are others than were told last.
+    fn changed_inks(&mut self) -> Option<Vec<(Role, u32)>> {
+        let inks = inks(&self.app.settings().theme());
+        if self.told_inks == inks {
+            return None;
+        }
+        self.told_inks.clone_from(&inks);
+        Some(inks)
     }
 
     /// The colours of plain text and of what is behind it.

@@ -8,6 +8,7 @@ use super::set_up::{RoundKind, SetUp, SetUpRow};
 use super::view::{column, slot};
 use crate::class::MOST_TEAMS;
 use crate::quiz::CourseKind;
+use crate::widgets::flow::Run;
 use crate::widgets::input::{ListView, TextField};
 use crate::widgets::panels::draw_panel;
 use crate::widgets::{Charset, Lines, Look, Role, Words, text};
@@ -112,7 +113,14 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
         let chosen = set_up.at() == SetUpRow::Kind(kind);
         let mark = if set_up.kind == kind { "(*)" } else { "( )" };
         let (name, about) = words(set_up, kind, lines.width(), chosen, look.charset);
-        line(&format!("{mark} {name}"), chosen, &mut lines);
+        let sign = if set_up.kind == kind { "●" } else { "○" };
+        let recorded = |charset| Words::Text {
+            mark: sign.to_owned(),
+            runs: vec![Run::new(name.trim(), Role::Text).spelt(charset)],
+        };
+        lines.clicked_as(recorded, Some(chosen), |lines| {
+            line(&format!("{mark} {name}"), chosen, lines);
+        });
         lines.line(&format!("      {about}"), Role::Dim);
     }
     let mut lines = Lines::new(below, buf, *look);

@@ -235,7 +235,7 @@ impl FoilScreen {
     }
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
-        let area = view::FoilLayout::new(cx.body).beside.panel;
+        let area = view::FoilLayout::new(cx.room()).beside.panel;
         self.scroll = self.scroll.by(rows, area, cx.settings.look(), |lines| {
             view::write_panel(self, lines, cx);
         });
@@ -258,7 +258,7 @@ impl FoilScreen {
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
-        let layout = view::FoilLayout::new(cx.body);
+        let layout = view::FoilLayout::new(cx.room());
         let cell = mouse.cell();
         let pressed = mouse.kind == MouseKind::Down;
         if pressed && let Some(page) = layout.tab_at(cell) {

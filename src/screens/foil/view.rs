@@ -7,7 +7,7 @@ use super::{FoilPage, FoilScreen, beam_page, measured_page, tracks_page};
 use crate::screens::Context;
 use crate::widgets::panel::written;
 use crate::widgets::picture::Picture;
-use crate::widgets::{Item, Lines, Look, Role, SplitLayout, Words, areas, sheet, text};
+use crate::widgets::{Item, Lines, Look, Role, Room, SplitLayout, Words, areas, sheet, text};
 
 /// Where everything is.
 #[derive(Debug, Clone, Copy)]
@@ -19,11 +19,11 @@ pub(super) struct FoilLayout {
 
 impl FoilLayout {
     /// Lays it out in `area`.
-    pub(super) fn new(area: Rect) -> Self {
-        let [tabs, rest] = areas::upper(area, 1);
+    pub(super) fn new(room: Room) -> Self {
+        let [tabs, rest] = areas::upper(room.area, 1);
         Self {
             tabs,
-            beside: SplitLayout::new(rest),
+            beside: SplitLayout::new(Room { area: rest, ..room }),
         }
     }
 
@@ -60,7 +60,7 @@ impl FoilLayout {
 /// Draws the foil.
 pub(super) fn draw(foil: &FoilScreen, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = FoilLayout::new(area);
+    let layout = FoilLayout::new(cx.room());
     for (page, column, name) in layout.tabs() {
         let (mark, role) = Role::Dim.of_choice(page == foil.page);
         let room = area.right().saturating_sub(column).into();

@@ -206,7 +206,7 @@ impl Screen for Home {
         self.list = ListView::default();
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(self, area, buf, cx);
+    fn draw(&self, _area: Rect, buf: &mut Buffer, cx: &Context) {
+        view::draw(self, buf, cx);
     }
 }

@@ -9,7 +9,7 @@ use crate::screens::Context;
 use crate::widgets::flow::Run;
 use crate::widgets::input::ListView;
 use crate::widgets::panels::draw_panel;
-use crate::widgets::{Charset, Lines, Role, Words, areas, text};
+use crate::widgets::{Charset, Lines, Role, Room, Words, areas, text};
 
 /// Columns of the menu.
 const MENU: u16 = 42;
@@ -22,14 +22,17 @@ const HEAD_ROWS: u16 = 3;
 const NAME: usize = 15;
 
 /// Where the picture's frame and the menu are.
-fn layout(area: Rect) -> [Rect; 2] {
-    let menu = if area.width < WIDE { NARROW } else { MENU };
-    areas::picture_and_panel(area, menu)
+fn layout(room: Room) -> [Rect; 2] {
+    let menu = match room.area.width < WIDE {
+        true => NARROW,
+        false => MENU,
+    };
+    areas::picture_and_panel(room, menu)
 }
 
 /// Which line of the menu stands at this cell.
 pub(super) fn choice_at(home: &Home, cx: &Context, cell: (u16, u16)) -> Option<usize> {
-    let [_, menu] = layout(cx.body);
+    let [_, menu] = layout(cx.room());
     let rows = Rows::new(home, cx, menu);
     let row = ListView::row_at(menu, cell)?;
     (0..home.lines(cx)).find(|line| row == usize::from(rows.of(*line)))
@@ -72,9 +75,9 @@ impl Rows {
 }
 
 /// Draws the menu beside a hit.
-pub(super) fn draw(home: &Home, area: Rect, buf: &mut Buffer, cx: &Context) {
+pub(super) fn draw(home: &Home, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let [picture, menu] = layout(area);
+    let [picture, menu] = layout(cx.room());
     let title = "a glancing hit";
     let inside = draw_panel(buf, picture, title, look.charset, &look.theme);
     home.picture.picture(inside).draw(buf, &look);

@@ -101,8 +101,8 @@ impl Join {
         self.desk.as_ref().zip(self.link.as_ref())
     }
 
-    fn layout(&self, area: Rect) -> SplitLayout {
-        view::layout(self.desk.as_ref(), area)
+    fn layout(&self, cx: &Context) -> SplitLayout {
+        view::layout(self.desk.as_ref(), cx.room())
     }
 
     /// Whether the round is over.
@@ -153,7 +153,7 @@ impl Join {
     }
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
-        let panel = self.layout(cx.body).panel;
+        let panel = self.layout(cx).panel;
         let look = cx.settings.look();
         self.scroll = self.scroll.by(rows, panel, look, |lines| self.write(lines));
     }
@@ -379,7 +379,7 @@ impl Screen for Join {
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let layout = self.layout(cx.body);
+        let layout = self.layout(cx);
         let (cell, look) = (mouse.cell(), cx.settings.look());
         let pressed = mouse.kind == MouseKind::Down;
         if let Some(by) = mouse.wheel() {
@@ -444,13 +444,13 @@ impl Screen for Join {
         link.into_iter().chain(desk).min()
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
+    fn draw(&self, _area: Rect, buf: &mut Buffer, cx: &Context) {
         let look = cx.settings.look();
         if let Some(desk) = self.desk.as_ref().filter(|_| self.link.is_some()) {
             let write = |lines: &mut Lines| self.write(lines);
-            return view::draw(desk, &self.scroll, area, buf, &look, write);
+            return view::draw(desk, &self.scroll, cx.room(), buf, &look, write);
         }
-        let layout = self.layout(area);
+        let layout = self.layout(cx);
         layout.draw(buf, &look, "your class", "your class");
         self.scroll
             .draw(layout.panel, buf, look, |lines| self.write(lines));

@@ -1,7 +1,6 @@
 //! How a pupil's place in the class looks.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 
 use super::desk::{Desk, Doing};
 use super::link::Link;
@@ -13,14 +12,16 @@ use crate::widgets::bar::bar;
 use crate::widgets::hit::Watch;
 use crate::widgets::panel::written;
 use crate::widgets::panels::said_and_true;
-use crate::widgets::{AnswerInput, Lines, Look, Role, Scroll, SplitLayout, Words, draw_question};
+use crate::widgets::{
+    AnswerInput, Lines, Look, Role, Room, Scroll, SplitLayout, Words, draw_question,
+};
 
 /// Where picture and words are: the words alone where there is nothing to be seen.
-pub(super) fn layout(desk: Option<&Desk>, area: Rect) -> SplitLayout {
+pub(super) fn layout(desk: Option<&Desk>, room: Room) -> SplitLayout {
     let question = desk.and_then(|desk| desk.question.as_ref());
     match question.map(|question| question.picture) {
-        None | Some(Illustration::Nothing) => SplitLayout::card(area),
-        _ => SplitLayout::new(area),
+        None | Some(Illustration::Nothing) => SplitLayout::card(room),
+        _ => SplitLayout::new(room),
     }
 }
 
@@ -28,12 +29,12 @@ pub(super) fn layout(desk: Option<&Desk>, area: Rect) -> SplitLayout {
 pub(super) fn draw(
     desk: &Desk,
     scroll: &Scroll,
-    area: Rect,
+    room: Room,
     buf: &mut Buffer,
     look: &Look,
     write: impl Fn(&mut Lines),
 ) {
-    let layout = layout(Some(desk), area);
+    let layout = layout(Some(desk), room);
     let kind = desk
         .question
         .as_ref()

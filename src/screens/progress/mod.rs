@@ -148,9 +148,21 @@ impl Progress {
         self.scroll = Scrolls::default();
     }
 
+    /// Where both parts are. Only pictures have sizes of their own.
+    fn layout(&self, cx: &Context) -> SplitLayout {
+        let room = match self.page {
+            ProgressPage::OverTime | ProgressPage::SureOverTime => cx.room(),
+            _ => cx.body.into(),
+        };
+        match room.area.width < NARROW {
+            true => SplitLayout::with_panel(room, NARROW_PANEL),
+            false => SplitLayout::new(room),
+        }
+    }
+
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
         let look = cx.settings.look();
-        let layout = layout(cx.body);
+        let layout = self.layout(cx);
         let table = |lines: &mut Lines| self.table(&cx.book, lines);
         let panel = |lines: &mut Lines| self.panel(&cx.book, lines);
         self.scroll = Scrolls {
@@ -224,14 +236,6 @@ fn nothing_yet(lines: &mut Lines) {
     ] {
         lines.gap();
         lines.paragraph(text, Role::Text);
-    }
-}
-
-fn layout(area: Rect) -> SplitLayout {
-    if area.width < NARROW {
-        SplitLayout::with_panel(area, NARROW_PANEL)
-    } else {
-        SplitLayout::new(area)
     }
 }
 
@@ -310,9 +314,9 @@ impl Screen for Progress {
         }
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
+    fn draw(&self, _area: Rect, buf: &mut Buffer, cx: &Context) {
         let look = cx.settings.look();
-        let layout = layout(area);
+        let layout = self.layout(cx);
         let (picture, panel) = match self.history() {
             Some(_) => self.page.titles(),
             None => ("your progress", "what next"),

@@ -226,7 +226,7 @@ impl Quiz {
     /// Scrolls a line of the look back into sight.
     fn show_line(&mut self, at: usize, cx: &Context) {
         let look = cx.settings.look();
-        let text = view::text_area(self, cx.body);
+        let text = view::text_area(self, cx.room());
         let row = view::first_line(self, text, cx).saturating_add(at as u16);
         let write = |lines: &mut Lines| view::write(self, lines, cx);
         self.scroll = self.scroll.show(row, text, look, write);
@@ -345,7 +345,7 @@ impl Quiz {
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
         let look = cx.settings.look();
-        let area = view::text_area(self, cx.body);
+        let area = view::text_area(self, cx.room());
         let write = |lines: &mut Lines| view::write(self, lines, cx);
         self.scroll = self.scroll.by(rows, area, look, write);
     }
@@ -543,8 +543,8 @@ impl Screen for Quiz {
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let picture = view::layout(self, cx.body).picture;
-        let text = view::text_area(self, cx.body);
+        let picture = view::layout(self, cx.room()).picture;
+        let text = view::text_area(self, cx.room());
         let look = cx.settings.look();
         let cell = mouse.cell();
         let on_picture = picture.contains(cell.into());

@@ -207,7 +207,7 @@ impl SummaryTable {
         let (topic, outcome) = (line.topic.name(), explain(question, answer).title);
         let about = match (self.topic, self.outcome) {
             (true, true) => format!("{topic}: {outcome}"),
-            (true, false) => topic.to_string(),
+            (true, false) => topic,
             _ => outcome.to_owned(),
         };
         let sure = line.grade.confidence.name();

@@ -8,7 +8,7 @@ use crate::quiz::{CourseKind, Form, Illustration, Question};
 use crate::screens::Context;
 use crate::widgets::input::ListView;
 use crate::widgets::panels::draw_panel;
-use crate::widgets::{Lines, Look, SplitLayout, areas, draw_question, rehearsed};
+use crate::widgets::{Lines, Look, Room, SplitLayout, areas, draw_question, rehearsed};
 
 /// Columns of the look back at most, with its frame.
 const WIDEST: u16 = 108;
@@ -19,10 +19,10 @@ fn summary_frame(area: Rect) -> Rect {
 }
 
 /// Where picture and panel are: the panel alone for what is asked in words.
-pub(super) fn layout(quiz: &Quiz, area: Rect) -> SplitLayout {
+pub(super) fn layout(quiz: &Quiz, room: Room) -> SplitLayout {
     match question(quiz).map(|question| &question.picture) {
-        Some(Illustration::Nothing) => SplitLayout::card(area),
-        _ => SplitLayout::new(area),
+        Some(Illustration::Nothing) => SplitLayout::card(room),
+        _ => SplitLayout::new(room),
     }
 }
 
@@ -36,10 +36,10 @@ fn question(quiz: &Quiz) -> Option<&Question> {
 }
 
 /// Where the text of the phase at hand is.
-pub(super) fn text_area(quiz: &Quiz, area: Rect) -> Rect {
+pub(super) fn text_area(quiz: &Quiz, room: Room) -> Rect {
     match quiz.phase {
-        QuizPhase::Summary(_) => summary_frame(area).inner(Margin::new(1, 1)),
-        _ => layout(quiz, area).panel,
+        QuizPhase::Summary(_) => summary_frame(room.area).inner(Margin::new(1, 1)),
+        _ => layout(quiz, room).panel,
     }
 }
 
@@ -63,7 +63,7 @@ pub(super) fn write(quiz: &Quiz, lines: &mut Lines, cx: &Context) {
 /// Draws the quiz.
 pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = layout(quiz, area);
+    let layout = layout(quiz, cx.room());
     match &quiz.phase {
         QuizPhase::Asked(asked) => {
             let title = asked.question.family.name();
@@ -97,7 +97,7 @@ pub(super) fn draw(quiz: &Quiz, area: Rect, buf: &mut Buffer, cx: &Context) {
             draw_panel(buf, frame, title, look.charset, &look.theme);
         }
     }
-    let text = text_area(quiz, area);
+    let text = text_area(quiz, cx.room());
     quiz.scroll
         .draw(text, buf, look, |lines| write(quiz, lines, cx));
 }
@@ -114,7 +114,7 @@ fn draw_frames(layout: &SplitLayout, buf: &mut Buffer, look: &Look, picture: &st
 
 /// The line of the look back at a cell.
 pub(super) fn line_at(quiz: &Quiz, cx: &Context, cell: (u16, u16)) -> Option<usize> {
-    let (text, look) = (text_area(quiz, cx.body), cx.settings.look());
+    let (text, look) = (text_area(quiz, cx.room()), cx.settings.look());
     let row = ListView::row_at(text, cell)?;
     let scrolled = quiz.scroll.rows(text, look, |lines| write(quiz, lines, cx));
     let first = usize::from(first_line(quiz, text, cx));

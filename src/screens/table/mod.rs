@@ -172,11 +172,11 @@ impl Screen for Table {
         }
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
+    fn draw(&self, _area: Rect, buf: &mut Buffer, cx: &Context) {
         match &self.page {
-            TablePage::NewGame(page) => page.draw(area, buf, cx),
-            TablePage::SavedGames(page) => page.draw(area, buf, cx),
-            TablePage::Playing(game) => view::draw(game, area, buf, cx),
+            TablePage::NewGame(page) => page.draw(buf, cx),
+            TablePage::SavedGames(page) => page.draw(buf, cx),
+            TablePage::Playing(game) => view::draw(game, buf, cx),
         }
     }
 }

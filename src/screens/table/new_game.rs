@@ -1,7 +1,6 @@
 //! The page on which a new game is agreed.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 
 use super::options::{Options, Player};
 use super::{picture, words};
@@ -60,21 +59,21 @@ impl NewGame {
 
     /// Whether a click is on the board: then the game begins.
     pub(super) fn plays(&self, mouse: &Mouse, cx: &Context) -> bool {
-        let board = SplitLayout::square(cx.body).picture;
+        let board = SplitLayout::square(cx.room()).picture;
         mouse.kind == MouseKind::Down && board.contains(mouse.cell().into())
     }
 
     /// A click on a row selects it and changes it; the wheel goes through the rows.
     pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
-        let row = ListView::row_at(SplitLayout::square(cx.body).panel, mouse.cell());
+        let row = ListView::row_at(SplitLayout::square(cx.room()).panel, mouse.cell());
         let outcome = self.form.mouse(mouse, row, &mut self.options);
         Next::after(outcome.is_used())
     }
 
     /// Draws the page: the pack on the board, and beside it what is agreed.
-    pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
+    pub(super) fn draw(&self, buf: &mut Buffer, cx: &Context) {
         let look = cx.settings.look();
-        let layout = SplitLayout::square(area);
+        let layout = SplitLayout::square(cx.room());
         layout.draw(buf, &look, "the pack", "a new game");
         let coins = pack(self.options.set, Seat::South);
         picture::of_pack(&coins, self.options.set, layout.picture).draw(buf, &look);

@@ -1,7 +1,6 @@
 //! The page of saved games: to resume one, watch it again, export or remove it.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 
 use super::active_game::ActiveGame;
 use super::keys::TableAction;
@@ -75,7 +74,7 @@ impl SavedGames {
 
     /// Takes the mouse.
     pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let list = SplitLayout::square(cx.body).panel;
+        let list = SplitLayout::square(cx.room()).panel;
         self.files.mouse(mouse, list, cx)
     }
 
@@ -117,9 +116,9 @@ impl SavedGames {
     }
 
     /// Draws the page: the board of the chosen game, and beside it the list.
-    pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
+    pub(super) fn draw(&self, buf: &mut Buffer, cx: &Context) {
         let look = cx.settings.look();
-        let layout = SplitLayout::square(area);
+        let layout = SplitLayout::square(cx.room());
         let name = self.files.chosen().map_or("", |kept| kept.name.as_str());
         layout.draw(buf, &look, name, "saved games");
         let (coins, set) = match self.files.content() {

@@ -1,29 +1,28 @@
 //! How a game at the table looks.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 
 use super::active_game::{ActiveGame, TablePhase};
 use super::{panel, picture, trays};
 use crate::game::{Rules, Team};
 use crate::screens::Context;
 use crate::widgets::hit::{Face, Markings, setup_picture};
-use crate::widgets::{SplitLayout, board};
+use crate::widgets::{Room, SplitLayout, board};
 
 /// Where picture and panel are: for a whole board, which is square, or for one enlarged
 /// impact, which takes all there is.
-pub(super) fn layout(active: &ActiveGame, area: Rect) -> SplitLayout {
+pub(super) fn layout(active: &ActiveGame, room: Room) -> SplitLayout {
     match &active.phase {
-        TablePhase::Call(_) => SplitLayout::new(area),
-        TablePhase::Watch(replay) if replay.player.zoom().is_some() => SplitLayout::new(area),
-        _ => SplitLayout::square(area),
+        TablePhase::Call(_) => SplitLayout::new(room),
+        TablePhase::Watch(replay) if replay.player.zoom().is_some() => SplitLayout::new(room),
+        _ => SplitLayout::square(room),
     }
 }
 
 /// Draws the game.
-pub(super) fn draw(active: &ActiveGame, area: Rect, buf: &mut Buffer, cx: &Context) {
+pub(super) fn draw(active: &ActiveGame, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = layout(active, area);
+    let layout = layout(active, cx.room());
     let (title, side_title) = titles(active);
     layout.draw(buf, &look, &title, &side_title);
     let area = layout.picture;

@@ -4,7 +4,7 @@
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use super::draw_panel;
-use crate::widgets::{Look, areas};
+use crate::widgets::{Look, Room, areas};
 
 /// Columns of the panel, with its frame.
 const PANEL: u16 = 30;
@@ -30,26 +30,34 @@ pub struct SplitLayout {
 }
 
 impl SplitLayout {
-    /// Lays them out in `area`.
-    pub fn new(area: Rect) -> Self {
+    /// Lays them out in a room.
+    pub fn new(room: impl Into<Room>) -> Self {
+        let room = room.into();
+        let area = room.area;
         let wanted = if area.width >= WIDE {
             PANEL + MORE
         } else {
             PANEL
         };
-        Self::with_panel(area, wanted.min(area.width / 2))
+        Self::with_panel(room, wanted.min(area.width / 2))
     }
 
     /// Lays them out with a picture just as wide as a square board of its height
     /// needs, and the rest for the panel.
-    pub fn square(area: Rect) -> Self {
+    pub fn square(room: impl Into<Room>) -> Self {
+        let room = room.into();
+        let area = room.area;
+        if let Some(sizes) = room.pictures {
+            return Self::of(areas::sized_picture_and_panel(area, sizes.square));
+        }
         let needed = (2 * area.height.saturating_sub(2)).saturating_sub(1) + 2;
         let panel_width = area.width.saturating_sub(needed);
-        Self::with_panel(area, panel_width.max(LEAST.min(area.width / 2)))
+        Self::with_panel(room, panel_width.max(LEAST.min(area.width / 2)))
     }
 
     /// Lays out a panel of text alone, in the middle.
-    pub fn text_alone(area: Rect) -> Self {
+    pub fn text_alone(room: impl Into<Room>) -> Self {
+        let area = room.into().area;
         let panel = areas::middle(area, TEXT);
         let nothing = Rect { width: 0, ..area };
         Self {
@@ -60,8 +68,15 @@ impl SplitLayout {
     }
 
     /// Lays out a card of text alone, in the middle, with a margin where there is room.
-    pub fn card(area: Rect) -> Self {
-        let (width, height) = (area.width.min(CARD.0), area.height.min(CARD.1));
+    pub fn card(room: impl Into<Room>) -> Self {
+        let room = room.into();
+        let area = room.area;
+        let rows = match room.pictures {
+            // A page shows all rows there are, and no card.
+            Some(_) => area.height,
+            None => area.height.min(CARD.1),
+        };
+        let (width, height) = (area.width.min(CARD.0), rows);
         let card = Rect {
             x: area.x + (area.width - width) / 2,
             y: area.y + (area.height - height) / 2,
@@ -84,8 +99,11 @@ impl SplitLayout {
     }
 
     /// Lays them out with a panel of so many columns, its frame included.
-    pub fn with_panel(area: Rect, panel_width: u16) -> Self {
-        let [picture, panel] = areas::picture_and_panel(area, panel_width);
+    pub fn with_panel(room: impl Into<Room>, panel_width: u16) -> Self {
+        Self::of(areas::picture_and_panel(room.into(), panel_width))
+    }
+
+    fn of([picture, panel]: [Rect; 2]) -> Self {
         Self {
             picture: inside(picture),
             panel: inside(panel),

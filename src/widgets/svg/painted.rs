@@ -8,7 +8,7 @@ use ratatui::style::Modifier;
 use super::{CellColours, shape, vector};
 use crate::widgets::Charset;
 use crate::widgets::ink::gallery::DrawnPicture;
-use crate::widgets::theme::{Rgb, Role};
+use crate::widgets::theme::{Rgb, Role, Theme};
 
 /// A cell, ready to be painted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,6 +72,13 @@ pub fn painted(
     });
     let vectors = vectors.collect();
     (cells, vectors)
+}
+
+/// The colour of each role, 0xRRGGBB.
+#[must_use]
+pub fn inks(theme: &Theme) -> Vec<(Role, u32)> {
+    let ink = |role: &Role| (*role, code(theme.rgb(*role)));
+    Role::ALL.iter().map(ink).collect()
 }
 
 /// How a glyph is drawn as a shape: the path of an SVG, in a cell of 9 by 18, and how much

@@ -1,6 +1,41 @@
 //! Parts of an area of the screen.
 
 use ratatui::layout::Rect;
+use serde::Deserialize;
+
+/// The place that a screen has, and how large its pictures are to be there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Room {
+    /// The cells.
+    pub area: Rect,
+    /// The sizes of pictures, where they do not follow from the area: in a page, which
+    /// lays out what is recorded as it likes.
+    pub pictures: Option<PictureSizes>,
+}
+
+/// How large pictures are: columns and rows, without a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+pub struct PictureSizes {
+    /// One that takes what there is.
+    pub any: [u16; 2],
+    /// One that has to be square, such as a board.
+    pub square: [u16; 2],
+}
+
+/// A screen of cells alone.
+impl From<Rect> for Room {
+    fn from(area: Rect) -> Self {
+        let pictures = None;
+        Self { area, pictures }
+    }
+}
+
+/// A framed picture of such a size in the corner of an area, and all the columns beside it.
+pub(crate) fn sized_picture_and_panel(area: Rect, [columns, rows]: [u16; 2]) -> [Rect; 2] {
+    let [picture, panel] = left(area, columns.saturating_add(2));
+    let [picture, _] = upper(picture, rows.saturating_add(2));
+    [picture, panel]
+}
 
 /// The upper rows of an area, as far as it has so many, and what is left below them.
 pub(crate) fn upper(area: Rect, rows: u16) -> [Rect; 2] {
@@ -27,7 +62,11 @@ pub(crate) fn left(area: Rect, columns: u16) -> [Rect; 2] {
 
 /// A picture, and so many columns for a panel on its right. In an upright area, such as a
 /// phone's, the panel is below it, and the picture as high as a square one needs.
-pub(crate) fn picture_and_panel(area: Rect, panel_columns: u16) -> [Rect; 2] {
+pub(crate) fn picture_and_panel(room: Room, panel_columns: u16) -> [Rect; 2] {
+    let area = room.area;
+    if let Some(sizes) = room.pictures {
+        return sized_picture_and_panel(area, sizes.any);
+    }
     let is_upright = 4 * u32::from(area.height) >= 3 * u32::from(area.width);
     if is_upright && panel_columns < area.width {
         let square = (area.width.saturating_sub(2) / 2).saturating_add(2);
@@ -49,11 +88,24 @@ mod tests {
 
     #[test]
     fn a_panel_is_beside_a_picture_or_below_it_where_the_area_is_upright() {
-        let wide = picture_and_panel(Rect::new(0, 1, 80, 22), 30);
+        let wide = picture_and_panel(Rect::new(0, 1, 80, 22).into(), 30);
         assert_eq!(wide, [Rect::new(0, 1, 50, 22), Rect::new(50, 1, 30, 22)]);
-        let phone = picture_and_panel(Rect::new(0, 1, 61, 50), 30);
+        let phone = picture_and_panel(Rect::new(0, 1, 61, 50).into(), 30);
         assert_eq!(phone, [Rect::new(0, 1, 61, 30), Rect::new(0, 31, 61, 20)]);
-        let text_alone = picture_and_panel(Rect::new(0, 1, 61, 50), 61);
+        let text_alone = picture_and_panel(Rect::new(0, 1, 61, 50).into(), 61);
         assert_eq!(text_alone[1], Rect::new(0, 1, 61, 50));
+    }
+
+    #[test]
+    fn a_picture_has_the_size_that_a_page_gives_it_and_the_panel_all_rows() {
+        let room = Room {
+            area: Rect::new(0, 1, 90, 98),
+            pictures: Some(PictureSizes {
+                any: [40, 15],
+                square: [40, 20],
+            }),
+        };
+        let sized = picture_and_panel(room, 30);
+        assert_eq!(sized, [Rect::new(0, 1, 42, 17), Rect::new(42, 1, 48, 98)]);
     }
 }

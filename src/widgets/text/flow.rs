@@ -24,9 +24,9 @@ impl Run {
         }
     }
 
-    /// The same as a charset writes it, with blanks as they are read.
+    /// The same as a charset writes it, with blanks that do not break where no line should.
     pub(crate) fn spelt(&self, charset: Charset) -> Self {
-        let text = charset.text(&self.text).into_owned();
+        let text = text::unbroken(&charset.text(&self.text));
         Self { text, ..*self }
     }
 }

@@ -234,6 +234,13 @@ impl<'a> Lines<'a> {
         {
             return prompts.into_iter().for_each(|it| self.record(|_| it));
         }
+        // "c: " before what the key does.
+        if let [Run { text, .. }] = runs
+            && let Some(key) = mark.trim().strip_suffix(':')
+            && let Some(prompt) = sheet::prompt_of(key, text)
+        {
+            return self.record(|_| prompt);
+        }
         let is_blank = runs.iter().all(|run| run.text.trim().is_empty());
         self.record(|charset| match is_blank && mark.trim().is_empty() {
             true => Words::Gap,
@@ -410,6 +417,10 @@ impl<'a> Lines<'a> {
         let room = (self.area.width - column).into();
         let style = self.look.theme.style(role);
         let (x, y) = (self.area.x + column, self.area.y + row);
+        // A screen may be drawn before it is told that it has become smaller.
+        if !self.buf.area.contains((x, y).into()) {
+            return;
+        }
         self.buf.set_stringn(x, y, text, room, style);
     }
 }

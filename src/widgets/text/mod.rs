@@ -18,6 +18,7 @@ pub(crate) mod signs;
 mod terms;
 mod wrap;
 
+pub use areas::{PictureSizes, Room};
 pub use charset::Charset;
 pub use lines::{Lines, Spare};
 pub use look::Look;

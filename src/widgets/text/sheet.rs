@@ -332,14 +332,17 @@ pub(crate) fn prompts(text: &str) -> Option<Vec<Words>> {
 fn prompt(sentence: &str) -> Words {
     let inner = sentence.trim_start_matches('(').trim_end_matches(')');
     let keyed = inner.split_once(": ");
-    let keyed = keyed.and_then(|(key, words)| Some((Key::parse(key)?, words)));
-    match keyed {
-        Some((key, words)) => Words::Prompt {
-            words: words.trim_end_matches('.').to_owned(),
-            key: Some(key.to_string()),
-        },
-        None => Words::text(Run::new(sentence, Role::Text)),
-    }
+    let prompt = keyed.and_then(|(key, words)| prompt_of(key, words));
+    prompt.unwrap_or_else(|| Words::text(Run::new(sentence, Role::Text)))
+}
+
+/// What a key does, if it is the name of one.
+pub(crate) fn prompt_of(key: &str, words: &str) -> Option<Words> {
+    let key = Key::parse(key)?.to_string();
+    Some(Words::Prompt {
+        words: words.trim_end_matches('.').to_owned(),
+        key: Some(key),
+    })
 }
 
 /// The sentences of a text.

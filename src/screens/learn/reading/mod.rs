@@ -357,7 +357,7 @@ impl Reading {
 
     /// Scrolls the text; says whether there was more of it.
     fn scroll_by(&mut self, rows: i16, cx: &Context) -> bool {
-        let area = view::layout(self, cx.body).panel;
+        let area = view::layout(self, cx.room()).panel;
         let write = |lines: &mut Lines| panel::write(self, lines);
         let before = self.scroll;
         self.scroll = before.by(rows, area, cx.settings.look(), write);
@@ -366,7 +366,7 @@ impl Reading {
 
     /// Scrolls the answer in the making into sight.
     fn show_answer(&mut self, cx: &Context) {
-        let (area, look) = (view::layout(self, cx.body).panel, cx.settings.look());
+        let (area, look) = (view::layout(self, cx.room()).panel, cx.settings.look());
         if let Some(row) = panel::row_of_answer(self, area, look) {
             let write = |lines: &mut Lines| panel::write(self, lines);
             self.scroll = self.scroll.show(row, area, look, write);
@@ -375,7 +375,7 @@ impl Reading {
 
     /// Rows that the text takes, and rows there are for it.
     pub(super) fn rows(&self, cx: &Context) -> (u16, u16) {
-        let area = view::layout(self, cx.body).panel;
+        let area = view::layout(self, cx.room()).panel;
         let more = overflow(area, cx.settings.look(), |lines| panel::write(self, lines));
         (area.height + more, area.height)
     }
@@ -393,7 +393,7 @@ impl Reading {
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let SplitLayout { picture, panel, .. } = view::layout(self, cx.body);
+        let SplitLayout { picture, panel, .. } = view::layout(self, cx.room());
         let (cell, look) = (mouse.cell(), cx.settings.look());
         if picture.contains(cell.into()) {
             return self.point(mouse, picture, &look);
@@ -583,7 +583,7 @@ impl Screen for Reading {
         self.figure.as_ref()?.wake(cx.settings.pace())
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(self, area, buf, cx);
+    fn draw(&self, _area: Rect, buf: &mut Buffer, cx: &Context) {
+        view::draw(self, buf, cx);
     }
 }

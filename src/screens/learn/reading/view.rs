@@ -5,13 +5,13 @@ use ratatui::layout::Rect;
 
 use super::{Reading, panel};
 use crate::screens::Context;
-use crate::widgets::{Lines, Role, SplitLayout};
+use crate::widgets::{Lines, Role, Room, SplitLayout};
 
 /// Where figure and text are.
-pub(super) fn layout(reading: &Reading, area: Rect) -> SplitLayout {
+pub(super) fn layout(reading: &Reading, room: Room) -> SplitLayout {
     let mut layout = match reading.figure {
-        Some(_) => SplitLayout::square(area),
-        None => SplitLayout::text_alone(area),
+        Some(_) => SplitLayout::square(room),
+        None => SplitLayout::text_alone(room),
     };
     if reading.notice.is_some() {
         // It has the last row of the text to itself.
@@ -21,9 +21,9 @@ pub(super) fn layout(reading: &Reading, area: Rect) -> SplitLayout {
 }
 
 /// Draws the page.
-pub(super) fn draw(reading: &Reading, area: Rect, buf: &mut Buffer, cx: &Context) {
+pub(super) fn draw(reading: &Reading, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = layout(reading, area);
+    let layout = layout(reading, cx.room());
     if !reading.is_open {
         layout.draw(buf, &look, "", &reading.chapter.title);
         return Lines::new(layout.panel, buf, look).line("Looking …", Role::Dim);

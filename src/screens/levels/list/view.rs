@@ -1,7 +1,5 @@
 //! What the list of levels shows.
 
-use ratatui::layout::Rect;
-
 use super::LevelsAction;
 use crate::levels::{Level, Shelf};
 use crate::screens::View;
@@ -9,7 +7,7 @@ use crate::screens::levels::play::dial_name;
 use crate::screens::levels::words;
 use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
-use crate::widgets::{Role, SplitLayout};
+use crate::widgets::{Role, Room, SplitLayout};
 
 /// What stands beside the level that is to be won next.
 const NEXT: &str = "next";
@@ -17,11 +15,11 @@ const NEXT: &str = "next";
 const NARROW_PANEL: u16 = 24;
 
 /// Where the list and the panel are.
-fn layout(area: Rect) -> SplitLayout {
-    if area.width < 80 {
-        SplitLayout::with_panel(area, NARROW_PANEL)
+fn layout(room: Room) -> SplitLayout {
+    if room.area.width < 80 {
+        SplitLayout::with_panel(room, NARROW_PANEL)
     } else {
-        SplitLayout::new(area)
+        SplitLayout::new(room)
     }
 }
 

@@ -234,7 +234,7 @@ impl LevelPlay {
     }
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
-        let area = view::layout(self, cx.body).panel;
+        let area = view::layout(self, cx.room()).panel;
         let look = cx.settings.look();
         let write = |lines: &mut Lines| panel::write(self, lines, cx);
         self.scroll = self.scroll.by(rows, area, look, write);
@@ -266,7 +266,7 @@ impl LevelPlay {
     }
 
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let layout = view::layout(self, cx.body);
+        let layout = view::layout(self, cx.room());
         let cell = mouse.cell();
         let on_picture = layout.picture.contains(cell.into());
         let on_panel = layout.panel.contains(cell.into());
@@ -446,7 +446,7 @@ impl Screen for LevelPlay {
         }
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(self, area, buf, cx);
+    fn draw(&self, _area: Rect, buf: &mut Buffer, cx: &Context) {
+        view::draw(self, buf, cx);
     }
 }

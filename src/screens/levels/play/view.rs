@@ -1,14 +1,13 @@
 //! How a level looks.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 
 use super::{LevelPhase, LevelPlay, PendingShot, board, panel};
 use crate::quiz::Ray;
 use crate::screens::Context;
 use crate::screens::levels::words::face_of;
-use crate::widgets::SplitLayout;
 use crate::widgets::hit::{Markings, setup_picture};
+use crate::widgets::{Room, SplitLayout};
 
 /// What is given of the impact that the player speaks of: not the impact angle where it
 /// is asked for, for along the line of impact the other disc leaves.
@@ -21,18 +20,18 @@ fn shown(pending: &PendingShot) -> Markings {
 }
 
 /// Where the parts are: a square board, or a hit that takes all the room there is.
-pub(super) fn layout(play: &LevelPlay, area: Rect) -> SplitLayout {
+pub(super) fn layout(play: &LevelPlay, room: Room) -> SplitLayout {
     if play.is_enlarged() || play.level().is_of_the_first_hit() {
-        SplitLayout::new(area)
+        SplitLayout::new(room)
     } else {
-        SplitLayout::square(area)
+        SplitLayout::square(room)
     }
 }
 
 /// Draws the level.
-pub(super) fn draw(play: &LevelPlay, area: Rect, buf: &mut Buffer, cx: &Context) {
+pub(super) fn draw(play: &LevelPlay, buf: &mut Buffer, cx: &Context) {
     let look = cx.settings.look();
-    let layout = layout(play, area);
+    let layout = layout(play, cx.room());
     let level = play.level();
     let (title, side_title) = titles(play);
     layout.draw(buf, &look, &title, &side_title);

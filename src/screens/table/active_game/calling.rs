@@ -39,7 +39,7 @@ impl ActiveGame {
     }
 
     pub(super) fn calling_mouse(&mut self, mouse: &Mouse, cx: &Context) -> bool {
-        let picture = SplitLayout::new(cx.body).picture;
+        let picture = SplitLayout::new(cx.room()).picture;
         let cell = mouse.cell();
         let pressed = mouse.kind == MouseKind::Down;
         let held = pressed || mouse.kind == MouseKind::Drag;

@@ -272,7 +272,7 @@ impl ActiveGame {
 
     /// A click on the board at its end is the key to go on with.
     fn over_mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> bool {
-        let on_board = view::layout(self, cx.body).picture;
+        let on_board = view::layout(self, cx.room()).picture;
         let clicked = mouse.kind == MouseKind::Down && on_board.contains(mouse.cell().into());
         // The match is left by a key: by a click it would be gone unread.
         if clicked && !matches!(self.game().stage(), GameStage::MatchOver(_)) {
@@ -296,13 +296,13 @@ impl ActiveGame {
 
     /// Where on the board the mouse is, and whether that is on its picture.
     fn pointed(mouse: &Mouse, cx: &Context) -> (DVec2, bool) {
-        let area = board::square(SplitLayout::square(cx.body).picture);
+        let area = board::square(SplitLayout::square(cx.room()).picture);
         let at = board::view(area, &Board::default()).to_world(mouse.place());
         (at, area.contains(mouse.cell().into()))
     }
 
     fn scroll_by(&mut self, rows: i16, cx: &Context) {
-        let area = view::layout(self, cx.body).panel;
+        let area = view::layout(self, cx.room()).panel;
         let look = cx.settings.look();
         self.scroll = self
             .scroll

@@ -84,7 +84,7 @@ impl ActiveGame {
         let TablePhase::Watch(replay) = &self.phase else {
             return false;
         };
-        let layout = view::layout(self, cx.body);
+        let layout = view::layout(self, cx.room());
         let on_picture = layout.picture.contains(mouse.cell().into());
         let line = panel::impact_at(replay, layout.panel, mouse.cell());
         let ended = replay.player.clock().is_over() && replay.player.chosen().is_none();

@@ -1,0 +1,481 @@
+// The words of the screen as elements: what the program says of it becomes headings, tables,
+// choices, fields and buttons. Nodes stay as long as they mean the same; only what has changed
+// is touched.
+
+const panels = (() => {
+  const screen = document.getElementById("screen");
+  const layer = document.getElementById("layer");
+  const act = { key() {}, press() {} };
+  let sheets = [], wasAt = "", prompt = null;
+
+  // A number with what stands behind it, as far as it has been typed.
+  const NUMBER = /^([−-]?[\d.,]*_?)(?: ?(.*))?$/;
+
+  function make(name, kind, ...inside) {
+    const node = document.createElement(name);
+    if (kind) node.className = kind;
+    node.append(...inside);
+    return node;
+  }
+
+  const write = (node, text) => node.textContent === text || (node.textContent = text);
+  const mark = (node, kind, is) => node.classList.toggle(kind, Boolean(is));
+  const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
+  // Brings the children of a node in line with a list. `kind` says which nodes can be used
+  // again, `fresh` makes one with a function `update`.
+  function sync(parent, list, kind, fresh) {
+    list.forEach((it, i) => {
+      const told = JSON.stringify(it);
+      let node = parent.children[i];
+      if (!node || node.carromKind !== kind(it)) {
+        const made = fresh(it);
+        made.carromKind = kind(it);
+        if (node) node.replaceWith(made);
+        else parent.append(made);
+        node = made;
+      }
+      if (node.carromTold === told) return;
+      node.carromTold = told;
+      node.update(it);
+    });
+    while (parent.children.length > list.length) parent.lastElementChild.remove();
+  }
+
+  // Runs of text in their colours.
+  function runs(node, list) {
+    const told = JSON.stringify(list);
+    if (node.carromRuns === told) return;
+    node.carromRuns = told;
+    node.replaceChildren(...list.map(({ text, role }) => {
+      if (role === "text") return document.createTextNode(text);
+      return make("span", `ink-${role}`, text);
+    }));
+  }
+
+  // Does what stands at the cell of an item, or what its key does.
+  const does = (item) => {
+    if (item.is === "prompt" && item.key) act.key(item.key);
+    else if (item.press) act.press(item.press);
+    else if (item.key) act.key(item.key);
+  };
+
+  function button(kind, click) {
+    const node = make("button", kind);
+    node.type = "button";
+    pressed(node, () => click(node.item));
+    return node;
+  }
+
+  // Does something when a button is pressed. Not by clicks alone: a browser leaves out a click
+  // that follows a swipe, and gives one that follows a change to what is there by then.
+  function pressed(node, act) {
+    let held = false;
+    node.addEventListener("click", (event) => {
+      // The keyboard is the game's again after a click.
+      if (event.detail > 0) node.blur();
+      act();
+    });
+    node.addEventListener("pointerdown", () => (held = true));
+    // The finger scrolls.
+    node.addEventListener("pointercancel", () => (held = false));
+    node.addEventListener("touchend", (event) => {
+      const { clientX, clientY } = event.changedTouches[0];
+      const isOn = held && node.contains(document.elementFromPoint(clientX, clientY));
+      held = false;
+      if (!isOn || !event.cancelable) return;
+      event.preventDefault();
+      act();
+    });
+  }
+
+  // Does something again and again while a button is held.
+  function repeats(node, step) {
+    let timer = 0;
+    const end = () => clearTimeout(timer);
+    const again = (ms) => {
+      timer = setTimeout(() => {
+        step();
+        if (node.isConnected) again(70);
+      }, ms);
+    };
+    node.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      event.preventDefault();
+      step();
+      again(400);
+    });
+    for (const kind of ["pointerup", "pointercancel", "pointerleave"]) node.addEventListener(kind, end);
+    node.addEventListener("contextmenu", (event) => event.preventDefault());
+    node.addEventListener("click", (event) => event.detail === 0 && step());
+  }
+
+  // What follows belongs together: values, rows of a table, choices.
+  const isChoice = (item) => item.chosen !== null && ["text", "pair"].includes(item.is);
+  function kindOf(item) {
+    if (item.is === "pair" && !isChoice(item)) return "facts";
+    if (item.is === "text" && !isChoice(item)) return item.mark ? "list" : "text";
+    return isChoice(item) ? "choices" : item.is;
+  }
+
+  function groups(items) {
+    const all = [];
+    let apart = false;
+    for (const item of items) {
+      if (item.is === "gap") {
+        apart = true;
+        continue;
+      }
+      const kind = kindOf(item);
+      const last = all[all.length - 1];
+      const joins = ["facts", "columns", "choices", "field", "text-field", "list", "tab", "prompt"];
+      // Choices stay one group, whatever air is between them.
+      const near = !apart || ["choices", "field", "text-field"].includes(kind);
+      if (last && last.kind === kind && near && joins.includes(kind)) last.items.push(item);
+      else all.push({ kind, apart, items: [item] });
+      apart = false;
+    }
+    return all;
+  }
+
+  const KINDS = {
+    picture: () => {
+      const node = make("div", "picture");
+      return [node, ([{ number }]) => {
+        const canvas = painter.canvas(number);
+        if (canvas.parentNode !== node) node.replaceChildren(canvas);
+      }];
+    },
+    text: () => {
+      let node = null;
+      return [make("div", "text"), function ([{ runs: list }]) {
+        const is = list.every(({ role }) => role === "title") ? "h3" : "p";
+        if (!node || node.localName !== is) this.replaceChildren((node = make(is)));
+        runs(node, list);
+      }];
+    },
+    list: () => [make("ul", "list"), function (items) {
+      sync(this, items, () => "li", () => {
+        const [sign, words] = [make("span", "mark"), make("span", "words")];
+        const node = make("li", "", sign, words);
+        node.update = (item) => {
+          write(sign, item.mark);
+          runs(words, item.runs);
+        };
+        return node;
+      });
+    }],
+    equation: () => [make("p", "equation"), function ([item]) {
+      runs(this, item.runs);
+    }],
+    large: () => [make("p", "large"), function ([item]) {
+      runs(this, item.runs);
+    }],
+    facts: () => [make("dl", "facts"), function (items) {
+      sync(this, items, () => "fact", () => {
+        const [name, value] = [make("dt"), make("dd")];
+        const node = make("div", "", name, value);
+        node.update = (item) => {
+          runs(name, [item.name]);
+          runs(value, [item.value]);
+          mark(node, "alone", !item.value.text);
+        };
+        return node;
+      });
+    }],
+    columns: () => {
+      const body = make("tbody");
+      return [make("table", "columns", body), (items) => {
+        sync(body, items, (row) => `${row.chosen !== null}/${row.values.length}`, (row) => {
+          const name = make("th");
+          name.scope = "row";
+          const values = row.values.map(() => make("td"));
+          const node = make("tr", "", name, ...values);
+          const pick = row.chosen !== null && button("choice", () => does(node.item));
+          if (pick) {
+            name.append(pick);
+            node.addEventListener("click", (event) => event.target.closest("button") || does(node.item));
+          }
+          node.update = (item) => {
+            node.item = item;
+            mark(node, "chosen", item.chosen);
+            if (pick) pick.setAttribute("aria-pressed", Boolean(item.chosen));
+            runs(pick || name, [item.name]);
+            values.forEach((cell, i) => runs(cell, [item.values[i]]));
+          };
+          return node;
+        });
+      }];
+    },
+    choices: () => [make("div", "choices"), function (items) {
+      sync(this, items, (item) => item.is, () => {
+        const [name, side] = [make("span", "name"), make("span", "side")];
+        const node = button("choice", does);
+        node.append(name, side);
+        node.update = (item) => {
+          node.item = item;
+          mark(node, "chosen", item.chosen);
+          node.setAttribute("aria-pressed", Boolean(item.chosen));
+          const list = item.is === "pair" ? [item.name] : item.runs;
+          // A chosen one has its colour by being chosen.
+          const plain = (run) => (run.role === "selected" ? { ...run, role: "text" } : run);
+          const sign = item.mark ? [{ text: `${item.mark} `, role: "title" }] : [];
+          runs(name, [...sign, ...list.map(plain)]);
+          runs(side, item.is === "pair" ? [plain(item.value)] : []);
+        };
+        return node;
+      });
+    }],
+    field: () => [make("div", "fields"), function (items) {
+      const kind = (item) => (item.locked ? "locked" : isNumber(item) ? "number" : "switch");
+      sync(this, items, kind, (item) => FIELDS[kind(item)]());
+    }],
+    "text-field": () => [make("div", "fields"), function (items) {
+      sync(this, items, () => "typed", () => typedField());
+    }],
+    prompt: () => [make("div", "prompts"), function (items) {
+      sync(this, items, () => "prompt", () => {
+        const node = button("prompt", does);
+        node.update = (item) => {
+          node.item = item;
+          node.dataset.key = item.key || "";
+          write(node, capital(item.words.replace(/\.$/, "")));
+        };
+        return node;
+      });
+    }],
+    tab: () => {
+      const node = make("div", "tabs");
+      return [node, (items) => {
+        sync(node, items, () => "tab", () => {
+          const tab = button("tab", does);
+          tab.update = (item) => {
+            tab.item = item;
+            write(tab, item.name);
+            mark(tab, "chosen", item.chosen);
+            tab.setAttribute("aria-pressed", Boolean(item.chosen));
+          };
+          return tab;
+        });
+      }];
+    },
+    meter: () => {
+      const [name, value] = [make("span"), make("span", "value")];
+      const bar = make("progress");
+      bar.max = 1;
+      return [make("div", "meter", name, bar, value), function ([item]) {
+        write(name, item.name);
+        write(value, item.value);
+        bar.value = item.share;
+        bar.className = `ink-${item.role}`;
+        bar.setAttribute("aria-label", item.name || "share");
+      }];
+    },
+  };
+
+  const isNumber = ({ value }) => /^[−-]?[\d.,]*_|^[−-]?\d/.test(value);
+
+  // Chooses a field, unless it is chosen.
+  const choose = (item) => item.chosen === true || !item.press || act.press(item.press);
+
+  const FIELDS = {
+    locked() {
+      const [name, value] = [make("span", "name"), make("span", "value")];
+      const node = make("div", "field locked", name, value);
+      node.update = (item) => {
+        write(name, item.name);
+        write(value, item.value);
+      };
+      return node;
+    },
+    // One of a few values: each press brings the next.
+    switch() {
+      const name = make("span", "name");
+      const value = button("value", does);
+      const node = make("div", "field", name, value);
+      node.update = (item) => {
+        value.item = item;
+        mark(node, "chosen", item.chosen);
+        write(name, item.name);
+        write(value, `${item.value} ›`);
+        value.setAttribute("aria-label", `${item.name}: ${item.value}`);
+      };
+      return node;
+    },
+    number() {
+      const [name, unit] = [make("label", "name"), make("span", "unit")];
+      const input = make("input");
+      const [less, more] = [make("button", "", "−"), make("button", "", "+")];
+      const node = make("div", "field number", name, less, input, unit, more);
+      Object.assign(input, { inputMode: "decimal", autocomplete: "off", enterKeyHint: "done" });
+      // What has been typed of a number, as far as the game knows it.
+      let typed = "", item = null;
+      for (const [way, key] of [[less, "Left"], [more, "Right"]]) {
+        way.type = "button";
+        repeats(way, () => {
+          choose(item);
+          act.key(key);
+        });
+      }
+      input.addEventListener("focus", () => {
+        choose(item);
+        input.select();
+      });
+      input.addEventListener("input", () => {
+        const wanted = input.value.replace(/[^\d.,−-]/g, "");
+        choose(item);
+        let kept = typed && wanted.startsWith(typed) ? typed.length : 0;
+        if (!kept) for (const _ of typed) act.key("Backspace");
+        for (const letter of wanted.slice(kept)) act.key(letter);
+      });
+      node.update = (told) => {
+        item = told;
+        const [, number, rest] = NUMBER.exec(item.value) || [null, item.value, ""];
+        const isTyped = number.endsWith("_");
+        const shown = isTyped ? number.slice(0, -1) : number;
+        typed = isTyped ? shown : "";
+        mark(node, "chosen", item.chosen);
+        write(name, item.name);
+        write(unit, rest || "");
+        less.setAttribute("aria-label", `less ${item.name}`);
+        more.setAttribute("aria-label", `more ${item.name}`);
+        name.htmlFor = input.id = input.id || `field-${(count += 1)}`;
+        if (input.value === shown) return;
+        input.value = shown;
+        if (document.activeElement === input && !isTyped) input.select();
+      };
+      return node;
+    },
+  };
+  let count = 0;
+
+  // A text that is typed: a name, a code.
+  function typedField() {
+    const name = make("label", "name");
+    const input = make("input");
+    const node = make("div", "field typed", name, input);
+    Object.assign(input, { autocomplete: "off", spellcheck: false });
+    input.setAttribute("autocapitalize", "off");
+    let item = null;
+    const send = () => {
+      const [old, wanted] = [item.value, input.value];
+      choose(item);
+      let same = 0;
+      while (same < Math.min(old.length, wanted.length) && old[same] === wanted[same]) same += 1;
+      act.key("End");
+      for (const _ of [...old.slice(same)]) act.key("Backspace");
+      for (const letter of wanted.slice(same)) act.key(letter === " " ? "Space" : letter);
+    };
+    input.addEventListener("focus", () => choose(item));
+    input.addEventListener("input", (event) => event.isComposing || send());
+    input.addEventListener("compositionend", send);
+    node.update = (told) => {
+      item = told;
+      mark(node, "chosen", item.chosen);
+      write(name, item.name);
+      name.htmlFor = input.id = input.id || `field-${(count += 1)}`;
+      if (input.value !== item.value) input.value = item.value;
+    };
+    return node;
+  }
+
+  function drawItems(node, items) {
+    sync(node, groups(items), ({ kind }) => kind, ({ kind }) => {
+      const [made, update] = (KINDS[kind] || KINDS.text)();
+      made.update = (group) => {
+        mark(made, "apart", group.apart);
+        update.call(made, group.items);
+      };
+      return made;
+    });
+  }
+
+  function section() {
+    const [title, body] = [make("h2"), make("div", "body")];
+    const node = make("section", "", title, body);
+    node.update = (told) => {
+      const isMarked = told.title.startsWith("> ");
+      write(title, isMarked ? told.title.slice(2) : told.title);
+      mark(node, "marked", isMarked);
+      title.hidden = !told.title;
+      mark(node, "pictured", told.items.some(({ is }) => is === "picture"));
+      mark(node, "tabbed", told.items.every(({ is }) => is === "tab"));
+      node.carromTitle = told.title;
+      drawItems(body, told.items);
+    };
+    return node;
+  }
+
+  // Shows what the program says; sections that are as they were are not told again.
+  function show(told) {
+    sheets = told.map((sheet, at) => ({
+      ...sheet,
+      sections: sheet.sections.map((it, i) => it || sheets[at].sections[i]),
+    }));
+    const [under, ...over] = sheets;
+    write(document.getElementById("title"), under.title);
+    write(document.getElementById("status"), under.status.replace(/ {2,}/g, " · "));
+    document.title = `${under.title} · carrom`;
+    const prompts = under.sections.flatMap(({ items }) => items.filter(({ is }) => is === "prompt"));
+    prompt = prompts.find(({ key }) => ["Enter", "Space"].includes(key)) || prompts[0] || null;
+    const hasPicture = under.sections.some(({ items }) => items.some(({ is }) => is === "picture"));
+    mark(screen, "pictures", hasPicture);
+    mark(screen, "two", under.sections.length === 2);
+    const fresh = () => section();
+    // Pictures on one side, words on the other; what has no picture is read from the top.
+    const isPicture = ({ items }) => items.some(({ is }) => is === "picture" || is === "tab");
+    const [left, right] = [screen.firstElementChild, screen.lastElementChild];
+    sync(left, under.sections.filter((it) => isPicture(it)), () => "section", fresh);
+    sync(right, under.sections.filter((it) => !isPicture(it)), () => "section", fresh);
+    const at = [under.title, ...under.sections.map(({ title }) => title)].join("\n");
+    if (at !== wasAt) for (const node of [screen, left, right]) node.scrollTop = 0;
+    wasAt = at;
+    const chosen = screen.querySelector(".field.chosen, .choice.chosen");
+    if (chosen && chosen !== lastChosen) chosen.scrollIntoView({ block: "nearest" });
+    lastChosen = chosen;
+    showLayer(over[over.length - 1]);
+  }
+  let lastChosen = null;
+
+  // What lies over the screen, as a dialog: all below it is inert.
+  function showLayer(sheet) {
+    if (!sheet) {
+      if (layer.open) layer.close();
+      return;
+    }
+    const [title, body] = [layer.querySelector("h2"), layer.querySelector(".body")];
+    write(title, sheet.sections[0]?.title || sheet.title);
+    layer.className = sheet.kind;
+    drawItems(body, sheet.sections.flatMap(({ items }) => items));
+    if (!layer.open) {
+      layer.showModal();
+      body.scrollTop = 0;
+    }
+  }
+
+  const colour = (inks) => {
+    for (const [role, ink] of inks) {
+      document.body.style.setProperty(`--${role}`, "#" + ink.toString(16).padStart(6, "0"));
+    }
+  };
+
+  // Leaves a prompt out that stands at the foot.
+  function leaveOut(item) {
+    for (const node of screen.querySelectorAll(".prompt")) {
+      node.hidden = Boolean(item) && node.item.words === item.words && node.item.key === item.key;
+    }
+  }
+
+  // What is there to do: the likeliest prompt, and whether fields and choices are elements.
+  const state = () => ({
+    prompt,
+    isCovered: sheets.length > 1,
+    hasFields: Boolean(screen.querySelector(".field.number, .field .value")),
+    hasNumber: Boolean(screen.querySelector(".field.number")),
+    hasChoices: Boolean(screen.querySelector(".choice")),
+  });
+
+  const start = (acts) => Object.assign(act, acts);
+
+  return { start, show, colour, state, leaveOut, does, pressed, repeats, make, capital };
+})();
