@@ -8,6 +8,15 @@ use crate::chromium::Chromium;
 /// A phone with the page open, and a finger.
 pub(crate) struct Phone(pub(crate) Chromium);
 
+/// Windows of phones, a tablet and a computer, of phones also held on their side.
+const SIZES: [(u32, u32); 6] = [
+    (320, 568),
+    (390, 664),
+    (412, 732),
+    (844, 390),
+    (768, 1024),
+    (1366, 650),
+];
 /// A phone held upright.
 const UPRIGHT: (u32, u32) = (390, 844);
 
@@ -214,7 +223,7 @@ impl Phone {
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn no_screen_scrolls_sideways() {
     let page = page();
-    for size in [UPRIGHT, (UPRIGHT.1, UPRIGHT.0)] {
+    for size in SIZES {
         let chromium = Chromium::start(size, true);
         let mut phone = Phone(chromium);
         // The keys lead to what can be reached from there; a first Tab is the browser's.

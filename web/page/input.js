@@ -178,7 +178,7 @@ const input = (() => {
   // screen has none here: fields, choices, other prompts; and q has none, for a page is left
   // as pages are.
   function layout(rows, state) {
-    const { prompt, hasFields, hasNumber, hasChoices } = state;
+    const { prompt, prompts, hasFields, hasNumber, hasChoices } = state;
     const row = panels.make("div", "row");
     const arrows = new Map();
     const numbers = [], rest = [];
@@ -197,6 +197,7 @@ const input = (() => {
       }
       const isArrow = keys.every((it) => it in ARROWS);
       if (isArrow) {
+        if (!name) continue;
         const isDone = keys[0] === "Up" || keys[0] === "Down" ? hasFields || hasChoices : hasFields;
         if (!isDone) arrows.set(keys.join(), { keys, name, help });
         continue;
@@ -214,7 +215,7 @@ const input = (() => {
       // Choices are on the screen to be tapped.
       if (hasChoices && keys.every((it) => /^[0-9a-h]$/.test(it)) && keys.length > 1) continue;
       const letters = keys.filter((it) => !(it in ARROWS));
-      if (prompt && letters.includes(prompt.key)) continue;
+      if (letters.some((it) => prompts.includes(it))) continue;
       if (letters.length < 2) rest.push(button(letters[0] || keys[0], name, help || name));
       else {
         const pair = panels.make("span", "pair");

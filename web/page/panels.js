@@ -469,6 +469,7 @@ const panels = (() => {
   // What is there to do: the likeliest prompt, and whether fields and choices are elements.
   const state = () => ({
     prompt,
+    prompts: [...screen.querySelectorAll(".prompt")].map(({ item }) => item.key),
     isCovered: sheets.length > 1,
     hasFields: Boolean(screen.querySelector(".field.number, .field .value")),
     hasNumber: Boolean(screen.querySelector(".field.number")),

@@ -4,7 +4,6 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::widgets::big::{Align, Big};
-use crate::widgets::flow::Run;
 use crate::widgets::{Item, Look, Role, Words, areas, sheet, text};
 
 /// Rows of a screen's body from which on it has a heading in large type.
@@ -75,9 +74,13 @@ impl Heading {
     /// Draws it in large letters where there is room, with the line below it.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look) {
         let title = self.texts.first().map_or("", String::as_str);
-        for (words, role) in [(title, Role::Title), (self.line.as_str(), Role::Key)] {
-            let run = Run::new(look.charset.text(words), role);
-            sheet::note(area, || Item::new(Words::Large { runs: vec![run] }));
+        for (words, role) in [(title, Role::Title), (self.line.as_str(), Role::Key)]
+            .into_iter()
+            .filter(|(words, _)| !words.is_empty())
+        {
+            sheet::note(area, || {
+                Item::new(Words::large(&look.charset.text(words), role))
+            });
         }
         if self.small {
             let both = match self.line.as_str() {

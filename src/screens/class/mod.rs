@@ -337,7 +337,7 @@ impl Screen for Class {
             _ if self.paused => view::paused(area, buf, &look),
             ClassScene::SetUp(set_up) => set_up_view::draw(set_up, area, buf, &look),
             ClassScene::Earlier(earlier) => earlier.draw(area, buf, &look),
-            ClassScene::Play(play) => view::draw(play, area, buf, &look),
+            ClassScene::Play(play) => view::draw(play, cx.room(), buf, &look),
         }
     }
 }

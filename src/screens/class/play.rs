@@ -445,7 +445,7 @@ impl ClassPlay {
             (ClassAction::Hosting(action), _) => self.host(action, cx),
             (ClassAction::Forward, _) => self.forward(cx),
             (ClassAction::Scroll(rows), _) => {
-                view::scroll(self, rows, cx.body, &cx.settings.look());
+                view::scroll(self, rows, cx.room(), &cx.settings.look());
             }
             (ClassAction::Backward, _) => self.back(cx),
             (ClassAction::Leap(by), _) => self.leap(by, cx),
@@ -518,7 +518,7 @@ impl ClassPlay {
             return Next::Stay;
         }
         let (cell, look) = (mouse.cell(), cx.settings.look());
-        let Some(step) = self.step_view(cx.body, &look) else {
+        let Some(step) = self.step_view(cx.room(), &look) else {
             return Next::Ignored;
         };
         let (foot, picture, choice) = (step.foot(), step.picture(), step.choice_at(cell));
@@ -546,8 +546,8 @@ impl ClassPlay {
                     }
                 }
             }
-            (_, MouseKind::ScrollUp) => view::scroll(self, -1, cx.body, &look),
-            (_, MouseKind::ScrollDown) => view::scroll(self, 1, cx.body, &look),
+            (_, MouseKind::ScrollUp) => view::scroll(self, -1, cx.room(), &look),
+            (_, MouseKind::ScrollDown) => view::scroll(self, 1, cx.room(), &look),
             _ => return Next::Ignored,
         }
         Next::Stay

@@ -89,9 +89,12 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
                 let name = typed(field, lines.width(), chosen, look.charset);
                 let words = format!("{} {name}", team + 1);
                 let label = format!("team {}", team + 1);
-                field_line(&words, &label, field, chosen, &mut lines);
+                field_line(&words, &label, field.text(), chosen, &mut lines);
             }
-            SetUpRow::Add => line("+ add a team: type its name", chosen, &mut lines),
+            SetUpRow::Add => {
+                let words = "+ add a team: type its name";
+                field_line(words, words, "", chosen, &mut lines);
+            }
             SetUpRow::Class => {
                 let width = lines.width().saturating_sub(8);
                 let name = typed(&set_up.class, width, chosen, look.charset);
@@ -103,7 +106,7 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
                     true => "the class, for tables: no name",
                     false => &format!("class: {name}"),
                 };
-                field_line(words, label, &set_up.class, chosen, &mut lines);
+                field_line(words, label, set_up.class.text(), chosen, &mut lines);
             }
             _ => {}
         }
@@ -119,6 +122,11 @@ pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
             runs: vec![Run::new(name.trim(), Role::Text).spelt(charset)],
         };
         lines.clicked_as(recorded, Some(chosen), |lines| {
+            if kind == RoundKind::Code {
+                // What is typed of it, wherever the cursor is.
+                let recorded = |_| Words::text_field("the code", set_up.code.text());
+                lines.recorded_too(recorded);
+            }
             line(&format!("{mark} {name}"), chosen, lines);
         });
         lines.line(&format!("      {about}"), Role::Dim);
@@ -151,8 +159,8 @@ fn line(words: &str, chosen: bool, lines: &mut Lines) {
 }
 
 /// The line of a field, which is called `label` where it has one beside it.
-fn field_line(words: &str, label: &str, field: &TextField, chosen: bool, lines: &mut Lines) {
-    let recorded = |_| Words::text_field(label, field.text());
+fn field_line(words: &str, label: &str, typed: &str, chosen: bool, lines: &mut Lines) {
+    let recorded = |_| Words::text_field(label, typed);
     lines.clicked_as(recorded, Some(chosen), |lines| line(words, chosen, lines));
 }
 

@@ -11,8 +11,9 @@ use super::words::{Beside, Paragraph, PlacedWords, screen_rows};
 use super::{question_view, shown_view, spread_view, tally_entry, vote_view};
 use crate::class::{ClassStep, Vote};
 use crate::quiz::Question;
-use crate::widgets::flow::Run;
-use crate::widgets::{Item, Lines, Look, Role, Words, areas, draw_question, rehearsed, sheet};
+use crate::widgets::{
+    Item, Lines, Look, Role, Room, Words, areas, draw_question, rehearsed, sheet,
+};
 
 /// A step laid out on the screen.
 pub(super) struct StepView<'a> {
@@ -45,14 +46,14 @@ impl Said {
 impl<'a> StepView<'a> {
     /// Lays a step out. The heading is large only where the words are so too, and where that costs
     /// them neither a page nor the size of their letters, and the picture not much.
-    pub(super) fn new(play: &'a ClassPlay, area: Rect, look: &Look) -> Option<Self> {
+    pub(super) fn new(play: &'a ClassPlay, room: Room, look: &Look) -> Option<Self> {
         let question = play.question()?;
         let heading = play.heading();
         let small = heading
             .clone()
             .filter(|it| !it.is_bare())
             .map(Heading::small);
-        let with = |heading| Self::under(play, question, heading, area, look);
+        let with = |heading| Self::under(play, question, heading, room, look);
         let large = with(heading);
         let small = with(small);
         let as_good = match (large.first(), small.first()) {
@@ -71,9 +72,10 @@ impl<'a> StepView<'a> {
         play: &'a ClassPlay,
         question: &'a Question,
         heading: Option<Heading>,
-        area: Rect,
+        room: Room,
         look: &Look,
     ) -> Self {
+        let area = room.area;
         let rest = heading.as_ref().map_or(area, |it| it.rest(area, look));
         let foot = match &play.phase {
             ClassPhase::Vote(entry) => vote_view::foot_rows(play, question, entry, rest, look),
@@ -89,8 +91,12 @@ impl<'a> StepView<'a> {
         let many = said.len() > 1;
         let beside = beside(play, question);
         let rows = screen_rows(area);
+        let within = Room {
+            area: middle,
+            ..room
+        };
         let each = said.into_iter().map(|paragraphs| Said {
-            placed: PlacedWords::new(&paragraphs, beside, many, middle, rows, look),
+            placed: PlacedWords::new(&paragraphs, beside, many, within, rows, look),
             paragraphs,
         });
         Self {
@@ -158,8 +164,9 @@ impl<'a> StepView<'a> {
             let seconds = left.as_nanos().div_ceil(1_000_000_000);
             let words = format!(" {}:{:02} ", seconds / 60, seconds % 60);
             let column = self.area.right().saturating_sub(words.len() as u16);
-            let clock = Run::new(words.trim(), Role::Selected);
-            sheet::note(self.area, || Item::new(Words::Large { runs: vec![clock] }));
+            sheet::note(self.area, || {
+                Item::new(Words::large(words.trim(), Role::Selected))
+            });
             let style = look.theme.style(Role::Selected);
             buf.set_stringn(column, self.area.y, &words, words.len(), style);
         }
@@ -325,7 +332,7 @@ mod tests {
     /// What the back row cannot read of a step, or does not see.
     fn illegible(play: &ClassPlay, cx: &Context, rows: u16) -> Vec<String> {
         let question = play.question().unwrap();
-        let step = StepView::new(play, cx.body, &cx.settings.look()).unwrap();
+        let step = StepView::new(play, cx.room(), &cx.settings.look()).unwrap();
         let mut faults = Vec::new();
         let mut fault = |what: &str| {
             faults.push(format!(

@@ -7,8 +7,9 @@ use super::play::ClassPlay;
 use crate::class::{ClassRound, MOST_PEOPLE, Vote};
 use crate::messages::Key;
 use crate::quiz::letter;
+use crate::widgets::flow::Run;
 use crate::widgets::input::TextField;
-use crate::widgets::{Lines, Look, Role};
+use crate::widgets::{Lines, Look, Role, Words};
 
 /// Rows that it takes.
 pub(super) const ROWS: u16 = 2;
@@ -97,7 +98,12 @@ impl TallyEntry {
             Ok(None) => (String::new(), Role::Text),
             Err(reason) => (reason, Role::Warn),
         };
-        lines.pair(&head, &note, Role::Title, role);
+        let name = format!("Count {}", letters.join(" "));
+        let recorded = |_| Words::text_field(&name, self.field.text());
+        lines.clicked_as(recorded, Some(true), |lines| {
+            lines.pair(&head, &note, Role::Title, role);
+        });
+        lines.recorded_too(|_| Words::text(Run::new(note.as_str(), role)));
         let next = match (self.vote, self.is_empty()) {
             (Vote::First, true) => "Count hands or cards, and type the numbers: 4 17 9 2",
             (Vote::Second, true) => "Count again, or Enter: all keep their vote.",

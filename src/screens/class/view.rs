@@ -9,7 +9,7 @@ use super::step_view::StepView;
 use super::{ending_view, scores_view};
 use crate::class::{ClassStep, Vote, WayOfVoting};
 use crate::widgets::big::{Align, Big};
-use crate::widgets::{Lines, Look, Role, areas};
+use crate::widgets::{Item, Lines, Look, Role, Room, Words, areas, sheet};
 
 /// A text that may be longer than its place: the place, and what writes it.
 pub(super) type Text<'a> = (Rect, Box<dyn Fn(&mut Lines) + 'a>);
@@ -102,10 +102,10 @@ impl ClassPlay {
     }
 
     /// The step at hand laid out, where it is one of a question.
-    pub(super) fn step_view(&self, area: Rect, look: &Look) -> Option<StepView<'_>> {
+    pub(super) fn step_view(&self, room: Room, look: &Look) -> Option<StepView<'_>> {
         match (&self.phase, self.step()) {
             (ClassPhase::End(_), _) | (ClassPhase::Look, ClassStep::Scores) => None,
-            _ => StepView::new(self, area, look),
+            _ => StepView::new(self, room, look),
         }
     }
 
@@ -116,12 +116,13 @@ impl ClassPlay {
 }
 
 /// Draws a round.
-pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) {
+pub(super) fn draw(play: &ClassPlay, room: Room, buf: &mut Buffer, look: &Look) {
+    let area = room.area;
     let hosting = play.hosting.as_ref();
     if hosting.is_some_and(|it| it.draw(&play.round, area, buf, look)) {
         return;
     }
-    if let Some(step) = play.step_view(area, look) {
+    if let Some(step) = play.step_view(room, look) {
         return step.draw(buf, look);
     }
     if let Some(heading) = play.heading() {
@@ -138,14 +139,14 @@ pub(super) fn draw(play: &ClassPlay, area: Rect, buf: &mut Buffer, look: &Look) 
 }
 
 /// Turns the page of a step, or scrolls a text.
-pub(super) fn scroll(play: &mut ClassPlay, rows: i16, area: Rect, look: &Look) {
-    if let Some(step) = play.step_view(area, look) {
+pub(super) fn scroll(play: &mut ClassPlay, rows: i16, room: Room, look: &Look) {
+    if let Some(step) = play.step_view(room, look) {
         let last = step.pages().saturating_sub(1);
         let by = isize::from(rows.signum());
         play.page = play.page.min(last).saturating_add_signed(by).min(last);
         return;
     }
-    let rest = play.below_heading(area, look);
+    let rest = play.below_heading(room.area, look);
     let text = match &play.phase {
         ClassPhase::End(page @ (EndPage::Held | EndPage::Items)) => {
             Some(ending_view::text(play, *page, rest))
@@ -161,6 +162,7 @@ pub(super) fn paused(area: Rect, buf: &mut Buffer, look: &Look) {
     let big = Big::fit("paused", area.width, area.height / 2, look.charset);
     let rows = big.as_ref().map_or(1, Big::rows);
     let place = below(area, area.height.saturating_sub(rows) / 2);
+    sheet::note(area, || Item::new(Words::large("paused", Role::Dim)));
     match big {
         Some(big) => big.draw(place, buf, look, Role::Dim, Align::Centre),
         None => centred("paused", place, buf, look, Role::Dim),

@@ -4,12 +4,12 @@
 //! letters no smaller than can be read go on over several pages.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Margin, Rect};
 
 use crate::widgets::bar::bar;
 use crate::widgets::big::{BigPages, BigText, LetterSize};
 use crate::widgets::flow::Run;
-use crate::widgets::{Charset, Item, Look, Role, Words, areas, sheet};
+use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet};
 
 /// Rows between two paragraphs, and where that saves a page.
 const GAPS: [u16; 2] = [1, 0];
@@ -90,15 +90,15 @@ impl PlacedWords {
         paragraphs: &[Paragraph],
         beside: Beside,
         more: bool,
-        area: Rect,
+        room: Room,
         screen_rows: u16,
         look: &Look,
     ) -> Option<Self> {
         // A bar below the last paragraph has its row too.
         let last = u16::from(paragraphs.last().is_some_and(|it| it.share.is_some()));
-        let alone = Layout::new(area, Beside::Nothing, 0);
+        let alone = Layout::new(room, Beside::Nothing, 0);
         let all_layouts: Vec<_> = { beside.tenths().rev() }
-            .map(|tenths| Layout::new(area, beside, tenths))
+            .map(|tenths| Layout::new(room, beside, tenths))
             .flat_map(|with| [[with, with], [with, alone]])
             .collect();
         let has_bars = paragraphs.iter().any(|it| it.share.is_some());
@@ -175,7 +175,7 @@ impl PlacedWords {
         let Some(shown) = self.pages.page(page) else {
             return;
         };
-        record(paragraphs, place);
+        record(paragraphs, place, look.charset);
         let role = |paragraph: usize| paragraphs.get(paragraph).map_or(Role::Text, |it| it.role);
         for (paragraph, row) in shown.draw(place, buf, look, role) {
             let share = paragraphs.get(paragraph).and_then(|it| it.share);
@@ -189,10 +189,13 @@ impl PlacedWords {
 }
 
 /// Records words for who needs no pages to show them all.
-pub(super) fn record(paragraphs: &[Paragraph], place: Rect) {
+fn record(paragraphs: &[Paragraph], place: Rect, charset: Charset) {
     for paragraph in paragraphs {
         let run = Run::new(paragraph.text.as_str(), paragraph.role);
-        sheet::note(place, || Item::new(Words::Large { runs: vec![run] }));
+        sheet::note(place, || {
+            let runs = vec![run.spelt(charset)];
+            Item::new(Words::Large { runs })
+        });
         if let Some(share) = paragraph.share {
             sheet::note(place, || {
                 Item::new(Words::meter("", share, "", Role::Predicted))
@@ -204,10 +207,16 @@ pub(super) fn record(paragraphs: &[Paragraph], place: Rect) {
 impl Layout {
     /// A picture of so many tenths of the largest square one, and the words beside it, or
     /// below it where the area is upright.
-    fn new(area: Rect, beside: Beside, tenths: u16) -> Self {
+    fn new(room: Room, beside: Beside, tenths: u16) -> Self {
+        let area = room.area;
         let [_, words] = areas::left(area, APART);
         if beside == Beside::Nothing {
             let picture = Rect { width: 0, ..area };
+            return Self { picture, words };
+        }
+        if let Some(sizes) = room.pictures {
+            let [picture, words] = areas::sized_picture_and_panel(area, sizes.any);
+            let picture = picture.inner(Margin::new(1, 1));
             return Self { picture, words };
         }
         let is_upright = 4 * u32::from(area.height) >= 3 * u32::from(area.width);

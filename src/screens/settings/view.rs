@@ -13,7 +13,7 @@ pub(super) fn view<'s>(screen: &SettingsScreen, cx: &'s Context) -> View<'s, Set
     });
     if let Some(typed) = &screen.typed {
         form.gap();
-        form.line(format!("  name: {}", typed.shown()), Role::Selected);
+        form.typed("name", typed.text(), typed.shown());
     }
     let mut about = Panel::new("this setting");
     screen.form.write_about(&cx.settings, &mut about);

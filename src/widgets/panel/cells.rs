@@ -252,6 +252,12 @@ fn write<A: Copy + PartialEq>(
                 action,
             }));
         }
+        Content::Typed { name, text, shown } => {
+            let words = |_| Words::text_field(name, text);
+            lines.clicked_as(words, Some(true), |lines| {
+                lines.line(&format!("  {name}: {shown}"), Role::Selected);
+            });
+        }
         Content::Prompts(prompts) => write_prompts(prompts, lines, writing, targets),
     }
 }

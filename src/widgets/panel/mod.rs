@@ -75,6 +75,12 @@ pub(crate) enum Content<A> {
         /// What a click on it does.
         action: Option<A>,
     },
+    /// A text that is being typed: what it is, it so far, and the same with its cursor.
+    Typed {
+        name: String,
+        text: String,
+        shown: String,
+    },
     /// What can be done next, the likeliest first: in words, and what it is.
     Prompts(Vec<(String, A)>),
 }
@@ -225,6 +231,16 @@ impl<A> Panel<A> {
         });
     }
 
+    /// A text that is being typed: what it is called, and what has been typed so far, with
+    /// and without a mark for the cursor.
+    pub(crate) fn typed(&mut self, name: &str, text: &str, shown: String) {
+        self.push(Content::Typed {
+            name: name.to_owned(),
+            text: text.to_owned(),
+            shown,
+        });
+    }
+
     /// What can be done next, in a few words without a key, and what it is.
     pub(crate) fn prompt(&mut self, words: impl Into<String>, action: A) {
         self.prompts([(words.into(), action)]);
@@ -282,6 +298,7 @@ impl<A> Content<A> {
                 locked,
                 action: action.map(wrap),
             },
+            Self::Typed { name, text, shown } => Content::Typed { name, text, shown },
             Self::Prompts(prompts) => {
                 let wrapped = prompts
                     .into_iter()

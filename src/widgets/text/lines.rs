@@ -168,6 +168,13 @@ impl<'a> Lines<'a> {
         self.is_recorded = was_recorded;
     }
 
+    /// Records something that stands beside what was written last, or is to be written.
+    pub(crate) fn recorded_too(&mut self, words: impl FnOnce(Charset) -> Words) {
+        let was_recorded = std::mem::replace(&mut self.is_recorded, true);
+        self.record(words);
+        self.is_recorded = was_recorded;
+    }
+
     /// Records what can be done next, with its key, and where it is written: its column and
     /// its row from the top.
     pub(crate) fn record_prompt(&self, words: &str, key: Option<String>, cell: Option<(u16, u16)>) {

@@ -52,6 +52,9 @@ pub struct Section {
     pub title: String,
     /// What stands in it, from the top.
     pub items: Vec<Item>,
+    /// Of each of them whether it is in the right half, and the upper edge of its area.
+    #[serde(skip)]
+    places: Vec<(bool, u16)>,
     #[serde(skip)]
     area: Rect,
     #[serde(skip)]
@@ -169,7 +172,13 @@ impl Recorder {
     }
 
     fn note(&mut self, area: Rect, item: Item) {
-        self.sheet().section(area).items.push(item);
+        // Of two pictures, both may be drawn after what stands above each.
+        let section = self.sheet().section(area);
+        let is_right = 2 * area.x.saturating_sub(section.area.x) >= section.area.width.max(1);
+        let place = (is_right, area.y);
+        let at = section.places.partition_point(|it| *it <= place);
+        section.places.insert(at, place);
+        section.items.insert(at, item);
     }
 }
 
@@ -197,6 +206,7 @@ impl Sheet {
             self.sections.push(Section {
                 title: String::new(),
                 items: Vec::new(),
+                places: Vec::new(),
                 area,
                 is_framed: false,
             });
@@ -212,6 +222,13 @@ impl Words {
         Self::Text {
             mark: String::new(),
             runs: vec![run],
+        }
+    }
+
+    /// Words for the back row.
+    pub(crate) fn large(words: &str, role: Role) -> Self {
+        Self::Large {
+            runs: vec![Run::new(words, role)],
         }
     }
 
@@ -296,6 +313,7 @@ pub(crate) fn frame(area: Rect, title: &str) {
         recorder.sheet().sections.push(Section {
             title: title.to_owned(),
             items: Vec::new(),
+            places: Vec::new(),
             area,
             is_framed: true,
         });
@@ -401,10 +419,18 @@ mod tests {
             note(Rect::new(12, 1, 7, 8), || text("beside"));
             picture(Rect::new(1, 1, 8, 8));
             note(Rect::new(0, 12, 20, 1), || text("below"));
+            note(Rect::new(1, 1, 8, 1), || text("above it"));
+            picture(Rect::new(1, 5, 8, 3));
+            note(Rect::new(1, 2, 8, 1), || text("between"));
         });
         let titles: Vec<_> = sheets[0].sections.iter().map(|it| &it.title).collect();
         assert_eq!(titles, ["picture", "panel", ""]);
         assert_eq!(sheets[0].sections[1].items, [text("beside")]);
+        let numbered = |number| Item::new(Words::Picture { number });
+        assert_eq!(
+            sheets[0].sections[0].items,
+            [numbered(0), text("above it"), text("between"), numbered(1)]
+        );
         let ((), none) = recorded(|| ());
         assert!(none.is_empty());
     }

@@ -10,7 +10,6 @@ use crate::messages::OpenDoor;
 use crate::screens::class::heading::{below, centred};
 use crate::screens::class::view::column;
 use crate::widgets::big::{Align, Big};
-use crate::widgets::flow::Run;
 use crate::widgets::{Item, Lines, Look, Role, Words, areas, rehearsed, sheet};
 
 /// What is said when nobody has come for a while.
@@ -195,9 +194,7 @@ fn draw_words(
         false => "In the browser, type the address",
     };
     place = say(asks, Role::Key, place);
-    let large = |words: &str| Words::Large {
-        runs: vec![Run::new(words, Role::Title)],
-    };
+    let large = |words: &str| Words::large(words, Role::Title);
     place = match large_address(address, area, look) {
         _ if address_is_below => place,
         Some(big) => {
