@@ -133,6 +133,10 @@ fn said(meant: &[String], chance: &mut impl Rng) -> (Value, Vec<u8>) {
             "do": "resize",
             "columns": chance.random_range(0..250),
             "rows": chance.random_range(0..90),
+            "pictures": chance.random_bool(0.7).then(|| json!({
+                "any": [chance.random_range(0..300), chance.random_range(0..120)],
+                "square": [chance.random_range(0..300), chance.random_range(0..120)],
+            })),
         }),
         83..90 => json!({ "do": "pass", "ms": chance.random_range(-10.0..2000.0) }),
         90 => json!({

@@ -96,8 +96,8 @@ const painter = (() => {
 
   function redraw({ canvas, area: [x, y, w, h], svg, cells }, paper) {
     const [width, height] = [w * cell.width, h * cell.height];
-    // A board has an edge.
-    canvas.classList.toggle("board", w === 2 * h && w === squareColumns);
+    // A board has an edge; its square has a cell in the middle.
+    canvas.classList.toggle("board", w === squareColumns - 1);
     if (canvas.width !== width || canvas.height !== height) {
       [canvas.width, canvas.height] = [width, height];
       canvas.style.width = `${width / ratio}px`;

@@ -459,3 +459,46 @@ fn mouse(kind: &str, x: f64, y: f64) -> Option<Mouse> {
     };
     Some(Mouse::at(kind, (x, y).into()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn paint(shell: &mut Shell, since: u64) -> Painted {
+        let painted = shell.call(Command::Paint { since }, &[]).painted;
+        painted.unwrap_or_default()
+    }
+
+    #[test]
+    fn only_sections_that_have_changed_are_told_and_all_to_whoever_missed_one() {
+        let opening = Opening {
+            fragment: "lab".into(),
+            columns: 110,
+            rows: 100,
+            ..Opening::default()
+        };
+        let (mut shell, _) = Shell::open(&opening, &[]);
+        let told = |painted: &Painted| -> Vec<bool> {
+            let sheets = painted.sheets.iter().flatten();
+            let sections = sheets.flat_map(|sheet| &sheet.sections);
+            sections.map(Option::is_some).collect()
+        };
+        let first = paint(&mut shell, 0);
+        assert_eq!(told(&first), [true, true]);
+        let same = paint(&mut shell, first.number);
+        assert!(same.sheets.is_none() && same.keys.is_none() && same.inks.is_none());
+        assert!(same.pictures.iter().all(|picture| picture.svg.is_none()));
+        shell.call(
+            Command::Key {
+                key: "Right".into(),
+            },
+            &[],
+        );
+        let stepped = paint(&mut shell, same.number);
+        assert_eq!(told(&stepped), [false, true], "the settings");
+        assert!(stepped.pictures.iter().any(|it| it.svg.is_some()));
+        let missed = paint(&mut shell, first.number);
+        assert_eq!(told(&missed), [true, true]);
+        assert!(missed.keys.is_some() && missed.pictures.iter().all(|it| it.svg.is_some()));
+    }
+}
