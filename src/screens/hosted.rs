@@ -102,8 +102,8 @@ pub struct Hosted<S: Screen> {
 
 /// How far a panel was scrolled by hand.
 struct Scrolled {
-    /// The panel's title.
-    of: String,
+    /// The panel's title and subject.
+    of: (String, usize),
     rows: u16,
     /// The row of what was chosen then: once another is, it is followed instead.
     chosen: Option<u16>,
@@ -111,7 +111,7 @@ struct Scrolled {
 
 /// A panel laid out, scrolled as far as it is.
 struct Shown<'p, A> {
-    title: &'p str,
+    of: (&'p str, usize),
     placed: Placed<'p, A>,
     area: Rect,
     rows: u16,
@@ -125,6 +125,12 @@ impl<S: Screen> Hosted<S> {
             asked: None,
             scrolled: Vec::new(),
         }
+    }
+
+    /// The screen itself.
+    #[cfg(test)]
+    pub(super) fn screen(&self) -> &S {
+        &self.screen
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<Pressed<S::Action>> {
@@ -143,7 +149,10 @@ impl<S: Screen> Hosted<S> {
     fn act(&mut self, action: S::Action, cx: &mut Context) -> Next {
         let next = self.screen.act(action, cx);
         self.asked = matches!(next, Next::Confirm(_)).then_some(action);
-        next
+        match next {
+            Next::Shared(SharedAction::Scroll(rows)) => self.scroll(rows, None, cx),
+            next => next,
+        }
     }
 
     /// Does something with the panels of the view as they are shown in the body.
@@ -165,7 +174,7 @@ impl<S: Screen> Hosted<S> {
         let writing = Writing { look, key, pages };
         // Only pictures have sizes of their own.
         let room = match view.first {
-            Part::Picture(..) => cx.room(),
+            Part::Picture(..) | Part::Nothing => cx.room(),
             Part::Panel(_) => cx.body.into(),
         };
         let layout = (view.layout)(room);
@@ -183,13 +192,14 @@ impl<S: Screen> Hosted<S> {
         writing: &Writing<S::Action>,
     ) -> Shown<'p, S::Action> {
         let placed = panel.placed(area, writing);
-        let scrolled = self.scrolled.iter().find(|it| it.of == panel.title);
+        let of = (panel.title.as_str(), panel.subject);
+        let scrolled = { self.scrolled.iter() }.find(|it| (it.of.0.as_str(), it.of.1) == of);
         let rows = match scrolled {
             Some(it) if it.chosen == placed.chosen() => it.rows.min(placed.overflow()),
             _ => placed.following(),
         };
         Shown {
-            title: &panel.title,
+            of,
             placed,
             area,
             rows,
@@ -209,7 +219,7 @@ impl<S: Screen> Hosted<S> {
             let shown = panels.iter().rev().find(is_meant)?;
             let rows = shown.rows.saturating_add_signed(by);
             Some(Scrolled {
-                of: shown.title.to_owned(),
+                of: (shown.of.0.to_owned(), shown.of.1),
                 rows: rows.min(shown.placed.overflow()),
                 chosen: shown.placed.chosen(),
             })
@@ -228,12 +238,13 @@ impl<S: Screen> Hosted<S> {
         if self.scrolled.is_empty() {
             return;
         }
-        let titles = self.screen.view(cx).map(|view| match view.first {
-            Part::Panel(panel) => vec![panel.title, view.second.title],
-            Part::Picture(..) => vec![view.second.title],
+        let of = |panel: Panel<S::Action>| (panel.title, panel.subject);
+        let shown = self.screen.view(cx).map(|view| match view.first {
+            Part::Panel(panel) => vec![of(panel), of(view.second)],
+            Part::Picture(..) | Part::Nothing => vec![of(view.second)],
         });
-        let titles = titles.unwrap_or_default();
-        self.scrolled.retain(|it| titles.contains(&it.of));
+        let shown = shown.unwrap_or_default();
+        self.scrolled.retain(|it| shown.contains(&it.of));
     }
 
     /// The cells of the panels that do something, and what they do.
@@ -274,7 +285,10 @@ impl<S: Screen> Hosted<S> {
         };
         match is_long {
             true => self.scroll(wheel.into(), Some(cell), cx),
-            false => self.screen.wheel(wheel, cx),
+            false => match self.screen.wheel(wheel, cx) {
+                Next::Shared(SharedAction::Scroll(rows)) => self.scroll(rows, Some(cell), cx),
+                next => next,
+            },
         }
     }
 }

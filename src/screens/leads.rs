@@ -3,7 +3,7 @@
 use super::{Context, Next, Place};
 use crate::lessons::Book;
 use crate::quiz::Passage;
-use crate::widgets::{Lines, Role};
+use crate::widgets::panel::Panel;
 
 /// Opens the page over the screen that names it, which stays as it is.
 pub(in crate::screens) fn open(passage: Option<Passage>, cx: &Context) -> Next {
@@ -13,9 +13,14 @@ pub(in crate::screens) fn open(passage: Option<Passage>, cx: &Context) -> Next {
     })
 }
 
-/// Names the page, and the key that opens it.
-pub(in crate::screens) fn write(passage: Option<Passage>, book: &Book, lines: &mut Lines) {
+/// Names the page, which `action` opens.
+pub(in crate::screens) fn write<A>(
+    passage: Option<Passage>,
+    book: &Book,
+    action: A,
+    panel: &mut Panel<A>,
+) {
     if let Some(words) = passage.and_then(|passage| book.named(passage)) {
-        lines.hanging("c: ", &words, Role::Key);
+        panel.prompt(words, action);
     }
 }

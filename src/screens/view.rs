@@ -1,4 +1,4 @@
-//! What a screen shows: a picture or a panel, and a panel beside it.
+//! What a screen shows: a picture or a panel, and a panel beside it, or one panel alone.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -22,6 +22,8 @@ pub(super) enum Part<'s, A> {
     Picture(String, Draw<'s>),
     /// Text.
     Panel(Panel<A>),
+    /// Nothing: the other part has all the room.
+    Nothing,
 }
 
 /// What draws a picture into its place.
@@ -50,11 +52,21 @@ impl<'s, A> View<'s, A> {
         }
     }
 
+    /// A panel alone, in the middle.
+    pub(super) fn alone(layout: fn(Room) -> SplitLayout, panel: Panel<A>) -> Self {
+        Self {
+            layout,
+            first: Part::Nothing,
+            second: panel,
+        }
+    }
+
     /// The title of its first part.
     pub(super) fn title(&self) -> &str {
         match &self.first {
             Part::Picture(title, _) => title,
             Part::Panel(panel) => &panel.title,
+            Part::Nothing => "",
         }
     }
 
@@ -62,7 +74,7 @@ impl<'s, A> View<'s, A> {
     pub(super) fn places(&self, layout: &SplitLayout) -> Vec<(&Panel<A>, Rect)> {
         let first = match &self.first {
             Part::Panel(panel) => Some((panel, layout.picture)),
-            Part::Picture(..) => None,
+            Part::Picture(..) | Part::Nothing => None,
         };
         first
             .into_iter()

@@ -45,6 +45,7 @@ pub(crate) mod theme;
 pub(crate) mod tracks;
 
 pub use answer::{AnswerAction, AnswerInput, draw_question, question_picture};
+pub(crate) use answer::{Asking, AskingAction, lettered};
 pub use ink::gallery::{DrawnPicture, gather};
 pub use input::{NumberEntry, NumberInput, Outcome, RayInput, brief, shown};
 pub use panels::SplitLayout;

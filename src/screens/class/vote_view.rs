@@ -8,6 +8,7 @@ use super::view::voters;
 use super::vote_entry::VoteEntry;
 use crate::class::{ClassRound, Vote};
 use crate::quiz::{Form, Question, letter};
+use crate::widgets::panel::written;
 use crate::widgets::{AnswerInput, Lines, Look, Role, rehearsed, text};
 
 /// Columns beside a team's name: a mark, its number, and what it has done.
@@ -199,7 +200,7 @@ fn write_booth(
         return;
     }
     if entry.is_open {
-        input.write(&question.form, lines);
+        written(lines, |panel| input.write(&question.form, 1, panel));
     }
     let next = match (input, &question.form) {
         (AnswerInput::Rays(rays), Form::Rays { target, .. }) if !rays.is_last() => {

@@ -2,13 +2,16 @@
 
 use std::time::Duration;
 
+use ratatui::layout::Rect;
+
 use super::link::Link;
 use crate::class::protocol::{PupilState, PupilStep};
 use crate::class::{ClassStep, Said, Vote};
-use crate::quiz::{Confidence, Form, Question, Response};
-use crate::screens::Context;
+use crate::messages::{Key, Mouse};
+use crate::quiz::{Form, Question, Response};
+use crate::screens::{Context, Next};
 use crate::widgets::hit::{HitPace, Reveal, Watch};
-use crate::widgets::{AnswerAction, AnswerInput, Outcome};
+use crate::widgets::{AnswerInput, Asking, AskingAction, Outcome};
 
 /// A pupil's place in the class.
 #[derive(Debug, Clone)]
@@ -26,9 +29,7 @@ pub(super) enum Doing {
     /// Look and listen.
     Look,
     /// A vote is made.
-    Answer(AnswerInput),
-    /// How sure they are of it is asked.
-    Sure(AnswerInput, Confidence),
+    Vote(Asking),
     /// The truth is watched.
     Watch(Box<Reveal>),
 }
@@ -67,10 +68,11 @@ impl Desk {
         };
         self.doing = match self.state.step {
             step if step.vote().is_some() => {
-                Doing::Answer(match self.said().map(|said| said.response) {
+                let said = self.said().map(|said| said.response);
+                Doing::Vote(Asking::new(match said {
                     Some(said) => AnswerInput::saying(&question.form, &said),
                     None => AnswerInput::new(&question.form),
-                })
+                }))
             }
             PupilStep::Asked(ClassStep::Shot) if self.state.told.is_some() => {
                 Doing::Watch(Box::new(Reveal::new(self.watch(question, pace))))
@@ -114,30 +116,18 @@ impl Desk {
         }
     }
 
-    /// Does what a key does to the answer.
-    pub(super) fn answer(&mut self, action: AnswerAction) -> Outcome {
-        let Doing::Answer(input) = &mut self.doing else {
-            return Outcome::Ignored;
-        };
-        let outcome = input.act(action);
-        if outcome == Outcome::Done(()) {
-            self.doing = Doing::Sure(input.clone(), Confidence::ThinkSo);
-            return Outcome::Used;
-        }
-        outcome
-    }
-
-    /// Votes with this confidence.
-    pub(super) fn vote(&mut self, sure: Confidence, link: &mut Link, cx: &mut Context) {
-        let Doing::Sure(input, _) = &self.doing else {
+    /// Does what a key does to the vote, which is cast once it is said how sure it is.
+    pub(super) fn ask(&mut self, action: AskingAction, link: &mut Link, cx: &mut Context) {
+        let Doing::Vote(asking) = &mut self.doing else {
             return;
         };
-        let input = input.clone();
-        if let (Some(response), Some(vote)) = (input.said(), self.state.step.vote()) {
-            let sure = Some(sure);
-            link.vote(self.state.q, vote, Some(Said { response, sure }), cx);
+        if let Outcome::Done((response, sure)) = asking.act(action) {
+            asking.back();
+            if let Some(vote) = self.state.step.vote() {
+                let sure = Some(sure);
+                link.vote(self.state.q, vote, Some(Said { response, sure }), cx);
+            }
         }
-        self.doing = Doing::Answer(input);
     }
 
     /// Takes the vote back.
@@ -145,8 +135,29 @@ impl Desk {
         if let Some(vote) = self.state.step.vote() {
             link.vote(self.state.q, vote, None, cx);
         }
-        if let (Doing::Answer(input), Some(question)) = (&mut self.doing, &self.question) {
-            *input = AnswerInput::new(&question.form);
+        if let (Doing::Vote(asking), Some(question)) = (&mut self.doing, &self.question) {
+            *asking = Asking::new(AnswerInput::new(&question.form));
+        }
+    }
+
+    /// The mouse over the picture.
+    pub(super) fn point(&mut self, mouse: &Mouse, picture: Rect, pressed: bool) -> Next {
+        match (&mut self.doing, &self.question) {
+            (Doing::Vote(asking), Some(question)) if mouse.is_held() => {
+                let input = asking.input_mut();
+                Next::after(
+                    input.is_some_and(|input| {
+                        input.point(question, picture, mouse.place(), pressed)
+                    }),
+                )
+            }
+            (Doing::Watch(reveal), _) if pressed => {
+                if let Some(action) = reveal.keys().find(Key::Char(' ')) {
+                    reveal.act(action);
+                }
+                Next::Stay
+            }
+            _ => Next::Ignored,
         }
     }
 

@@ -4,7 +4,8 @@ use crate::class::{DoorCode, LONGEST_NAME};
 use crate::messages::Key;
 use crate::screens::Place;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
-use crate::widgets::{Lines, Outcome, Role, Words};
+use crate::widgets::panel::Panel;
+use crate::widgets::{Outcome, Role};
 
 /// The port of a class, where an address names none.
 pub(crate) const PORT: u16 = 8090;
@@ -132,7 +133,15 @@ impl DoorForm {
     /// Does what a key stands for; gives what was asked, once all of it is there.
     pub(super) fn act(&mut self, action: ListAction) -> Option<Entry> {
         let rows = self.rows();
-        match self.list.act(action, rows.len()) {
+        let outcome = match (action, self.list.act(action, rows.len())) {
+            // One click is enough to come in.
+            (ListAction::Point(at), Outcome::Used) if rows.get(at) == Some(&DoorRow::Enter) => {
+                Outcome::Done(at)
+            }
+            (ListAction::Point(_), _) => Outcome::Used,
+            (_, outcome) => outcome,
+        };
+        match outcome {
             Outcome::Done(at) if rows[at] == DoorRow::Enter => self.entry(),
             Outcome::Done(at) => {
                 self.list.choose(at + 1);
@@ -140,18 +149,6 @@ impl DoorForm {
             }
             _ => None,
         }
-    }
-
-    /// Points at a row; gives what was asked, if that was the last.
-    pub(super) fn point(&mut self, row: usize) -> Option<Entry> {
-        let rows = self.rows();
-        // A row of the form, and one of air.
-        let at = row.checked_sub(HEAD)? / 2;
-        if at >= rows.len() {
-            return None;
-        }
-        self.list.choose(at);
-        (rows[at] == DoorRow::Enter).then(|| self.entry()).flatten()
     }
 
     /// What was asked, if all of it is there.
@@ -193,47 +190,33 @@ impl DoorForm {
         None
     }
 
-    pub(super) fn write(&self, lines: &mut Lines) {
+    pub(super) fn write(&self, panel: &mut Panel<ListAction>) {
         let at = self.at();
-        lines.paragraph("Your class plays a round. Come in:", Role::Title);
-        lines.gap();
-        for row in self.rows() {
+        panel.paragraph("Your class plays a round. Come in:", Role::Title);
+        panel.gap();
+        for (i, row) in self.rows().into_iter().enumerate() {
             let name = match row {
-                DoorRow::Address => "address ",
-                DoorRow::Code => "code    ",
-                DoorRow::Name => "name    ",
+                DoorRow::Address => "address",
+                DoorRow::Code => "code",
+                DoorRow::Name => "name",
                 DoorRow::Enter => "Come in",
             };
-            let typed = match self.field_of(row) {
-                Some(field) if row == at => field.shown(),
-                Some(field) => field.text().to_owned(),
-                None => String::new(),
-            };
-            lines.choice(row == at, Role::Text, |lines, mark, role| {
-                let write = |lines: &mut Lines| {
-                    lines.line(&format!("{mark} {name}{typed} "), role);
-                };
-                match self.field_of(row) {
-                    Some(field) => {
-                        let recorded = |_| Words::text_field(name.trim(), field.text());
-                        lines.written_as(recorded, write);
-                    }
-                    None => write(lines),
-                }
-            });
-            lines.gap();
+            let (chosen, point) = (row == at, ListAction::Point(i));
+            match self.field_of(row) {
+                Some(field) if chosen => panel.text_field(name, field.around_cursor(), true, point),
+                Some(field) => panel.text_field(name, (field.text(), ""), false, point),
+                None => panel.row((name, Role::Text), ("", Role::Text), chosen, point),
+            }
+            panel.gap();
         }
         if let Some(trouble) = &self.trouble {
-            lines.paragraph(trouble, Role::Warn);
-            lines.gap();
+            panel.paragraph(trouble, Role::Warn);
+            panel.gap();
         }
         let openly = "Whoever is in this network can see names and votes: a nickname will do.";
-        lines.paragraph(openly, Role::Dim);
+        panel.paragraph(openly, Role::Dim);
     }
 }
-
-/// Rows above the first field.
-const HEAD: usize = 2;
 
 /// Host and port of an address as people write it: `192.168.43.117`, or what a QR code says.
 pub(crate) fn host_of(address: &str) -> Option<String> {

@@ -10,12 +10,11 @@ pub(crate) use door::{code_of, host_of};
 
 use std::time::Duration;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::recall::Recall;
-use super::{Confirmation, Context, Next, Screen, Settings};
+use super::{Confirmation, Context, Next, Screen, Settings, SharedAction, View};
 use crate::class::DoorCode;
 use crate::class::protocol::{PupilStep, Refusal};
 use crate::files::tidy_name;
@@ -23,10 +22,10 @@ use crate::game::is_player_name;
 use crate::gradebook::HandIn;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::numbers::counted;
-use crate::quiz::Confidence;
 use crate::widgets::hit::WatchAction;
-use crate::widgets::input::{KeyTable, ListAction, ListView};
-use crate::widgets::{AnswerAction, Lines, Scroll, SplitLayout, scroll_keys};
+use crate::widgets::input::{KeyTable, ListAction};
+use crate::widgets::panel::Panel;
+use crate::widgets::{AnswerAction, AskingAction, Role, SplitLayout};
 use desk::{Desk, Doing};
 use door::DoorForm;
 use link::{Link, LinkNews};
@@ -38,23 +37,25 @@ pub(crate) enum JoinAction {
     /// choose what to type, or come in
     Form(ListAction),
     /// make the vote
-    Answer(AnswerAction),
-    /// guess, think so, sure
-    Sure(usize),
-    /// choose how sure you are
-    MoreSure(isize),
-    /// vote, as sure as chosen
-    Take,
+    Ask(AskingAction),
     /// take the vote back
     TakeBack,
     /// watch the hit
     Watch(WatchAction),
-    /// scroll a text that is longer than its place
-    Scroll(i16),
     /// hand in all that you have answered alone, for the teacher
     HandIn,
     /// back to the answer, or leave the class
     Leave,
+}
+
+impl JoinAction {
+    /// What gives a vote; a choice that is clicked is given at once.
+    const fn answer(action: AnswerAction) -> Self {
+        Self::Ask(AskingAction::Answer(match action {
+            AnswerAction::Choose(choice) => AnswerAction::Give(choice),
+            action => action,
+        }))
+    }
 }
 
 /// A pupil's device in a class.
@@ -65,7 +66,6 @@ pub(crate) struct Join {
     desk: Option<Desk>,
     /// What the pupil has answered alone; nothing is asked for before they are in.
     history: Recall,
-    scroll: Scroll,
 }
 
 impl Join {
@@ -87,7 +87,6 @@ impl Join {
             link: None,
             desk: None,
             history: Recall::Asked(0),
-            scroll: Scroll::default(),
         };
         if again {
             let entry = join.form.entry();
@@ -99,10 +98,6 @@ impl Join {
     /// The desk, once one is in.
     fn desk(&self) -> Option<(&Desk, &Link)> {
         self.desk.as_ref().zip(self.link.as_ref())
-    }
-
-    fn layout(&self, cx: &Context) -> SplitLayout {
-        view::layout(self.desk.as_ref(), cx.room())
     }
 
     /// Whether the round is over.
@@ -126,21 +121,6 @@ impl Join {
         self.answers() > 0 && self.desk().is_some_and(looks)
     }
 
-    fn write(&self, lines: &mut Lines) {
-        match self.desk() {
-            Some((desk, link)) => {
-                let answers = if self.may_hand_in() {
-                    self.answers()
-                } else {
-                    0
-                };
-                view::write(desk, link, answers, lines);
-            }
-            None if self.link.is_some() => lines.paragraph("Knocking at the door ..", Role::Text),
-            None => self.form.write(lines),
-        }
-    }
-
     fn knock(&mut self, entry: Option<door::Entry>, cx: &mut Context) {
         if let Some(it) = entry {
             // A page that came from the class belongs to whoever says their name there.
@@ -150,12 +130,6 @@ impl Join {
             }
             self.link = Some(Link::dial(&it.address, &it.code, &it.name, cx));
         }
-    }
-
-    fn scroll_by(&mut self, rows: i16, cx: &Context) {
-        let panel = self.layout(cx).panel;
-        let look = cx.settings.look();
-        self.scroll = self.scroll.by(rows, panel, look, |lines| self.write(lines));
     }
 
     /// Leaves the class.
@@ -183,15 +157,7 @@ impl Join {
         };
         cx.tell(told);
     }
-
-    fn vote(&mut self, sure: Confidence, cx: &mut Context) {
-        if let (Some(desk), Some(link)) = (&mut self.desk, &mut self.link) {
-            desk.vote(sure, link, cx);
-        }
-    }
 }
-
-use crate::widgets::Role;
 
 impl Screen for Join {
     type Action = JoinAction;
@@ -213,12 +179,8 @@ impl Screen for Join {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<JoinAction> {
-        use JoinAction::{
-            Answer, Form, HandIn, Leave, MoreSure, Scroll, Sure, Take, TakeBack, Watch,
-        };
+        use JoinAction::{Ask, Form, HandIn, Leave, TakeBack, Watch};
         let keys = KeyTable::new("join");
-        let pages = scroll_keys(Scroll);
-        let lines = [(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))];
         let Some((desk, _)) = self.desk() else {
             return match &self.link {
                 None => keys.with(self.form.keys(), Form),
@@ -227,36 +189,25 @@ impl Screen for Join {
             .on(Key::Escape, Leave, "back");
         };
         match &desk.doing {
-            Doing::Look => keys
-                .on('h', HandIn, "hand in")
-                .when(self.may_hand_in())
-                .on(Key::Escape, Leave, "leave")
-                .each(lines, "")
-                .or(pages),
-            Doing::Answer(input) => {
-                let input = input.keys();
-                let free = input.exact(Key::Escape).is_none();
-                keys.with(input, Answer)
+            Doing::Look => keys.on('h', HandIn, "hand in").when(self.may_hand_in()).on(
+                Key::Escape,
+                Leave,
+                "leave",
+            ),
+            Doing::Vote(asking) => {
+                let (may_take_back, leave) = match asking.sure() {
+                    None => (desk.has_voted(), "leave"),
+                    Some(_) => (false, "change it"),
+                };
+                keys.with(asking.keys("join", "vote"), Ask)
                     .on(Key::Delete, TakeBack, "take it back")
-                    .when(desk.has_voted())
-                    .on(Key::Escape, Leave, "leave")
-                    .when(free)
-                    .each(pages, "")
-            }
-            Doing::Sure(..) => {
-                let sure = ('1'..).zip((0..Confidence::ALL.len()).map(Sure));
-                keys.each(sure, "how sure")
-                    .by([Key::Up, Key::Down], MoreSure, [-1, 1], "choose")
-                    .on(Key::Enter, Take, "vote")
-                    .or([(Key::Char(' '), Take)])
-                    .on(Key::Escape, Leave, "change it")
-                    .each(pages, "")
+                    .when(may_take_back)
+                    .on(Key::Escape, Leave, leave)
+                    .when(asking.leaves_escape())
             }
             Doing::Watch(reveal) => keys
                 .with(reveal.keys(), Watch)
-                .on(Key::Escape, Leave, "leave")
-                .each(lines, "")
-                .or(pages),
+                .on(Key::Escape, Leave, "leave"),
         }
     }
 
@@ -279,17 +230,9 @@ impl Screen for Join {
                 let entry = self.form.act(action);
                 self.knock(entry, cx);
             }
-            (JoinAction::Answer(action), Some(desk)) => drop(desk.answer(action)),
-            (JoinAction::Sure(at), _) => self.vote(Confidence::ALL[at], cx),
-            (JoinAction::MoreSure(by), Some(desk)) => {
-                if let Doing::Sure(_, sure) = &mut desk.doing {
-                    let at = (*sure as usize).saturating_add_signed(by);
-                    *sure = Confidence::ALL[at.min(Confidence::ALL.len() - 1)];
-                }
-            }
-            (JoinAction::Take, Some(desk)) => {
-                if let Doing::Sure(_, sure) = desk.doing {
-                    self.vote(sure, cx);
+            (JoinAction::Ask(action), Some(desk)) => {
+                if let Some(link) = &mut self.link {
+                    desk.ask(action, link, cx);
                 }
             }
             (JoinAction::TakeBack, Some(desk)) => {
@@ -312,10 +255,10 @@ impl Screen for Join {
                     "not yet",
                 ));
             }
-            (JoinAction::Scroll(rows), _) => self.scroll_by(rows, cx),
             (JoinAction::Leave, Some(desk)) => {
-                if let Doing::Sure(input, _) = &desk.doing {
-                    desk.doing = Doing::Answer(input.clone());
+                if let Doing::Vote(asking) = &mut desk.doing
+                    && asking.back()
+                {
                     return Next::Stay;
                 }
                 return Next::Confirm(Confirmation::new(
@@ -343,20 +286,13 @@ impl Screen for Join {
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
-            Input::Mouse(mouse) => return self.mouse(mouse, cx),
             Input::Paste(text) if self.link.is_none() => self.form.paste(text),
             Input::Joined(news) => {
                 let pace = cx.settings.pace();
                 let came = self.link.as_mut().map(|link| link.take(news, cx));
                 match came {
                     Some(LinkNews::State(state)) => match &mut self.desk {
-                        Some(desk) => {
-                            let before = (desk.state.q, desk.state.step);
-                            desk.take(*state, pace);
-                            if (desk.state.q, desk.state.step) != before {
-                                self.scroll = Scroll::default();
-                            }
-                        }
+                        Some(desk) => desk.take(*state, pace),
                         None => {
                             self.desk = Some(Desk::new(*state, pace));
                             self.history = Recall::ask(cx);
@@ -378,54 +314,17 @@ impl Screen for Join {
         Next::Stay
     }
 
-    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let layout = self.layout(cx);
-        let (cell, look) = (mouse.cell(), cx.settings.look());
+    fn point(&mut self, mouse: &Mouse, picture: Rect, _cx: &mut Context) -> Next {
         let pressed = mouse.kind == MouseKind::Down;
-        if let Some(by) = mouse.wheel() {
-            self.scroll_by(-i16::from(by), cx);
-            return Next::Stay;
+        let on_picture = picture.contains(mouse.cell().into());
+        match &mut self.desk {
+            Some(desk) if on_picture => desk.point(mouse, picture, pressed),
+            _ => Next::Ignored,
         }
-        if self.link.is_none() {
-            let row = ListView::row_at(layout.panel, cell).filter(|_| pressed);
-            let entry = row.and_then(|row| self.form.point(row));
-            self.knock(entry, cx);
-            return Next::after(row.is_some());
-        }
-        let on_picture = layout.picture.contains(cell.into());
-        let write = |lines: &mut Lines| self.write(lines);
-        let target = self.scroll.target_at(layout.panel, cell, look, write);
-        let Some(desk) = &mut self.desk else {
-            return Next::Ignored;
-        };
-        match &mut desk.doing {
-            Doing::Answer(input) if on_picture && mouse.is_held() => {
-                let question = desk.question.as_ref();
-                let used = question.is_some_and(|question| {
-                    input.point(question, layout.picture, mouse.place(), pressed)
-                });
-                return Next::after(used);
-            }
-            Doing::Answer(_) if pressed => {
-                if let Some(choice) = target {
-                    desk.answer(AnswerAction::Choose(choice));
-                    desk.answer(AnswerAction::Enter);
-                }
-            }
-            Doing::Sure(..) if pressed => {
-                let sure = target.and_then(|at| Confidence::ALL.get(at));
-                if let Some(sure) = sure {
-                    self.vote(*sure, cx);
-                }
-            }
-            Doing::Watch(reveal) if pressed && on_picture => {
-                if let Some(action) = reveal.keys().find(Key::Char(' ')) {
-                    reveal.act(action);
-                }
-            }
-            _ => return Next::Ignored,
-        }
-        Next::Stay
+    }
+
+    fn wheel(&mut self, by: i8, _cx: &mut Context) -> Next {
+        Next::Shared(SharedAction::Scroll(by.into()))
     }
 
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
@@ -444,15 +343,20 @@ impl Screen for Join {
         link.into_iter().chain(desk).min()
     }
 
-    fn draw(&self, _area: Rect, buf: &mut Buffer, cx: &Context) {
-        let look = cx.settings.look();
-        if let Some(desk) = self.desk.as_ref().filter(|_| self.link.is_some()) {
-            let write = |lines: &mut Lines| self.write(lines);
-            return view::draw(desk, &self.scroll, cx.room(), buf, &look, write);
-        }
-        let layout = self.layout(cx);
-        layout.draw(buf, &look, "your class", "your class");
-        self.scroll
-            .draw(layout.panel, buf, look, |lines| self.write(lines));
+    fn view<'s>(&'s self, _cx: &'s Context) -> Option<View<'s, JoinAction>> {
+        let Some((desk, link)) = self.desk() else {
+            let mut panel = Panel::new("your class");
+            match self.link {
+                Some(_) => panel.paragraph("Knocking at the door ..", Role::Text),
+                None => panel.part(JoinAction::Form, |panel| self.form.write(panel)),
+            }
+            return Some(View::alone(SplitLayout::card, panel));
+        };
+        let answers = if self.may_hand_in() {
+            self.answers()
+        } else {
+            0
+        };
+        Some(view::view(desk, link, answers))
     }
 }

@@ -1,72 +1,59 @@
 //! How a pupil's place in the class looks.
 
 use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
 
+use super::JoinAction;
 use super::desk::{Desk, Doing};
 use super::link::Link;
 use crate::class::ClassStep;
 use crate::class::protocol::PupilStep;
 use crate::numbers;
-use crate::quiz::{Confidence, Form, Illustration, Question, Ray, Response, letter};
-use crate::widgets::bar::bar;
+use crate::quiz::{Form, Illustration, Question, Response, letter};
+use crate::screens::View;
 use crate::widgets::hit::Watch;
-use crate::widgets::panel::written;
+use crate::widgets::panel::Panel;
 use crate::widgets::panels::said_and_true;
 use crate::widgets::{
-    AnswerInput, Lines, Look, Role, Room, Scroll, SplitLayout, Words, draw_question,
+    AnswerInput, Asking, AskingAction, Look, Role, SplitLayout, draw_question, lettered,
 };
 
-/// Where picture and words are: the words alone where there is nothing to be seen.
-pub(super) fn layout(desk: Option<&Desk>, room: Room) -> SplitLayout {
-    let question = desk.and_then(|desk| desk.question.as_ref());
-    match question.map(|question| question.picture) {
-        None | Some(Illustration::Nothing) => SplitLayout::card(room),
-        _ => SplitLayout::new(room),
-    }
-}
-
-/// Draws it.
-pub(super) fn draw(
-    desk: &Desk,
-    scroll: &Scroll,
-    room: Room,
-    buf: &mut Buffer,
-    look: &Look,
-    write: impl Fn(&mut Lines),
-) {
-    let layout = layout(Some(desk), room);
-    let kind = desk
-        .question
-        .as_ref()
-        .map_or("your class", |it| it.family.name());
-    let (picture, panel) = match &desk.doing {
+/// What stands at a pupil's place, with how many answers may be handed in.
+pub(super) fn view<'s>(desk: &'s Desk, link: &Link, answers: usize) -> View<'s, JoinAction> {
+    let kind = { desk.question.as_ref() }.map_or("your class", |it| it.family.name());
+    let (title, name) = match &desk.doing {
         Doing::Watch(reveal) => {
             let title = reveal.watch().map(Watch::slowed_title);
             (title.unwrap_or_else(|| kind.into()), "and why")
         }
         _ => (kind.to_owned(), step_name(desk.state.step)),
     };
-    let panel = if layout.picture.is_empty() {
-        picture.as_str()
-    } else {
-        panel
-    };
-    layout.draw(buf, look, &picture, panel);
-    if let Some(question) = &desk.question {
-        match &desk.doing {
-            Doing::Watch(reveal) if reveal.watch().is_some() => {
-                let pictures = reveal.watch().map(|watch| watch.picture(layout.picture));
-                pictures
-                    .into_iter()
-                    .for_each(|picture| picture.draw(buf, look));
-            }
-            Doing::Answer(input) | Doing::Sure(input, _) => {
-                draw_question(layout.picture, buf, look, question, Some(input));
-            }
-            _ => draw_question(layout.picture, buf, look, question, None),
+    let mut panel = Panel::new(name);
+    panel.subject = desk.state.q;
+    write(desk, link, answers, &mut panel);
+    match &desk.question {
+        Some(question) if !matches!(question.picture, Illustration::Nothing) => View::picture(
+            title,
+            |area, buf, look| draw(desk, question, area, buf, look),
+            panel,
+        ),
+        _ => {
+            panel.title = title;
+            View::alone(SplitLayout::card, panel)
         }
     }
-    scroll.draw(layout.panel, buf, *look, write);
+}
+
+/// Draws the picture of the question, with the vote that is made or the truth.
+fn draw(desk: &Desk, question: &Question, area: Rect, buf: &mut Buffer, look: &Look) {
+    match &desk.doing {
+        Doing::Watch(reveal) => match reveal.watch() {
+            Some(watch) => watch.picture(area).draw(buf, look),
+            None => draw_question(area, buf, look, question, None),
+        },
+        Doing::Vote(asking) => draw_question(area, buf, look, question, Some(asking.input())),
+        Doing::Look => draw_question(area, buf, look, question, None),
+    }
 }
 
 /// What a step is called.
@@ -86,28 +73,29 @@ fn step_name(step: PupilStep) -> &'static str {
     }
 }
 
-/// Writes what there is to say, with how many answers may be handed in.
-pub(super) fn write(desk: &Desk, link: &Link, answers: usize, lines: &mut Lines) {
+/// Writes what there is to say.
+fn write(desk: &Desk, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
     // After the end the host may go.
     if !link.is_in() && desk.state.step != PupilStep::End {
         let words = "The teacher's carrom is out of reach. Trying again ..";
-        lines.paragraph(words, Role::Warn);
-        lines.gap();
+        panel.paragraph(words, Role::Warn);
+        panel.gap();
+        panel.pin();
     }
     match (&desk.question, desk.state.step) {
-        (Some(question), PupilStep::Asked(step)) => write_step(desk, question, step, link, lines),
-        (_, PupilStep::End) => write_end(desk, link, answers, lines),
+        (Some(question), PupilStep::Asked(step)) => write_step(desk, question, step, link, panel),
+        (_, PupilStep::End) => write_end(desk, link, answers, panel),
         _ => {
-            lines.paragraph(&format!("You are in, {}.", desk.state.name), Role::Title);
-            lines.gap();
-            lines.paragraph("Look at the board: it begins soon.", Role::Text);
-            write_hand_in(desk, link, answers, lines);
+            panel.paragraph(format!("You are in, {}.", desk.state.name), Role::Title);
+            panel.gap();
+            panel.paragraph("Look at the board: it begins soon.", Role::Text);
+            write_hand_in(desk, link, answers, panel);
         }
     }
 }
 
 /// Writes what may be handed in, and what came of it.
-fn write_hand_in(desk: &Desk, link: &Link, answers: usize, lines: &mut Lines) {
+fn write_hand_in(desk: &Desk, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
     let handed = desk.state.handed.map(|it| it.kept);
     let (words, role) = match (link.is_handing_in(), handed) {
         (true, _) if !link.is_in() && desk.state.step == PupilStep::End => (
@@ -123,44 +111,52 @@ fn write_hand_in(desk: &Desk, link: &Link, answers: usize, lines: &mut Lines) {
         (false, None) => (String::new(), Role::Text),
     };
     if !words.is_empty() {
-        lines.gap();
-        lines.paragraph(&words, role);
+        panel.gap();
+        panel.paragraph(&words, role);
     }
     if answers > 0 && !link.is_handing_in() && !matches!(handed, Some(Ok(_))) {
-        lines.gap();
+        panel.gap();
         let answers = numbers::counted(answers, "answer");
-        let words = format!("h: hand in the {answers} that you gave alone.");
-        lines.paragraph(&words, Role::Key);
+        let words = format!("hand in the {answers} that you gave alone");
+        panel.prompt(words, JoinAction::HandIn);
     }
 }
 
-fn write_end(desk: &Desk, link: &Link, answers: usize, lines: &mut Lines) {
-    lines.paragraph("The round is over.", Role::Title);
+fn write_end(desk: &Desk, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
+    panel.paragraph("The round is over.", Role::Title);
     if let Some((points, place)) = desk.state.score {
-        lines.gap();
+        panel.gap();
         let words = format!(
             "You have {} points: place {place}.",
             numbers::points(points)
         );
-        lines.paragraph(&words, Role::Text);
+        panel.paragraph(&words, Role::Text);
     }
-    write_hand_in(desk, link, answers, lines);
-    lines.gap();
-    lines.paragraph("Esc: all of carrom, for you alone.", Role::Key);
+    write_hand_in(desk, link, answers, panel);
+    panel.gap();
+    panel.prompt("all of carrom, for you alone", JoinAction::Leave);
 }
 
-fn write_step(desk: &Desk, question: &Question, step: ClassStep, link: &Link, lines: &mut Lines) {
+fn write_step(
+    desk: &Desk,
+    question: &Question,
+    step: ClassStep,
+    link: &Link,
+    panel: &mut Panel<JoinAction>,
+) {
     match (&desk.doing, step) {
-        (Doing::Answer(input), _) => write_answer(desk, question, input, link, lines),
-        (Doing::Sure(input, sure), _) => write_sure(question, input, *sure, lines),
+        (Doing::Vote(asking), _) => match asking.sure() {
+            None => write_answer(desk, question, asking.input(), link, panel),
+            Some(_) => write_sure(question, asking, panel),
+        },
         (Doing::Watch(reveal), _) if reveal.is_telling() => {
-            lines.paragraph(&question.text, Role::Dim);
+            panel.paragraph(&question.text, Role::Dim);
             if let Some(watch) = reveal.watch() {
-                lines.gap();
-                written::<()>(lines, |panel| watch.write_telling(panel));
+                panel.gap();
+                watch.write_telling(panel);
             }
         }
-        (Doing::Watch(_), _) | (_, ClassStep::Scores) => write_told(desk, question, lines),
+        (Doing::Watch(_), _) | (_, ClassStep::Scores) => write_told(desk, question, panel),
         (Doing::Look, step) => {
             // A text that is too long is cut at its end: what to do comes first.
             let words = match step {
@@ -170,46 +166,37 @@ fn write_step(desk: &Desk, question: &Question, step: ClassStep, link: &Link, li
                 _ => "",
             };
             if !words.is_empty() {
-                lines.paragraph(words, Role::Key);
-                lines.gap();
+                panel.paragraph(words, Role::Key);
+                panel.gap();
             }
-            lines.paragraph(&question.text, Role::Text);
-            lines.gap();
+            panel.paragraph(&question.text, Role::Text);
+            panel.gap();
             let counts = match step {
                 ClassStep::Talk => desk.state.spread.as_slice(),
                 _ => &[],
             };
-            write_choices(question, counts, lines);
+            write_choices(question, counts, panel);
             if let Some(said) = desk.said() {
                 let said = lettered(&question.form, &said.response);
-                lines.hanging("you said  ", &said, Role::Predicted);
+                panel.marked("you said  ", &said, Role::Predicted);
             }
         }
     }
 }
 
 /// The choices of a question that has any, with how many were for each.
-fn write_choices(question: &Question, counts: &[u32], lines: &mut Lines) {
+fn write_choices(question: &Question, counts: &[u32], panel: &mut Panel<JoinAction>) {
     let Form::Choice { options, .. } = &question.form else {
         return;
     };
     let all: f64 = counts.iter().copied().map(f64::from).sum();
     for (i, option) in options.iter().enumerate() {
-        lines.hanging(&format!("{}  ", letter(i)), option, Role::Text);
+        panel.marked(&format!("{}  ", letter(i)), option, Role::Text);
         if let Some(count) = counts.get(i) {
-            let width = lines.width().saturating_sub(8);
-            let share = f64::from(*count) / all.max(1.0);
-            let bar = bar(share, width, lines.charset());
-            let count = count.to_string();
-            lines.written_as(
-                |_| Words::meter("", share, &count, Role::Predicted),
-                |lines| {
-                    lines.pair(&format!("   {bar}"), &count, Role::Predicted, Role::Title);
-                },
-            );
+            panel.meter("", f64::from(*count) / all.max(1.0), count.to_string());
         }
     }
-    lines.gap();
+    panel.gap();
 }
 
 /// Whether it is told above the question how a vote stands: a long text is cut at its end, and
@@ -218,15 +205,10 @@ fn is_told_first(desk: &Desk, link: &Link) -> bool {
     link.is_sending() || desk.state.misfit || desk.has_voted()
 }
 
-/// How a vote stands, and what Enter does.
-fn standing(
-    desk: &Desk,
-    question: &Question,
-    input: &AnswerInput,
-    link: &Link,
-) -> (&'static str, Role) {
+/// How a vote stands, if there is anything to say of it.
+fn standing(desk: &Desk, input: &AnswerInput, link: &Link) -> Option<(&'static str, Role)> {
     let given = desk.has_voted() && desk.said().map(|said| said.response) == input.said();
-    match (link.is_sending(), desk.has_voted()) {
+    Some(match (link.is_sending(), desk.has_voted()) {
         (true, _) => ("Your vote is on its way ..", Role::Warn),
         (false, _) if desk.state.misfit => (
             "That answer does not fit the question and was not counted. Please vote again.",
@@ -236,18 +218,12 @@ fn standing(
             "Your vote is in. You may change it until all go on.",
             Role::Good,
         ),
-        (false, true) => ("Your earlier vote is in. Enter makes this one.", Role::Key),
-        (false, false) if desk.state.step == PupilStep::Asked(ClassStep::SecondVote) => (
-            "Your first vote stays, unless you vote otherwise: Enter.",
-            Role::Key,
-        ),
-        (false, false) => match (input, &question.form) {
-            (AnswerInput::Rays(rays), Form::Rays { .. }) if rays.turning() == Ray::Striker => {
-                ("Enter: then the other ray.", Role::Key)
-            }
-            _ => ("Enter: then how sure.", Role::Key),
-        },
-    }
+        (false, true) => ("Your earlier vote is in, until you vote again.", Role::Text),
+        (false, false) if desk.state.step == PupilStep::Asked(ClassStep::SecondVote) => {
+            ("Your first vote counts unless you vote again.", Role::Text)
+        }
+        (false, false) => return None,
+    })
 }
 
 fn write_answer(
@@ -255,84 +231,73 @@ fn write_answer(
     question: &Question,
     input: &AnswerInput,
     link: &Link,
-    lines: &mut Lines,
+    panel: &mut Panel<JoinAction>,
 ) {
-    let (words, role) = standing(desk, question, input, link);
+    let form = &question.form;
+    let write_standing = |panel: &mut Panel<JoinAction>| {
+        if let Some((words, role)) = standing(desk, input, link) {
+            panel.paragraph(words, role);
+            panel.gap();
+        }
+    };
     let is_first = is_told_first(desk, link);
     if is_first {
-        lines.paragraph(words, role);
-        lines.gap();
+        write_standing(panel);
     }
-    lines.paragraph(&question.text, Role::Text);
-    lines.gap();
-    input.write(&question.form, lines);
+    panel.paragraph(&question.text, Role::Text);
+    panel.gap();
+    panel.part(JoinAction::answer, |panel| input.write(form, 2, panel));
+    panel.gap();
     if !is_first {
-        lines.gap();
-        lines.paragraph(words, role);
+        write_standing(panel);
     }
-    let about = input.about(&question.form);
-    if lines.left() > lines.rows_of(&about) {
-        lines.gap();
-        lines.paragraph(&about, Role::Dim);
-    }
+    panel.part(JoinAction::answer, |panel| {
+        input.write_prompt(form, "then how sure", panel);
+    });
+    panel.worth(1, |panel| {
+        panel.gap();
+        panel.paragraph(input.about(form), Role::Dim);
+    });
 }
 
-fn write_sure(question: &Question, input: &AnswerInput, sure: Confidence, lines: &mut Lines) {
-    lines.line("How sure are you?", Role::Title);
-    lines.gap();
-    for (number, confidence) in (1..).zip(Confidence::ALL) {
-        lines.target(confidence as usize, |lines| {
-            lines.choice(confidence == sure, Role::Text, |lines, mark, role| {
-                lines.line(&format!("{mark} {number} {} ", confidence.name()), role);
-            });
-        });
-    }
-    lines.gap();
-    if let Some(said) = input.said() {
-        let said = lettered(&question.form, &said);
-        lines.hanging("you say  ", &said, Role::Predicted);
-        lines.gap();
-    }
-    lines.paragraph(
-        "Enter: that is my vote. How sure you are changes no points here.",
-        Role::Key,
-    );
-}
-
-/// An answer in words, a choice with its letter.
-fn lettered(form: &Form, said: &Response) -> String {
-    match said {
-        Response::Choice(i) => format!("{}: {}", letter(*i), form.words(said)),
-        _ => form.words(said),
-    }
+fn write_sure(question: &Question, asking: &Asking, panel: &mut Panel<JoinAction>) {
+    panel.part(JoinAction::Ask, |panel| {
+        asking.write_confidence(&[], |_| Vec::new(), panel);
+    });
+    panel.gap();
+    panel.line("You say", Role::Dim);
+    asking.write_said(&question.form, "", panel);
+    panel.gap();
+    panel.prompt("that is my vote", JoinAction::Ask(AskingAction::Take));
+    panel.paragraph("How sure you are changes no points here.", Role::Dim);
 }
 
 /// What they said beside the truth, and why.
-fn write_told(desk: &Desk, question: &Question, lines: &mut Lines) {
+fn write_told(desk: &Desk, question: &Question, panel: &mut Panel<JoinAction>) {
     let said = desk.said().map(|said| said.response);
     let truth = question.form.truth();
     if let Some(points) = desk.state.told.as_ref().and_then(|told| told.points) {
         let points = format!("{} of 10 points", numbers::points(points));
-        lines.paragraph(&points, Role::Title);
-        lines.gap();
+        panel.paragraph(&points, Role::Title);
+        panel.gap();
     }
     let hit = question.picture.collision();
     match (&question.form, said, hit) {
         (Form::Rays { target, .. }, Some(Response::Rays(rays)), Some(hit)) => {
             let names = ["striker", target].map(Some);
-            written::<()>(lines, |panel| said_and_true(hit, &rays, names, true, panel));
+            said_and_true(hit, &rays, names, true, panel);
         }
         (form, said, _) => {
             let said = said.map_or("nothing".into(), |said| lettered(form, &said));
-            lines.hanging("you    ", &said, Role::Predicted);
-            lines.hanging("truth  ", &lettered(form, &truth), Role::Good);
+            panel.marked("you    ", &said, Role::Predicted);
+            panel.marked("truth  ", lettered(form, &truth), Role::Good);
         }
     }
-    lines.gap();
-    lines.paragraph(&question.why, Role::Text);
+    panel.gap();
+    panel.paragraph(&question.why, Role::Text);
     if let Some((points, place)) = desk.state.score {
-        lines.gap();
+        panel.gap();
         let words = format!("{} points so far: place {place}", numbers::points(points));
-        lines.paragraph(&words, Role::Title);
+        panel.paragraph(&words, Role::Title);
     }
 }

@@ -12,11 +12,10 @@ pub(crate) use choose::Choosing;
 
 use std::time::Duration;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Confirmation, Context, Next, Place, Screen, leads};
+use super::{Confirmation, Context, Next, Place, Screen, SharedAction, View, leads};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers;
 use crate::physics::Collision;
@@ -27,7 +26,7 @@ use crate::quiz::{
 };
 use crate::widgets::hit::{Overlays, Reveal, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
-use crate::widgets::{AnswerAction, AnswerInput, Lines, Outcome, Scroll, scroll_keys};
+use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, Scroll};
 
 /// Back to choosing a round.
 const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });
@@ -36,14 +35,8 @@ const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum QuizAction {
-    /// give an answer
-    Answer(AnswerAction),
-    /// guess, think so, sure
-    Sure(usize),
-    /// choose how sure you are
-    MoreSure(isize),
-    /// take how sure you are as chosen
-    Take,
+    /// answer the question
+    Ask(AskingAction),
     /// watch the hit
     Watch(WatchAction),
     /// show what happens, then go on
@@ -62,6 +55,16 @@ pub(crate) enum QuizAction {
     Leave,
 }
 
+impl QuizAction {
+    /// Takes the confidence that is chosen.
+    const TAKE: Self = Self::Ask(AskingAction::Take);
+
+    /// What gives an answer.
+    const fn answer(action: AnswerAction) -> Self {
+        Self::Ask(AskingAction::Answer(action))
+    }
+}
+
 /// A round of the quiz.
 #[derive(Debug, Clone)]
 pub(crate) struct Quiz {
@@ -71,7 +74,6 @@ pub(crate) struct Quiz {
     phase: QuizPhase,
     /// What the player likes to see drawn on top of a hit.
     layers: Overlays,
-    scroll: Scroll,
 }
 
 /// What one is doing in a round.
@@ -89,9 +91,7 @@ enum QuizPhase {
 #[derive(Debug, Clone)]
 struct OpenQuestion {
     question: Question,
-    input: AnswerInput,
-    /// How sure the player is, from the answer on.
-    sure: Option<Confidence>,
+    asking: Asking,
 }
 
 /// A question and the answer to it.
@@ -120,7 +120,6 @@ impl Quiz {
             answers: Vec::new(),
             phase: QuizPhase::Summary(ListView::default()),
             layers: Overlays::default(),
-            scroll: Scroll::default(),
         };
         quiz.ask();
         quiz
@@ -131,17 +130,11 @@ impl Quiz {
         let phase = match self.round.questions().get(self.answers.len()) {
             Some(question) => QuizPhase::Asked(Box::new(OpenQuestion {
                 question: question.clone(),
-                input: AnswerInput::new(&question.form),
-                sure: None,
+                asking: Asking::new(AnswerInput::new(&question.form)),
             })),
             None => QuizPhase::Summary(ListView::default()),
         };
-        self.enter(phase);
-    }
-
-    fn enter(&mut self, phase: QuizPhase) {
         self.phase = phase;
-        self.scroll = Scroll::default();
     }
 
     /// Whether every question has been answered.
@@ -164,11 +157,8 @@ impl Quiz {
     }
 
     /// Takes the answer, if there is one, and shows what happens, or asks on.
-    fn answer(&mut self, confidence: Confidence, cx: &mut Context) {
+    fn answer(&mut self, said: Response, confidence: Confidence, cx: &mut Context) {
         let QuizPhase::Asked(asked) = &self.phase else {
-            return;
-        };
-        let Some(said) = asked.input.said() else {
             return;
         };
         let (question, code) = (asked.question.clone(), self.round.code());
@@ -183,7 +173,7 @@ impl Quiz {
             return self.ask();
         }
         let watched = AnsweredQuestion::new(question, answer, self.layers, cx);
-        self.enter(QuizPhase::Watch(Box::new(watched)));
+        self.phase = QuizPhase::Watch(Box::new(watched));
     }
 
     /// Opens an answered question from the look back, with all that is to be told of it.
@@ -195,41 +185,32 @@ impl Quiz {
         let mut watched = AnsweredQuestion::new(question.clone(), *answer, self.layers, cx);
         watched.opened = Some(at);
         watched.reveal.at_once();
-        self.enter(QuizPhase::Watch(Box::new(watched)));
+        self.phase = QuizPhase::Watch(Box::new(watched));
     }
 
     /// Goes back to the look back, to the question that was opened.
-    fn close(&mut self, at: usize, cx: &Context) {
-        self.enter(QuizPhase::Summary(ListView::at(at)));
-        self.show_line(at, cx);
+    fn close(&mut self, at: usize) {
+        self.phase = QuizPhase::Summary(ListView::at(at));
     }
 
     /// Moves the mark of the look back, or opens its line; at its ends the text goes on.
-    fn look_back(&mut self, action: ListAction, cx: &Context) {
+    fn look_back(&mut self, action: ListAction, cx: &Context) -> Next {
         let QuizPhase::Summary(list) = &mut self.phase else {
-            return;
+            return Next::Stay;
         };
         let count = self.answers.len();
         let before = list.chosen(count);
         let outcome = list.act(action, count);
-        let at = list.chosen(count);
+        let is_at_end = list.chosen(count) == before;
         match (outcome, action) {
             (Outcome::Done(at), _) => self.open(at, cx),
-            (_, ListAction::Choose(by)) if at == before => self.scroll_by(by as i16, cx),
-            (_, ListAction::Page(by) | ListAction::End(by)) if at == before => {
-                self.scroll_by(Scroll::PAGE * by as i16, cx);
+            (_, ListAction::Choose(by)) if is_at_end => return scroll(by as i16),
+            (_, ListAction::Page(by) | ListAction::End(by)) if is_at_end => {
+                return scroll(Scroll::PAGE * by as i16);
             }
-            _ => self.show_line(at, cx),
+            _ => {}
         }
-    }
-
-    /// Scrolls a line of the look back into sight.
-    fn show_line(&mut self, at: usize, cx: &Context) {
-        let look = cx.settings.look();
-        let text = view::text_area(self, cx.room());
-        let row = view::first_line(self, text, cx).saturating_add(at as u16);
-        let write = |lines: &mut Lines| view::write(self, lines, cx);
-        self.scroll = self.scroll.show(row, text, look, write);
+        Next::Stay
     }
 
     /// Plays another round of the same kind. What is due is another matter after every
@@ -295,7 +276,7 @@ impl Quiz {
     }
 
     /// Goes on from a hit that was watched, or from its explanation.
-    fn go_on(&mut self, cx: &Context) {
+    fn go_on(&mut self) {
         let QuizPhase::Watch(watched) = &mut self.phase else {
             return;
         };
@@ -304,24 +285,23 @@ impl Quiz {
         }
         self.layers = watched.reveal.layers().unwrap_or(self.layers);
         match watched.opened {
-            Some(at) => self.close(at, cx),
+            Some(at) => self.close(at),
             None => self.ask(),
         }
     }
 
     /// Leaves the round: at once while nothing has been answered, else the player is asked.
     /// Whoever leaves an exam has yet to hear of what was answered.
-    fn leave(&mut self, cx: &Context) -> Next {
+    fn leave(&mut self) -> Next {
         if let QuizPhase::Asked(asked) = &mut self.phase
-            && asked.sure.take().is_some()
+            && asked.asking.back()
         {
-            self.scroll = Scroll::default();
             return Next::Stay;
         }
         match &self.phase {
             QuizPhase::Watch(watched) if watched.opened.is_some() => {
                 self.layers = watched.reveal.layers().unwrap_or(self.layers);
-                self.close(watched.opened.unwrap_or(0), cx);
+                self.close(watched.opened.unwrap_or(0));
                 Next::Stay
             }
             QuizPhase::Summary(_) => CHOOSE,
@@ -341,13 +321,6 @@ impl Quiz {
                 Next::Confirm(Confirmation::new(format!("{what} {kept}"), yes, "stay"))
             }
         }
-    }
-
-    fn scroll_by(&mut self, rows: i16, cx: &Context) {
-        let look = cx.settings.look();
-        let area = view::text_area(self, cx.room());
-        let write = |lines: &mut Lines| view::write(self, lines, cx);
-        self.scroll = self.scroll.by(rows, area, look, write);
     }
 }
 
@@ -386,11 +359,9 @@ impl AnsweredQuestion {
     }
 }
 
-/// The confidence so many steps above, no further than to the ends.
-fn beside(confidence: Confidence, steps: isize) -> Confidence {
-    let last = Confidence::ALL.len() - 1;
-    let index = (confidence as usize).saturating_add_signed(steps).min(last);
-    Confidence::ALL[index]
+/// Scrolls the text by so many rows.
+const fn scroll(rows: i16) -> Next {
+    Next::Shared(SharedAction::Scroll(rows))
 }
 
 impl Screen for Quiz {
@@ -423,38 +394,22 @@ impl Screen for Quiz {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<QuizAction> {
-        use QuizAction::{
-            Another, Answer, Check, GoOn, Leave, LookBack, MoreSure, ReadUp, Scroll, Sure, Take,
-            Watch,
-        };
+        use QuizAction::{Another, Ask, Check, GoOn, Leave, LookBack, ReadUp, Scroll, Watch};
         let keys = KeyTable::new("quiz");
-        let lines = [(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))];
-        let pages = scroll_keys(Scroll);
         match &self.phase {
-            QuizPhase::Asked(asked) if asked.sure.is_none() => {
-                let input = asked.input.keys();
-                // While a number is being typed, Escape gives that up.
-                let free = input.exact(Key::Escape).is_none();
-                keys.with(input, Answer)
-                    .on(Key::Escape, Leave, "leave")
-                    .when(free)
-                    .each(pages, "")
-            }
             QuizPhase::Asked(asked) => {
-                let sure = ('1'..).zip((0..Confidence::ALL.len()).map(Sure));
                 let next = match asked.question.picture.collision() {
                     _ if self.tells_at_end() => "next",
                     Some(_) => "watch",
                     None => "see",
                 };
-                keys.each(sure, "how sure")
-                    .by([Key::Up, Key::Down], MoreSure, [-1, 1], "choose")
-                    .or([(Key::Left, MoreSure(-1)), (Key::Right, MoreSure(1))])
-                    .or([(Key::BackTab, MoreSure(-1)), (Key::Tab, MoreSure(1))])
-                    .on(Key::Enter, Take, next)
-                    .or([(Key::Char(' '), Take)])
-                    .on(Key::Escape, Leave, "change it")
-                    .each(pages, "")
+                let leave = match asked.asking.sure() {
+                    None => "leave",
+                    Some(_) => "change it",
+                };
+                keys.with(asked.asking.keys("quiz", next), Ask)
+                    .on(Key::Escape, Leave, leave)
+                    .when(asked.asking.leaves_escape())
             }
             QuizPhase::Watch(watched) => {
                 let next = match watched.opened {
@@ -478,8 +433,7 @@ impl Screen for Quiz {
                     .when(self.passage().is_some())
                     .on(Key::Escape, Leave, away)
                     .with(watched.reveal.keys(), Watch)
-                    .each(lines, scroll)
-                    .or(pages)
+                    .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], scroll)
             }
             QuizPhase::Summary(_) => keys
                 .with(ListView::keys("look at it"), LookBack)
@@ -506,29 +460,19 @@ impl Screen for Quiz {
 
     fn act(&mut self, action: QuizAction, cx: &mut Context) -> Next {
         match (action, &mut self.phase) {
-            (QuizAction::Answer(action), QuizPhase::Asked(asked)) => {
-                if let Outcome::Done(()) = asked.input.act(action) {
-                    asked.sure = Some(Confidence::ThinkSo);
-                    self.scroll = Scroll::default();
-                }
-            }
-            (QuizAction::Sure(at), _) => self.answer(Confidence::ALL[at], cx),
-            (QuizAction::MoreSure(by), QuizPhase::Asked(asked)) => {
-                asked.sure = asked.sure.map(|chosen| beside(chosen, by));
-            }
-            (QuizAction::Take, QuizPhase::Asked(asked)) => {
-                if let Some(chosen) = asked.sure {
-                    self.answer(chosen, cx);
+            (QuizAction::Ask(action), QuizPhase::Asked(asked)) => {
+                if let Outcome::Done((said, sure)) = asked.asking.act(action) {
+                    self.answer(said, sure, cx);
                 }
             }
             (QuizAction::Watch(action), QuizPhase::Watch(watched)) => watched.reveal.act(action),
-            (QuizAction::GoOn, _) => self.go_on(cx),
-            (QuizAction::LookBack(action), _) => self.look_back(action, cx),
+            (QuizAction::GoOn, _) => self.go_on(),
+            (QuizAction::LookBack(action), _) => return self.look_back(action, cx),
             (QuizAction::Another, _) => return self.again(cx),
             (QuizAction::ReadUp, _) => return leads::open(self.passage(), cx),
             (QuizAction::Check, _) => self.check(),
-            (QuizAction::Scroll(rows), _) => self.scroll_by(rows, cx),
-            (QuizAction::Leave, _) => return self.leave(cx),
+            (QuizAction::Scroll(rows), _) => return scroll(rows),
+            (QuizAction::Leave, _) => return self.leave(),
             _ => return Next::Ignored,
         }
         Next::Stay
@@ -536,66 +480,38 @@ impl Screen for Quiz {
 
     fn confirmed(&mut self, _left: QuizAction, _cx: &mut Context) -> Next {
         if self.tells_at_end() {
-            self.enter(QuizPhase::Summary(ListView::default()));
+            self.phase = QuizPhase::Summary(ListView::default());
             return Next::Stay;
         }
         CHOOSE
     }
 
-    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let picture = view::layout(self, cx.room()).picture;
-        let text = view::text_area(self, cx.room());
-        let look = cx.settings.look();
-        let cell = mouse.cell();
-        let on_picture = picture.contains(cell.into());
+    fn point(&mut self, mouse: &Mouse, picture: Rect, _cx: &mut Context) -> Next {
         let pressed = mouse.kind == MouseKind::Down;
-        let write = |lines: &mut Lines| view::write(self, lines, cx);
-        let target = self.scroll.target_at(text, cell, look, write);
-        let target = target.filter(|_| pressed);
-        match (&mut self.phase, mouse.wheel()) {
-            (QuizPhase::Summary(list), _) => {
-                let mut moved = *list;
-                let count = self.answers.len();
-                let line = view::line_at(self, cx, cell);
-                match moved.mouse(mouse, count, line) {
-                    Outcome::Ignored => return Next::Ignored,
-                    Outcome::Done(at) => self.open(at, cx),
-                    Outcome::Used => {
-                        self.phase = QuizPhase::Summary(moved);
-                        self.show_line(moved.chosen(count), cx);
-                    }
-                }
+        let on_picture = picture.contains(mouse.cell().into());
+        match &mut self.phase {
+            QuizPhase::Asked(asked) if on_picture && mouse.is_held() => {
+                let OpenQuestion { question, asking } = &mut **asked;
+                let pointed = asking
+                    .input_mut()
+                    .is_some_and(|input| input.point(question, picture, mouse.place(), pressed));
+                Next::after(pointed)
             }
-            (QuizPhase::Watch(watched), Some(by)) if on_picture => {
-                watched.reveal.act(WatchAction::Step(by));
-            }
-            (_, Some(by)) => self.scroll_by(-i16::from(by), cx),
-            (QuizPhase::Asked(asked), None) if asked.sure.is_some() => {
-                let Some(confidence) = target.and_then(|at| Confidence::ALL.get(at)) else {
-                    return Next::Ignored;
-                };
-                self.answer(*confidence, cx);
-            }
-            (QuizPhase::Asked(asked), None) if on_picture && mouse.is_held() => {
-                let OpenQuestion {
-                    question, input, ..
-                } = &mut **asked;
-                if !input.point(question, picture, mouse.place(), pressed) {
-                    return Next::Ignored;
-                }
-            }
-            (QuizPhase::Asked(asked), None) if pressed => {
-                let Some(choice) = target else {
-                    return Next::Ignored;
-                };
-                asked.input.act(AnswerAction::Choose(choice));
-            }
-            (QuizPhase::Watch(watched), None) if pressed && on_picture => {
+            QuizPhase::Watch(watched) if pressed && on_picture => {
                 if let Some(action) = watched.reveal.keys().find(Key::Char(' ')) {
                     watched.reveal.act(action);
                 }
+                Next::Stay
             }
-            _ => return Next::Ignored,
+            _ => Next::Ignored,
+        }
+    }
+
+    fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        match &mut self.phase {
+            QuizPhase::Summary(_) => return self.look_back(ListAction::Choose(by.into()), cx),
+            QuizPhase::Watch(watched) => watched.reveal.act(WatchAction::Step(-by)),
+            QuizPhase::Asked(_) => return scroll(by.into()),
         }
         Next::Stay
     }
@@ -613,7 +529,7 @@ impl Screen for Quiz {
         }
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(self, area, buf, cx);
+    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, QuizAction>> {
+        Some(view::view(self, cx))
     }
 }

@@ -1,13 +1,14 @@
 //! Every form of answer and every picture, whatever family they come from.
 
 use glam::DVec2;
+use ratatui::buffer::Buffer;
 
 use super::*;
 use crate::messages::Input;
 use crate::physics::rutherford::Rutherford;
 use crate::physics::{Collision, Disc};
 use crate::quiz::{AimTask, Illustration, Markings, Measure, Ray};
-use crate::screens::Settings;
+use crate::screens::{AnyScreen, Hosted, Settings};
 use crate::widgets::cells::text;
 
 const SIZES: [(u16, u16); 7] = [
@@ -22,7 +23,7 @@ const SIZES: [(u16, u16); 7] = [
 
 /// A round with a question of the test's own at hand.
 struct TestRound {
-    quiz: Quiz,
+    quiz: Hosted<Quiz>,
     cx: Context,
 }
 
@@ -37,17 +38,17 @@ impl TestRound {
             form,
             ..quiz.round.questions()[0].clone()
         };
-        quiz.enter(QuizPhase::Asked(Box::new(OpenQuestion {
-            input: AnswerInput::new(&question.form),
+        quiz.phase = QuizPhase::Asked(Box::new(OpenQuestion {
+            asking: Asking::new(AnswerInput::new(&question.form)),
             question,
-            sure: None,
-        })));
+        }));
         let settings = Settings {
             reduced_motion: true,
             ..Settings::default()
         };
         let mut cx = Context::new(settings, 7);
         cx.body = Rect::new(0, 1, 80, 22);
+        let quiz = Hosted::new(quiz);
         Self { quiz, cx }
     }
 
@@ -59,9 +60,7 @@ impl TestRound {
                 '$' => Key::End,
                 _ => Key::Char(c),
             };
-            if let Some(action) = self.quiz.keys(&self.cx).find(key) {
-                self.quiz.act(action, &mut self.cx);
-            }
+            self.quiz.press(key, &mut self.cx);
         }
     }
 
@@ -165,7 +164,7 @@ fn every_form_is_drawn_in_every_phase_at_any_size() {
         look(&mut sitting, "How sure are you?");
         sitting.press("2$");
         look(&mut sitting, "of 10 points");
-        assert_eq!(sitting.quiz.answers.len(), 1);
+        assert_eq!(sitting.quiz.screen().answers.len(), 1);
     }
 }
 
@@ -189,18 +188,18 @@ fn a_shot_is_seen_as_it_was_and_then_as_it_should_have_been() {
     assert!(screen.contains("the shot that does it"), "{screen}");
     assert!(screen.contains("v2 = 3.46 m/s"), "4 cos 30 deg\n{screen}");
     sitting.press("\n");
-    assert!(matches!(sitting.quiz.phase, QuizPhase::Asked(_)));
+    assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));
     // What hits the mark has nothing to be put right.
     let mut sitting = TestRound::of(before(), Form::Shot(aim()));
     sitting.press("15\n3$\n");
-    assert!(matches!(sitting.quiz.phase, QuizPhase::Asked(_)));
+    assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));
 }
 
 #[test]
 fn the_coin_is_dragged_to_where_it_is_to_be_hit() {
     let mut sitting = TestRound::of(before(), Form::Shot(aim()));
-    let offset = |sitting: &TestRound| match &sitting.quiz.phase {
-        QuizPhase::Asked(asked) => asked.input.said(),
+    let offset = |sitting: &TestRound| match &sitting.quiz.screen().phase {
+        QuizPhase::Asked(asked) => asked.asking.input().said(),
         _ => None,
     };
     // The way is level and in the middle, on row 11; to its right is below. The picture is

@@ -6,11 +6,12 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use crate::messages::Key;
 use crate::physics::units::{m_from_mm, mm_from_m};
-use crate::quiz::{Form, Measure, Question, Response, letter};
+use crate::quiz::{Form, Measure, Question, Ray, Response, letter};
+use crate::widgets::flow::Run;
 use crate::widgets::hit::{drag_offset, point_at};
 use crate::widgets::input::{KeyTable, NumberAction, RayAction};
-use crate::widgets::panel::written;
-use crate::widgets::{Lines, NumberInput, Outcome, RayInput, Role};
+use crate::widgets::panel::Panel;
+use crate::widgets::{NumberInput, Outcome, RayInput, Role};
 
 /// An answer in the making.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,6 +43,8 @@ pub enum AnswerAction {
     Move(isize),
     /// choose an answer by its letter, or by its number
     Choose(usize),
+    /// choose an answer and give it
+    Give(usize),
     /// give the answer that was chosen
     Enter,
 }
@@ -135,6 +138,10 @@ impl AnswerInput {
             (Self::Choice { chosen, count }, AnswerAction::Choose(i)) if i < *count => {
                 *chosen = Some(i);
             }
+            (Self::Choice { chosen, count }, AnswerAction::Give(i)) if i < *count => {
+                *chosen = Some(i);
+                return Outcome::Done(());
+            }
             (Self::Choice { chosen, .. }, AnswerAction::Enter) if chosen.is_some() => {
                 return Outcome::Done(());
             }
@@ -171,52 +178,47 @@ impl AnswerInput {
         true
     }
 
-    /// Writes what is said so far, with all there is to choose from.
-    pub fn write(&self, form: &Form, lines: &mut Lines) {
+    /// Writes what is said so far, with all there is to choose from. The distance between
+    /// choices is worth `apart`.
+    pub(crate) fn write(&self, form: &Form, apart: u8, panel: &mut Panel<AnswerAction>) {
         match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) => {
-                written(lines, |panel| rays.write(panel, target));
+                panel.part(AnswerAction::Ray, |panel| rays.write(panel, target));
             }
-            (Self::Number(number), _) => {
-                written::<()>(lines, |panel| number.write("your answer", panel));
-            }
-            (Self::Shot(offset), _) => {
-                written::<()>(lines, |panel| offset.write("offset", panel));
-            }
+            (Self::Number(number), _) => number.write("your answer", panel),
+            (Self::Shot(offset), _) => offset.write("offset", panel),
             (Self::Choice { chosen, .. }, Form::Choice { options, .. }) => {
-                let apart = Self::choice_gap(options, lines, lines.left());
                 for (i, option) in options.iter().enumerate() {
-                    if i > 0 && apart > 0 {
-                        lines.gap();
+                    if i > 0 {
+                        panel.worth(apart, Panel::gap);
                     }
-                    lines.target(i, |lines| {
-                        lines.choice(Some(i) == *chosen, Role::Text, |lines, mark, role| {
-                            lines.hanging(&format!("{mark} {} ", letter(i)), option, role);
-                        });
-                    });
+                    let text = vec![Run::new(option, Role::Text)];
+                    let pick = Some(AnswerAction::Choose(i));
+                    panel.choice(letter(i), text, Some(i) == *chosen, pick);
                 }
             }
             _ => {}
         }
     }
 
-    /// Empty rows between two choices: one, where `left` rows leave room for it.
-    fn choice_gap(options: &[String], lines: &Lines, left: u16) -> u16 {
-        let rows: u16 = options.iter().map(|it| choice_rows(it, lines)).sum();
-        u16::from(rows + options.len() as u16 + ROOM <= left)
+    /// What goes on: to the other ray, or with the answer given.
+    fn go_on(&self) -> AnswerAction {
+        match self {
+            Self::Rays(rays) => AnswerAction::Ray(rays.go_on()),
+            Self::Number(number) | Self::Shot(number) => AnswerAction::Number(number.enter()),
+            Self::Choice { .. } => AnswerAction::Enter,
+        }
     }
 
-    /// Rows that [`AnswerInput::write`] takes where `left` rows are left.
-    pub fn rows(form: &Form, lines: &Lines, left: u16) -> u16 {
-        match form {
-            Form::Rays { .. } => 2,
-            Form::Number { .. } | Form::Shot(_) => 1,
-            Form::Choice { options, .. } => {
-                let gaps = options.len().saturating_sub(1) as u16;
-                let rows: u16 = options.iter().map(|it| choice_rows(it, lines)).sum();
-                rows + gaps * Self::choice_gap(options, lines, left)
+    /// Writes what to do next; `last` is what giving the answer does.
+    pub(crate) fn write_prompt(&self, form: &Form, last: &str, panel: &mut Panel<AnswerAction>) {
+        let words = match (self, form) {
+            (Self::Rays(rays), Form::Rays { target, .. }) if rays.turning() == Ray::Striker => {
+                format!("then the {target}")
             }
-        }
+            _ => last.to_owned(),
+        };
+        panel.prompt(words, self.go_on());
     }
 
     /// How it is answered, in a sentence or two.
@@ -230,15 +232,4 @@ impl AnswerInput {
             _ => "Choose with the arrows, or with the letter.".into(),
         }
     }
-}
-
-/// What stands before a choice, as far as its room goes.
-const MARK: &str = "> A ";
-
-/// Rows that are worth more below choices than gaps between them.
-const ROOM: u16 = 5;
-
-/// Rows of a choice.
-fn choice_rows(option: &str, lines: &Lines) -> u16 {
-    lines.rows_of_hanging(MARK, option)
 }

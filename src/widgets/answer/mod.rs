@@ -1,7 +1,9 @@
 //! A question's picture, and the answer that is being given to it.
 
 mod answer_input;
+mod asking;
 mod question_picture;
 
 pub use answer_input::{AnswerAction, AnswerInput};
+pub(crate) use asking::{Asking, AskingAction, lettered};
 pub use question_picture::{draw_question, question_picture};

@@ -116,6 +116,14 @@ impl NumberInput {
         panel.field(name, self.shown(), (Role::Text, true), None);
     }
 
+    /// What gives the number as it stands.
+    pub(crate) fn enter(&self) -> NumberAction {
+        match self.entry.is_open() {
+            true => NumberAction::Number(EntryAction::Enter),
+            false => NumberAction::Enter,
+        }
+    }
+
     /// How it is given.
     pub fn about(&self) -> String {
         match self.quantity.unit() {

@@ -190,16 +190,28 @@ impl RayInput {
         }
     }
 
-    /// Writes what to do next; `last` is what going on does once all has been said.
-    pub(crate) fn write_prompt(&self, panel: &mut Panel<RayAction>, target: &str, last: &str) {
-        let go_on = match self.entry.is_open() {
+    /// Writes where both were said to go, a row each.
+    pub(crate) fn write_said<A>(&self, target: &str, panel: &mut Panel<A>) {
+        for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, target)] {
+            let (name, shown) = (format!("  {name}"), self.shown(ray));
+            panel.coloured_fact(name, shown, Role::Predicted);
+        }
+    }
+
+    /// What goes on: to the other ray, or with both said.
+    pub(crate) fn go_on(&self) -> RayAction {
+        match self.entry.is_open() {
             true => RayAction::Number(EntryAction::Enter),
             false => RayAction::Next,
-        };
+        }
+    }
+
+    /// Writes what to do next; `last` is what going on does once all has been said.
+    pub(crate) fn write_prompt(&self, panel: &mut Panel<RayAction>, target: &str, last: &str) {
         match self.next_step(target) {
             None => panel.paragraph(UNSAID, Role::Key),
-            Some(None) => panel.prompt(last, go_on),
-            Some(Some(other)) => panel.prompt(format!("then the {other}"), go_on),
+            Some(None) => panel.prompt(last, self.go_on()),
+            Some(Some(other)) => panel.prompt(format!("then the {other}"), self.go_on()),
         }
     }
 

@@ -6,9 +6,10 @@ use std::ops::Range;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Block, Content, Panel};
+use super::{Block, Content, Panel, TableColumn, TableRow};
+use crate::widgets::bar::bar;
 use crate::widgets::flow::Run;
-use crate::widgets::{Charset, Lines, Look, Role, Words, text};
+use crate::widgets::{Charset, Lines, Look, Role, Words, areas, text};
 
 /// How a panel is written: in which glyphs and colours, and what its keys are called.
 pub(crate) struct Writing<'w, A> {
@@ -22,7 +23,10 @@ pub(crate) struct Writing<'w, A> {
 
 /// A panel laid out: the blocks that have room, and where each stands.
 pub(crate) struct Placed<'p, A> {
+    /// Where what stays in sight stands, and where the rest is.
+    head: Rect,
     area: Rect,
+    pinned: Vec<&'p Block<A>>,
     /// The first row of each block, counted from the top of the whole.
     blocks: Vec<(u16, &'p Block<A>)>,
     /// Rows of the whole.
@@ -55,15 +59,26 @@ impl<A: Copy + PartialEq> Panel<A> {
             lengths.push((rows, from, before..targets.len()));
         }
         let is_shown = self.with_room(area.height, lengths.iter().map(|(rows, ..)| *rows));
+        let head: u16 = lengths[..self.pinned].iter().map(|(rows, ..)| rows).sum();
+        // Where there is hardly room for more, it is scrolled too.
+        let (head, pinned) = match head + LEAST <= area.height {
+            true => (head, self.pinned),
+            false => (0, 0),
+        };
+        let [head, area] = areas::upper(area, head);
         let mut placed = Placed {
+            head,
             area,
+            pinned: Vec::new(),
             blocks: Vec::new(),
             rows: 0,
             targets: Vec::new(),
             chosen: None,
         };
         let mut after_gap = true;
-        for ((block, shown), (rows, from, own)) in self.blocks.iter().zip(is_shown).zip(lengths) {
+        placed.pinned.extend(self.blocks.iter().take(pinned));
+        let blocks = self.blocks.iter().zip(is_shown).zip(lengths);
+        for ((block, shown), (rows, from, own)) in blocks.skip(pinned) {
             let is_gap = matches!(block.content, Content::Gap);
             // Of gaps that meet, and of one above all, none is left.
             if !shown || is_gap && after_gap {
@@ -150,6 +165,10 @@ impl<A: Copy + PartialEq> Placed<'_, A> {
     /// Draws it, scrolled by so many rows. Where it does not fit, the frame below says which
     /// key brings the rest.
     pub(crate) fn draw(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing<A>) {
+        let mut lines = Lines::new(self.head, buf, writing.look);
+        for block in &self.pinned {
+            write(&block.content, &mut lines, writing, &mut Vec::new());
+        }
         let mut lines = Lines::new(self.area, buf, writing.look).scrolled(scrolled);
         for (row, block) in &self.blocks {
             debug_assert_eq!(lines.written(), *row);
@@ -258,7 +277,146 @@ fn write<A: Copy + PartialEq>(
                 lines.line(&format!("  {name}: {shown}"), Role::Selected);
             });
         }
+        Content::Marked { mark, text, role } => lines.hanging(mark, text, *role),
+        Content::Meter { name, share, value } => {
+            let beside = text::width(name) + text::width(value).max(SHARE) + 4;
+            let width = lines.width().saturating_sub(beside as u16);
+            let bar = bar(*share, width, lines.charset());
+            lines.written_as(
+                |_| Words::meter(name, *share, value, Role::Text),
+                |lines| lines.pair(&format!("{name}  {bar}"), value, Role::Text, Role::Text),
+            );
+        }
+        Content::Choice {
+            letter,
+            text,
+            chosen,
+            action,
+        } => {
+            lines.choice(*chosen, Role::Text, |lines, mark, role| {
+                let mark = format!("{mark} {letter} ");
+                match text.as_slice() {
+                    [run] => lines.hanging(&mark, &run.text, role),
+                    runs => lines.flowing(&mark, 4, runs),
+                }
+            });
+            targets.extend(action.map(|action| Target {
+                rows: from..lines.written(),
+                columns: 0..text_width,
+                action,
+            }));
+        }
+        Content::ChoiceColumns {
+            name,
+            values,
+            chosen,
+            action,
+        } => {
+            let values: Vec<_> = values.iter().map(|it| (it.as_str(), Role::Text)).collect();
+            lines.choice(*chosen, Role::Text, |lines, mark, role| {
+                lines.columns((&format!("{mark} {name}"), role), &values);
+            });
+            targets.push(Target {
+                rows: from..lines.written(),
+                columns: 0..text_width,
+                action: *action,
+            });
+        }
+        Content::TextField {
+            label,
+            typed: [before, after],
+            chosen,
+            action,
+        } => {
+            let (mark, role) = Role::Text.of_choice(*chosen);
+            let cursor = if *chosen { "_" } else { "" };
+            let words = |_| Words::text_field(label, &format!("{before}{after}"));
+            lines.clicked_as(words, Some(*chosen), |lines| {
+                let row = format!("{mark} {label:LABEL$}{before}{cursor}{after} ");
+                lines.line(&row, role);
+            });
+            targets.push(Target {
+                rows: from..lines.written(),
+                columns: 0..text_width,
+                action: *action,
+            });
+        }
+        Content::Table { columns, rows } => write_table(columns, rows, lines, targets),
         Content::Prompts(prompts) => write_prompts(prompts, lines, writing, targets),
+    }
+}
+
+/// Fewest rows that are left for what is scrolled below what stays in sight.
+const LEAST: u16 = 6;
+
+/// Columns of a share, `100 %`.
+const SHARE: usize = 5;
+
+/// Columns of the label of a text field, with the blank behind it.
+const LABEL: usize = 8;
+
+/// Columns of a panel from which on those of a table stand apart.
+const WIDE_TABLE: u16 = 72;
+
+/// Writes a table: its heads, and a line for each row. Numbers stand apart where there is
+/// room, and words from the numbers before them.
+fn write_table<A: Copy + PartialEq>(
+    columns: &[TableColumn],
+    rows: &[TableRow<A>],
+    lines: &mut Lines,
+    targets: &mut Vec<Target<A>>,
+) {
+    let width = lines.width();
+    let gap = if width >= WIDE_TABLE { "   " } else { "" };
+    let charset = lines.charset();
+    let written = |mark: &str, cells: &mut dyn Iterator<Item = &str>| {
+        let mut row = mark.to_owned();
+        let shown = columns.iter().zip(cells);
+        let mut before: Option<&TableColumn> = None;
+        for (column, cell) in shown.filter(|(column, _)| width >= column.room) {
+            let cell = charset.text(cell);
+            let pad = usize::from(column.width).saturating_sub(text::width(&cell));
+            let pad = " ".repeat(pad);
+            row += &match (column.flush_right, before) {
+                (true, None) => format!("{pad}{cell}"),
+                (true, Some(_)) => format!("{gap}{pad}{cell}"),
+                (false, Some(before)) if before.flush_right => format!("  {cell}{pad}"),
+                (false, _) => format!("{cell}{pad}"),
+            };
+            before = Some(column);
+        }
+        row
+    };
+    let recorded = |cells: &[&str], role: Role, charset: Charset| {
+        let shown = columns.iter().zip(cells);
+        let shown = shown.filter(|(column, _)| width >= column.room);
+        let mut runs = shown.map(|(_, cell)| Run::new(*cell, role).spelt(charset));
+        Words::Columns {
+            name: runs.next().unwrap_or_else(|| Run::new("", role)),
+            values: runs.collect(),
+        }
+    };
+    let heads: Vec<_> = columns.iter().map(|column| column.head.as_str()).collect();
+    let head = written(" ", &mut heads.iter().copied());
+    lines.written_as(
+        |charset| recorded(&heads, Role::Dim, charset),
+        |lines| lines.line(&head, Role::Dim),
+    );
+    for row in rows {
+        let (mark, role) = row.role.of_choice(row.chosen);
+        let from = lines.written();
+        let cells: Vec<_> = row.cells.iter().map(String::as_str).collect();
+        let line = written(mark, &mut cells.iter().copied());
+        lines.clicked_as(
+            |charset| recorded(&cells, row.role, charset),
+            Some(row.chosen),
+            |lines| lines.line(&line, role),
+        );
+        targets.push(Target {
+            rows: from..lines.written(),
+            columns: 0..width + 1,
+            action: row.action,
+        });
     }
 }
 

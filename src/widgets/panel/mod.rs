@@ -8,13 +8,19 @@ mod tests;
 pub(crate) use cells::{Placed, Writing, written};
 
 use crate::widgets::Role;
+use crate::widgets::flow::Run;
 
 /// A list of blocks under a title, one below the other; `A` is what they can do.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Panel<A> {
     /// Its title, on its frame; empty for none.
     pub title: String,
+    /// The number of what it is about: with another one it begins at its top again, however
+    /// far it was scrolled.
+    pub subject: usize,
     blocks: Vec<Block<A>>,
+    /// How many of the blocks, from the first on, stay in sight however far it is scrolled.
+    pinned: usize,
     /// The worth of the blocks being written.
     worth: Option<u8>,
 }
@@ -81,8 +87,75 @@ pub(crate) enum Content<A> {
         text: String,
         shown: String,
     },
+    /// A text behind a mark, under which nothing else stands.
+    Marked {
+        mark: String,
+        text: String,
+        role: Role,
+    },
+    /// A share of a whole, from 0 to 1, as a bar.
+    Meter {
+        name: String,
+        share: f64,
+        value: String,
+    },
+    /// One of several answers, with its letter.
+    Choice {
+        letter: char,
+        text: Vec<Run>,
+        chosen: bool,
+        /// What a click on it does.
+        action: Option<A>,
+    },
+    /// One of several things to choose from, with a value in each of some columns.
+    ChoiceColumns {
+        name: String,
+        values: Vec<String>,
+        chosen: bool,
+        action: A,
+    },
+    /// A text that can be typed: what is before the cursor and what is behind it, while it is
+    /// chosen.
+    TextField {
+        label: String,
+        typed: [String; 2],
+        chosen: bool,
+        /// What a click on it does.
+        action: A,
+    },
+    /// Rows of cells under heads, each of which can be chosen.
+    Table {
+        columns: Vec<TableColumn>,
+        rows: Vec<TableRow<A>>,
+    },
     /// What can be done next, the likeliest first: in words, and what it is.
     Prompts(Vec<(String, A)>),
+}
+
+/// A column of a [`Content::Table`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct TableColumn {
+    /// What stands above it.
+    pub head: String,
+    /// Letters of its widest cell.
+    pub width: u16,
+    /// Whether its cells are flush right, as numbers are.
+    pub flush_right: bool,
+    /// Columns of the panel from which on there is room for it.
+    pub room: u16,
+}
+
+/// A row of a [`Content::Table`].
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct TableRow<A> {
+    /// A cell for each column.
+    pub cells: Vec<String>,
+    /// How it is written while another one is chosen.
+    pub role: Role,
+    /// Whether it is the one that is chosen.
+    pub chosen: bool,
+    /// What a click on it does.
+    pub action: A,
 }
 
 impl<A> Panel<A> {
@@ -90,7 +163,9 @@ impl<A> Panel<A> {
     pub(crate) fn new(title: impl Into<String>) -> Self {
         Self {
             title: title.into(),
+            subject: 0,
             blocks: Vec::new(),
+            pinned: 0,
             worth: None,
         }
     }
@@ -105,6 +180,11 @@ impl<A> Panel<A> {
         let around = self.worth.replace(worth);
         write(self);
         self.worth = around;
+    }
+
+    /// Keeps what has been written so far in sight, however far the rest is scrolled.
+    pub(crate) fn pin(&mut self) {
+        self.pinned = self.blocks.len();
     }
 
     /// Writes a part whose actions are wrapped in actions of the whole.
@@ -151,10 +231,19 @@ impl<A> Panel<A> {
         value: impl Into<String>,
         role: Role,
     ) {
+        self.pair((name, Role::Dim), (value, role));
+    }
+
+    /// The same with both in colours of their own.
+    pub(crate) fn pair(
+        &mut self,
+        (name, name_role): (impl Into<String>, Role),
+        (value, value_role): (impl Into<String>, Role),
+    ) {
         self.push(Content::Fact {
             name: name.into(),
             value: value.into(),
-            roles: [Role::Dim, role],
+            roles: [name_role, value_role],
         });
     }
 
@@ -241,6 +330,71 @@ impl<A> Panel<A> {
         });
     }
 
+    /// A text behind a mark, under which nothing else stands.
+    pub(crate) fn marked(&mut self, mark: &str, text: impl Into<String>, role: Role) {
+        self.push(Content::Marked {
+            mark: mark.into(),
+            text: text.into(),
+            role,
+        });
+    }
+
+    /// A share of a whole, from 0 to 1, and how it reads.
+    pub(crate) fn meter(&mut self, name: &str, share: f64, value: impl Into<String>) {
+        self.push(Content::Meter {
+            name: name.into(),
+            share,
+            value: value.into(),
+        });
+    }
+
+    /// One of several answers, with its letter and what a click on it does.
+    pub(crate) fn choice(&mut self, letter: char, text: Vec<Run>, chosen: bool, action: Option<A>) {
+        self.push(Content::Choice {
+            letter,
+            text,
+            chosen,
+            action,
+        });
+    }
+
+    /// One of several things to choose from, a value in each column beside it.
+    pub(crate) fn choice_columns(
+        &mut self,
+        name: impl Into<String>,
+        values: impl IntoIterator<Item = String>,
+        chosen: bool,
+        action: A,
+    ) {
+        self.push(Content::ChoiceColumns {
+            name: name.into(),
+            values: values.into_iter().collect(),
+            chosen,
+            action,
+        });
+    }
+
+    /// A text that can be typed, and what a click on it does.
+    pub(crate) fn text_field(
+        &mut self,
+        label: impl Into<String>,
+        (before, after): (&str, &str),
+        chosen: bool,
+        action: A,
+    ) {
+        self.push(Content::TextField {
+            label: label.into(),
+            typed: [before.into(), after.into()],
+            chosen,
+            action,
+        });
+    }
+
+    /// Rows under heads, one of which can be chosen.
+    pub(crate) fn table(&mut self, columns: Vec<TableColumn>, rows: Vec<TableRow<A>>) {
+        self.push(Content::Table { columns, rows });
+    }
+
     /// What can be done next, in a few words without a key, and what it is.
     pub(crate) fn prompt(&mut self, words: impl Into<String>, action: A) {
         self.prompts([(words.into(), action)]);
@@ -255,10 +409,14 @@ impl<A> Panel<A> {
 impl<A> Content<A> {
     /// Whether it is the one that is chosen.
     fn is_chosen(&self) -> bool {
-        matches!(
-            self,
-            Self::Field { chosen: true, .. } | Self::Row { chosen: true, .. }
-        )
+        match self {
+            Self::Field { chosen, .. }
+            | Self::Row { chosen, .. }
+            | Self::Choice { chosen, .. }
+            | Self::ChoiceColumns { chosen, .. }
+            | Self::TextField { chosen, .. } => *chosen,
+            _ => false,
+        }
     }
 
     fn map<B>(self, wrap: impl Fn(A) -> B) -> Content<B> {
@@ -299,6 +457,53 @@ impl<A> Content<A> {
                 action: action.map(wrap),
             },
             Self::Typed { name, text, shown } => Content::Typed { name, text, shown },
+            Self::Marked { mark, text, role } => Content::Marked { mark, text, role },
+            Self::Meter { name, share, value } => Content::Meter { name, share, value },
+            Self::Choice {
+                letter,
+                text,
+                chosen,
+                action,
+            } => Content::Choice {
+                letter,
+                text,
+                chosen,
+                action: action.map(wrap),
+            },
+            Self::ChoiceColumns {
+                name,
+                values,
+                chosen,
+                action,
+            } => Content::ChoiceColumns {
+                name,
+                values,
+                chosen,
+                action: wrap(action),
+            },
+            Self::TextField {
+                label,
+                typed,
+                chosen,
+                action,
+            } => Content::TextField {
+                label,
+                typed,
+                chosen,
+                action: wrap(action),
+            },
+            Self::Table { columns, rows } => {
+                let rows = rows.into_iter().map(|row| TableRow {
+                    cells: row.cells,
+                    role: row.role,
+                    chosen: row.chosen,
+                    action: wrap(row.action),
+                });
+                Content::Table {
+                    columns,
+                    rows: rows.collect(),
+                }
+            }
             Self::Prompts(prompts) => {
                 let wrapped = prompts
                     .into_iter()

@@ -57,8 +57,13 @@ impl SplitLayout {
 
     /// Lays out a panel of text alone, in the middle.
     pub fn text_alone(room: impl Into<Room>) -> Self {
+        Self::text_of(room, TEXT)
+    }
+
+    /// Lays out a panel of text alone, in the middle, of so many columns at most.
+    pub fn text_of(room: impl Into<Room>, columns: u16) -> Self {
         let area = room.into().area;
-        let panel = areas::middle(area, TEXT);
+        let panel = areas::middle(area, columns);
         let nothing = Rect { width: 0, ..area };
         Self {
             picture: nothing,

@@ -1,0 +1,145 @@
+//! Answering a question, then saying how sure one is: the same wherever both are asked.
+
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{AnswerAction, AnswerInput};
+use crate::messages::Key;
+use crate::quiz::{Confidence, Form, Response, letter};
+use crate::widgets::input::KeyTable;
+use crate::widgets::panel::Panel;
+use crate::widgets::{Outcome, Role};
+
+/// A question being answered.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Asking {
+    input: AnswerInput,
+    /// How sure the player is, once the answer is given.
+    sure: Option<Confidence>,
+}
+
+/// What keys do to it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum AskingAction {
+    /// give an answer
+    Answer(AnswerAction),
+    /// guess, think so, sure
+    Sure(usize),
+    /// choose how sure you are
+    MoreSure(isize),
+    /// take how sure you are as chosen
+    Take,
+}
+
+impl Asking {
+    /// An answer in the making.
+    pub(crate) fn new(input: AnswerInput) -> Self {
+        Self { input, sure: None }
+    }
+
+    /// The answer in the making.
+    pub(crate) fn input(&self) -> &AnswerInput {
+        &self.input
+    }
+
+    /// The same, while it is given and nothing else is asked.
+    pub(crate) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
+        self.sure.is_none().then_some(&mut self.input)
+    }
+
+    /// How sure the player is as chosen so far; `None` until the answer is given.
+    pub(crate) fn sure(&self) -> Option<Confidence> {
+        self.sure
+    }
+
+    /// Goes back from how sure to the answer; says whether that was asked.
+    pub(crate) fn back(&mut self) -> bool {
+        self.sure.take().is_some()
+    }
+
+    /// The keys that do it, in the group of the screen: `next` is what taking the chosen
+    /// confidence is called.
+    pub(crate) fn keys(&self, group: &'static str, next: &'static str) -> KeyTable<AskingAction> {
+        use AskingAction::{Answer, MoreSure, Sure, Take};
+        let keys = KeyTable::new(group);
+        if self.sure.is_none() {
+            return keys.with(self.input.keys(), Answer);
+        }
+        let sure = ('1'..).zip((0..Confidence::ALL.len()).map(Sure));
+        keys.each(sure, "how sure")
+            .by([Key::Up, Key::Down], MoreSure, [-1, 1], "choose")
+            .or([(Key::Left, MoreSure(-1)), (Key::Right, MoreSure(1))])
+            .or([(Key::BackTab, MoreSure(-1)), (Key::Tab, MoreSure(1))])
+            .on(Key::Enter, Take, next)
+            .or([(Key::Char(' '), Take)])
+    }
+
+    /// Whether Escape is free for the screen: while a number is typed it gives that up.
+    pub(crate) fn leaves_escape(&self) -> bool {
+        self.sure.is_some() || self.input.keys().exact(Key::Escape).is_none()
+    }
+
+    /// Does what a key stands for; done with the answer and how sure it is.
+    pub(crate) fn act(&mut self, action: AskingAction) -> Outcome<(Response, Confidence)> {
+        let chosen = match (action, self.sure) {
+            (AskingAction::Answer(action), None) => {
+                return match self.input.act(action) {
+                    Outcome::Done(()) => {
+                        self.sure = Some(Confidence::ThinkSo);
+                        Outcome::Used
+                    }
+                    Outcome::Used => Outcome::Used,
+                    Outcome::Ignored => Outcome::Ignored,
+                };
+            }
+            (AskingAction::MoreSure(by), Some(sure)) => {
+                let last = Confidence::ALL.len() - 1;
+                let at = (sure as usize).saturating_add_signed(by).min(last);
+                self.sure = Some(Confidence::ALL[at]);
+                return Outcome::Used;
+            }
+            (AskingAction::Sure(at), Some(_)) => Confidence::ALL.get(at).copied(),
+            (AskingAction::Take, sure) => sure,
+            _ => None,
+        };
+        let said = chosen.and_then(|sure| Some((self.input.said()?, sure)));
+        said.map_or(Outcome::Ignored, Outcome::Done)
+    }
+
+    /// Writes how sure one may be, with what stands beside each in columns under `heads`.
+    pub(crate) fn write_confidence(
+        &self,
+        heads: &[&str],
+        beside: impl Fn(Confidence) -> Vec<String>,
+        panel: &mut Panel<AskingAction>,
+    ) {
+        panel.heading("How sure are you?");
+        if let Some((first, heads)) = heads.split_first() {
+            let heads = heads.iter().map(|head| (*head, Role::Dim));
+            panel.columns((*first, Role::Dim), heads);
+        }
+        for (at, confidence) in Confidence::ALL.into_iter().enumerate() {
+            let name = format!("{} {}", at + 1, confidence.name());
+            let chosen = self.sure == Some(confidence);
+            panel.choice_columns(name, beside(confidence), chosen, AskingAction::Sure(at));
+        }
+    }
+
+    /// Writes what is said; `mark` stands before an answer in words.
+    pub(crate) fn write_said<A>(&self, form: &Form, mark: &str, panel: &mut Panel<A>) {
+        if let (AnswerInput::Rays(rays), Form::Rays { target, .. }) = (&self.input, form) {
+            return rays.write_said(target, panel);
+        }
+        if let Some(said) = self.input.said() {
+            panel.marked(mark, lettered(form, &said), Role::Predicted);
+        }
+    }
+}
+
+/// An answer in words, a choice with its letter.
+pub(crate) fn lettered(form: &Form, said: &Response) -> String {
+    match said {
+        Response::Choice(i) => format!("{}: {}", letter(*i), form.words(said)),
+        _ => form.words(said),
+    }
+}
