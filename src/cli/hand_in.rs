@@ -134,10 +134,13 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
     paths.sort();
     let mut book = Gradebook::default();
     for path in &paths {
-        let bytes = crate::files::read(path, HandIn::LARGEST_FILE);
-        let read = bytes
-            .map_err(|error| error.message)
-            .and_then(|bytes| HandIn::read(&bytes));
+        // A pipe or a device may never end.
+        let read = match path.is_file() {
+            true => crate::files::read(path, HandIn::LARGEST_FILE)
+                .map_err(|error| error.message)
+                .and_then(|bytes| HandIn::read(&bytes)),
+            false => Err("it is no file".into()),
+        };
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let is_of_class = |it: &HandIn| {
             let wanted = args.class.as_ref().map(|name| name.to_lowercase());

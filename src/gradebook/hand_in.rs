@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::files::{newer, tidy_name};
-use crate::progress::Attempt;
-use crate::quiz::{Confidence, Grade};
+use crate::progress::{Attempt, LESSON};
+use crate::quiz::{Code, Confidence, Family, Grade, NoCode};
 
 use super::round_of;
 
@@ -15,6 +15,9 @@ const FORMAT: u32 = 1;
 const KIND: &str = "hand-in";
 /// Most letters of a name.
 const LONGEST: usize = 60;
+
+/// Most letters of a topic, which may be the title of a chapter.
+const LONGEST_TOPIC: usize = 200;
 
 /// All answers of a pupil, with who that is.
 #[derive(Debug, Clone, PartialEq)]
@@ -160,6 +163,8 @@ impl HandIn {
         if bytes.len() > Self::LARGEST_FILE {
             return Err("it is too large for a hand-in".into());
         }
+        // Some editors and mail programs put a byte order mark before a text.
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         // Whatever else is in it: what it is and how new it is comes first.
         let value = serde_json::from_slice(bytes)
             .map_err(|error| format!("it is damaged or no hand-in: {error}"))?;
@@ -201,13 +206,24 @@ impl WrittenAnswer {
             None => None,
             Some(id) => Some(Confidence::ALL.into_iter().find(|it| it.id() == id)?),
         };
-        let is_possible = (0.0..=1.0).contains(&self.credit);
+        let is_known = self.family == LESSON || Family::with_id(&self.family).is_some();
+        let round = self
+            .question
+            .get("round")
+            .map(|it| it.as_str().map(Code::read));
+        let has_round = match round {
+            // Before codes were noted with the figures the seed was all there was.
+            None => true,
+            Some(Some(Ok(_) | Err(NoCode::Review))) => true,
+            Some(_) => false,
+        };
+        let is_possible = is_known && has_round && (0.0..=1.0).contains(&self.credit);
         let text = |figures: Map<String, Value>| Value::Object(figures).to_string();
         is_possible.then(|| Attempt {
             time_s: self.time_s,
             player: player.to_owned(),
             family: self.family,
-            topic: self.topic,
+            topic: tidy_name(&self.topic).chars().take(LONGEST_TOPIC).collect(),
             seed: self.seed,
             number: self.number,
             question: text(self.question),

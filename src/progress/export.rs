@@ -1,13 +1,12 @@
 //! Attempts for other programs: a table, or JSON.
 
-use std::borrow::Cow;
-
 use jiff::Timestamp;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 use unicode_width::UnicodeWidthChar;
 
 use super::{Attempt, Calendar, Tally, advice, beliefs, calibration, topics};
+use crate::files::is_invisible;
 use crate::numbers;
 use crate::quiz::{Confidence, Grade};
 
@@ -130,27 +129,33 @@ fn tidied(said: &str) -> String {
 pub fn table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String> {
     let mut table = csv::Writer::from_writer(Vec::new());
     let told = |error: csv::Error| error.to_string();
-    table.write_record(heads).map_err(told)?;
+    table
+        .write_record(heads.iter().map(|head| plain(head)))
+        .map_err(told)?;
     for row in rows {
         table
-            .write_record(row.iter().map(|cell| plain(cell).into_owned()))
+            .write_record(row.iter().map(|cell| plain(cell)))
             .map_err(told)?;
     }
     let bytes = table.into_inner().map_err(|error| error.to_string())?;
     String::from_utf8(bytes).map_err(|error| error.to_string())
 }
 
-/// A text that no spreadsheet takes for a formula: what begins like one gets an
-/// apostrophe before it. So does what comes after a line break, a tab or a semicolon,
-/// for a spreadsheet that was told to expect those between its cells (many are, by the
-/// language of their country) begins a new cell there.
-fn plain(text: &str) -> Cow<'_, str> {
-    if text.parse::<f64>().is_ok() || !text.contains(is_formula_sign) {
-        return text.into();
+/// A text that no spreadsheet takes for a formula, and that gives no orders to whoever shows
+/// it: what begins like a formula gets an apostrophe before it. So does what comes after a line
+/// break, a tab or a semicolon, for a spreadsheet that was told to expect those between its
+/// cells (many are, by the language of their country) begins a new cell there. Control
+/// characters and marks that turn the direction of the text are left out.
+fn plain(text: &str) -> String {
+    let breaks = |letter: char| matches!(letter, '\n' | '\r' | '\t');
+    let seen = { text.chars() }.filter(|letter| breaks(*letter) || !is_invisible(*letter));
+    let seen: String = seen.collect();
+    if seen.parse::<f64>().is_ok() || !seen.contains(is_formula_sign) {
+        return seen;
     }
-    let mut plain = String::with_capacity(text.len() + 1);
+    let mut plain = String::with_capacity(seen.len() + 1);
     let mut begins = true;
-    for letter in text.chars() {
+    for letter in seen.chars() {
         if begins && is_formula_sign(letter) {
             plain.push('\'');
         }
@@ -159,7 +164,7 @@ fn plain(text: &str) -> Cow<'_, str> {
             || (begins && (letter.is_whitespace() || letter.width().unwrap_or(0) == 0));
         plain.push(letter);
     }
-    plain.into()
+    plain
 }
 
 /// Whether a cell that begins with this may be taken for a formula; the wide forms are
@@ -273,6 +278,13 @@ mod tests {
 
     fn read(attempts: &[Attempt]) -> Value {
         serde_json::from_str(&json(attempts, &Calendar::default()).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn no_head_and_no_cell_gives_orders_to_who_shows_the_table() {
+        let hostile = "\u{1b}=cmd|A1\0\u{9b}\u{202e}";
+        let told = table(&[hostile, "b"], &[vec![hostile.into(), "x\ny".into()]]).unwrap();
+        assert_eq!(told, "'=cmd|A1,b\n'=cmd|A1,\"x\ny\"\n");
     }
 
     #[test]

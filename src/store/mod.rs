@@ -114,8 +114,8 @@ impl Store {
         let texts = Self::of(progress, |name, ending, largest| {
             let disk = Disk::new(folder.join(name), ending, largest);
             // What brings pupils back to their places, and what they answered, is for the teacher
-            // alone.
-            Box::new(if [CLASSES, HANDED_IN].contains(&name) {
+            // alone; so are the tables made of it.
+            Box::new(if [CLASSES, HANDED_IN].contains(&name) || ending == TABLE {
                 disk.private()
             } else {
                 disk

@@ -270,3 +270,93 @@ fn no_bytes_break_the_reader() {
         assert!(HandIn::read(bad.as_bytes()).is_err(), "{bad}");
     }
 }
+
+/// The CSV of a folder with this one hand-in, if it was gathered, and what was said.
+fn gathered(bytes: &[u8]) -> (Option<String>, String) {
+    let folder = Folder::new("gather-one");
+    fs::write(folder.path().join("one.json"), bytes).unwrap();
+    let out = folder.path().join("class.csv");
+    let place = folder.path().to_str().unwrap();
+    let done = carrom(&["gather", place, "--out", out.to_str().unwrap()]);
+    (fs::read_to_string(out).ok(), stderr(&done))
+}
+
+/// A hand-in of one answer with something in it put in another's place.
+fn changed(before: &str, after: &str) -> Vec<u8> {
+    let text = hand_in(1, "Ada", 1, 1).text().unwrap();
+    assert!(text.contains(before), "{before}");
+    text.replace(before, after).into_bytes()
+}
+
+#[test]
+fn a_formula_in_a_hand_in_reaches_no_head_of_a_table() {
+    for formula in ["=HYPERLINK(0)", "=cmd|'/c calc'!A1", "@SUM(A1)", "mixed"] {
+        let round = changed(
+            "\"round\": \"mixed-7\"",
+            &format!("\"round\": \"{formula}\""),
+        );
+        let (table, said) = gathered(&round);
+        assert!(
+            table.is_none() && said.contains("answer 1 cannot be"),
+            "{said}"
+        );
+    }
+    let text = hand_in(1, "Ada", 1, 1).text().unwrap();
+    let topic = text.split("\"topic\": \"").nth(1).unwrap();
+    let topic = topic.split('"').next().unwrap();
+    for hostile in [
+        "=HYPERLINK(0)",
+        "+1",
+        "\\u001b[31m=1",
+        "\\u0000=1",
+        "\\u009b=1",
+        "\\u202e=1",
+    ] {
+        let named = format!("\"topic\": \"{hostile}\"");
+        let (table, said) = gathered(&changed(&format!("\"topic\": \"{topic}\""), &named));
+        let table = table.expect(&said);
+        let heads = table.lines().next().unwrap();
+        assert!(
+            !heads.contains(['\u{1b}', '\0', '\u{9b}', '\u{202e}']),
+            "{heads:?}"
+        );
+        let bare = |head: &str| head.trim_matches('"').starts_with(['=', '+']);
+        assert!(!heads.split(',').any(bare), "{heads:?}");
+    }
+}
+
+#[test]
+fn an_answer_of_an_unknown_family_is_refused() {
+    let text = hand_in(1, "Ada", 1, 1).text().unwrap();
+    let family = text.split("\"family\": \"").nth(1).unwrap();
+    let family = family.split('"').next().unwrap();
+    let known = format!("\"family\": \"{family}\"");
+    let (table, said) = gathered(&changed(&known, "\"family\": \"=1+1\""));
+    assert!(
+        table.is_none() && said.contains("answer 1 cannot be"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_hand_in_with_a_byte_order_mark_is_read() {
+    let text = hand_in(1, "Ada", 1, 1).text().unwrap();
+    let (table, said) = gathered(format!("\u{feff}{text}").as_bytes());
+    assert!(table.expect(&said).contains("Ada"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_among_the_hand_ins_is_passed_over() {
+    let folder = Folder::new("gather-pipe");
+    let pipe = folder.path().join("pipe.json");
+    let made = Command::new("mkfifo").arg(&pipe).status().unwrap();
+    assert!(made.success());
+    let text = hand_in(1, "Ada", 1, 1).text().unwrap();
+    fs::write(folder.path().join("ada.json"), text).unwrap();
+    let out = folder.path().join("class.csv");
+    let place = folder.path().to_str().unwrap();
+    let done = carrom(&["gather", place, "--out", out.to_str().unwrap()]);
+    assert!(done.status.success() && stderr(&done).contains("pipe.json"));
+    assert!(fs::read_to_string(out).unwrap().contains("Ada"));
+}
