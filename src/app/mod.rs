@@ -56,8 +56,10 @@ pub struct Data {
     pub folder: Option<String>,
 }
 
-/// How often it is tried again to keep what could not be kept.
+/// How long after a failure it is first tried again to keep what could not be kept; each try in
+/// vain doubles the pause, up to the longest.
 const RETRY: Duration = Duration::from_secs(2);
+const LONGEST_RETRY: Duration = Duration::from_secs(8);
 
 /// How it stands with trying again to keep what could not be kept.
 #[derive(Debug, Clone, Copy, Default)]
@@ -66,6 +68,16 @@ struct Retry {
     waited: Duration,
     /// The ticket of a try that is under way.
     ticket: Option<u64>,
+    /// Tries in vain since the last that was of use.
+    failures: u32,
+}
+
+impl Retry {
+    /// How long the pause before the next try is.
+    fn pause(self) -> Duration {
+        let pause = RETRY.saturating_mul(1 << self.failures.min(8));
+        pause.min(LONGEST_RETRY)
+    }
 }
 
 /// The whole game, headless.
@@ -226,6 +238,10 @@ impl App {
         }
         if self.retry.ticket == Some(answer.ticket) {
             self.retry.ticket = None;
+            self.retry.failures += 1;
+        }
+        if answer.owed == 0 {
+            self.retry.failures = 0;
         }
         let was_owed = std::mem::replace(&mut self.owed, answer.owed);
         if answer.owed == 0 {
@@ -278,20 +294,21 @@ impl App {
     /// When it is time to try again to keep what could not be kept.
     fn retry_in(&self) -> Option<Duration> {
         let waits = self.owed > 0 && self.retry.ticket.is_none();
-        waits.then(|| RETRY.saturating_sub(self.retry.waited))
+        waits.then(|| self.retry.pause().saturating_sub(self.retry.waited))
     }
 
     /// Lets `passed` go by until it is tried again to keep what could not be kept.
     fn retry(&mut self, passed: Duration) -> Option<Effect> {
         self.retry_in()?;
         self.retry.waited += passed;
-        if self.retry.waited < RETRY {
+        if self.retry.waited < self.retry.pause() {
             return None;
         }
         let ticket = self.context.ticket();
         self.retry = Retry {
             waited: Duration::ZERO,
             ticket: Some(ticket),
+            ..self.retry
         };
         let wish = StoreRequest::Retry;
         Some(Effect::Keep(StoreCall { ticket, wish }))

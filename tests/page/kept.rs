@@ -256,3 +256,47 @@ fn a_database_of_the_program_is_opened_in_the_page() {
         "{screen}"
     );
 }
+
+/// While `window.faulty` is set the program fails to say what has changed; counts how often it
+/// was asked, and what nobody caught.
+const FAULTY: &str = "window.faulty = true; window.asked = 0; window.uncaught = 0;
+    addEventListener('unhandledrejection', () => (window.uncaught += 1));
+    addEventListener('error', () => (window.uncaught += 1));
+    const { program } = window.carrom, call = program.call;
+    program.call = (command, bytes) => {
+      const reply = call(command, bytes);
+      if (command.do !== 'changed' || !window.faulty) return reply;
+      window.asked += 1;
+      return { ...reply, fault: 'the disk image is malformed', files: [], gone: [] };
+    };";
+
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn a_fault_while_something_is_kept_is_told_once_and_nothing_is_lost() {
+    let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
+    chromium.open(&format!("{page}#quiz=separation-7&player=Ana"));
+    wait_until_ready(&mut chromium);
+    chromium.run(FAULTY, &[]);
+    press(&mut chromium, &["a", "Enter", "2"]);
+    wait(3000);
+    let said = chromium.run("return document.body.innerText", &[]);
+    let said = said.as_str().unwrap();
+    assert!(said.contains("cannot be kept for now"), "{said}");
+    assert!(said.contains("the disk image is malformed"), "{said}");
+    let asked = chromium.run("return window.asked", &[]);
+    let asked = asked.as_u64().unwrap();
+    assert!((1..=4).contains(&asked), "{asked} tries");
+    assert_eq!(chromium.run(TOLD, &[]), json!(0));
+    chromium.run("window.faulty = false", &[]);
+    for _ in 0..200 {
+        if chromium.run(TOLD, &[]) != json!(0) {
+            break;
+        }
+        wait(100);
+    }
+    assert_eq!(chromium.run("return window.uncaught", &[]), json!(0));
+    chromium.open("about:blank");
+    chromium.open(&format!("{page}#progress"));
+    wait_until_ready(&mut chromium);
+    assert_eq!(answers(&progress(&mut chromium)).len(), 1);
+}

@@ -70,7 +70,7 @@ const keeper = (() => {
   }
 
   // Brings what has changed into the browser's database; calls `slow` if that takes long, and
-  // `done` with the reason if it could not be kept.
+  // `done` with the reason if it could not be kept. When it is tried again is the program's.
   function keep(done, slow = () => {}) {
     if (busy) return;
     busy = true;
@@ -96,22 +96,33 @@ const keeper = (() => {
       safe += 1;
       once(null);
     };
-    transaction.onabort = () => once(reason(transaction.error));
+    let fault = null;
+    transaction.onabort = () => once(fault || reason(transaction.error));
+    // What goes wrong in here ends the transaction, and nothing of it is kept.
+    const guarded = (step) => {
+      try {
+        step();
+      } catch (error) {
+        fault = error instanceof DOMException ? reason(error) : error.message;
+        transaction.abort();
+      }
+    };
     const number = transaction.objectStore("files").get("");
-    number.onsuccess = () => {
+    number.onsuccess = () => guarded(() => {
       if ((number.result || 0) === known) return put(transaction);
-      read(transaction, (all, other) => {
+      read(transaction, (all, other) => guarded(() => {
         const { files, bytes } = packed(all);
         program.call({ do: "files", files }, bytes);
         known = other;
         put(transaction);
-      });
-    };
+      }));
+    });
   }
 
   function put(transaction) {
     const files = transaction.objectStore("files");
     const changed = program.call({ do: "changed" });
+    if (changed.fault) throw new Error(changed.fault);
     let at = 0;
     for (const { path, bytes } of changed.files) {
       files.put(changed.bytes.slice(at, at + bytes), path);

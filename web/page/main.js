@@ -26,7 +26,7 @@ const page = (() => {
     classroom.start(speak);
     addEventListener("resize", fit);
     (self.visualViewport || self).addEventListener("resize", fit);
-    addEventListener("hashchange", open);
+    addEventListener("hashchange", reopen);
     addEventListener("dragover", (event) => event.preventDefault());
     addEventListener("drop", (event) => {
       event.preventDefault();
@@ -51,6 +51,8 @@ const page = (() => {
       "This browser is too old for carrom.\n" +
       "It needs Chrome or Edge 97, Firefox 113 or Safari 16.4, or a later one.";
   }
+
+  const reopen = () => open().catch(fail);
 
   async function open() {
     const kept = await keeper.files();
@@ -133,7 +135,7 @@ const page = (() => {
     // A page is not left: it begins again.
     if (reply.quit) {
       if (location.hash) location.hash = "";
-      else open();
+      else reopen();
     }
   }
 
@@ -202,7 +204,7 @@ const page = (() => {
         schedule();
       },
       () => speak({ do: "tell", words: `${file.name} cannot be read.` }),
-    );
+    ).catch(fail);
   }
 
   function give(name, content) {
@@ -249,7 +251,7 @@ const page = (() => {
 
 // For tests, which drive a carrom of their own with these.
 window.carrom = {
-  call: program.call, cells: program.cells, isReady: page.isReady, seen: page.seen,
+  program, call: program.call, cells: program.cells, isReady: page.isReady, seen: page.seen,
   step: page.step,
   told: () => keeper.kept(),
 };
