@@ -1,5 +1,6 @@
 //! Sessions of random keys, clicks, pastes and sizes.
 
+use std::net::Ipv4Addr;
 use std::time::Duration;
 
 use carrom::class::{SeatToken, Vote};
@@ -214,6 +215,8 @@ fn host_news(chance: &mut Pcg64Mcg) -> HostNews {
             name: any_text(chance, 30),
             seat: (chance.random_bool(0.3)).then(|| SeatToken::of(chance.random_range(0..12))),
             fresh: SeatToken::of(chance.random_range(0..12)),
+            address: Ipv4Addr::from(chance.random_range(0..3)).into(),
+            at: Duration::from_millis(chance.random_range(0..1000)),
         },
         _ => {
             let said = [

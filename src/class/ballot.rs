@@ -1,5 +1,7 @@
 //! The votes of a class.
 
+use std::net::SocketAddrV4;
+
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr};
 
@@ -113,6 +115,8 @@ pub struct ClassRound {
 pub(super) struct Door {
     /// The code that lets them in.
     pub(super) code: DoorCode,
+    /// Where their devices found it last.
+    pub(super) address: Option<SocketAddrV4>,
     /// What brings each back to their place, in the order of their names; nothing for whom
     /// no device was seen.
     pub(super) seats: Vec<Option<SeatToken>>,
@@ -173,6 +177,11 @@ impl ClassRound {
         &self.class
     }
 
+    /// Whether it is of a class of this name, tidied.
+    pub fn is_of_class(&self, name: &str) -> bool {
+        self.class == tidy(name)
+    }
+
     /// How many votes in its file do not fit their question and were dropped when it was read.
     pub fn dropped_votes(&self) -> usize {
         self.dropped
@@ -188,15 +197,22 @@ impl ClassRound {
         self.door.as_ref().map(|door| door.code)
     }
 
-    /// Puts a door in: from now on pupils may come in with this code. A code that is there
-    /// already stays as it is.
-    pub fn open(&mut self, code: DoorCode) {
+    /// Where pupils' devices found the round last, and look for it.
+    pub fn address(&self) -> Option<SocketAddrV4> {
+        self.door.as_ref()?.address
+    }
+
+    /// Puts a door in: from now on pupils may come in with this code, at this address. A code
+    /// that is there already stays as it is.
+    pub fn open(&mut self, code: DoorCode, address: Option<SocketAddrV4>) {
         let seats = vec![None; self.teams.len()];
-        self.door.get_or_insert(Door {
+        let door = self.door.get_or_insert(Door {
             code,
+            address,
             seats,
             removed: Vec::new(),
         });
+        door.address = address;
     }
 
     /// Takes the door away with all that would bring somebody back; names and votes stay.

@@ -120,6 +120,8 @@ pub enum Refusal {
     Closed,
     /// The teacher has removed them.
     Kicked,
+    /// Too many have come from where they are, or have said wrong codes there.
+    Later,
 }
 
 impl Refusal {
@@ -143,12 +145,16 @@ impl Refusal {
                 "Your teacher has taken you off the list of this round. Ask your teacher to let \
                  you in again."
             }
+            Self::Later => {
+                "Many are joining from your network at once, or with wrong codes. carrom tries \
+                 again by itself."
+            }
         }
     }
 
     /// Whether another try may go better, without anybody doing anything.
     pub const fn is_passing(self) -> bool {
-        matches!(self, Self::Join)
+        matches!(self, Self::Join | Self::Later)
     }
 }
 

@@ -14,8 +14,8 @@ use crate::quiz::{Code, CourseKind, Question};
 
 /// The format of the files that are written now: since the second there are ways of voting,
 /// people with devices, and changes behind the round; since the third the name of the class; since
-/// the fourth who was removed.
-const FORMAT: u32 = 4;
+/// the fourth who was removed; since the fifth where devices find it.
+const FORMAT: u32 = 5;
 /// The oldest format that still opens.
 const OLDEST: u32 = 1;
 
@@ -42,6 +42,9 @@ struct Written<'a> {
     /// The code that lets pupils in.
     #[serde(skip_serializing_if = "Option::is_none")]
     door: Option<String>,
+    /// Where their devices found it last: "192.168.43.117:8090".
+    #[serde(skip_serializing_if = "Option::is_none")]
+    address: Option<String>,
     /// What brings each of them back, empty for whom nothing does.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     seats: Vec<String>,
@@ -77,9 +80,9 @@ struct Changes {
 }
 
 /// The fields of a file.
-const FIELDS: [&str; 13] = [
-    "format", "code", "class", "way", "teams", "number", "step", "asked", "door", "seats",
-    "removed", "question", "then",
+const FIELDS: [&str; 14] = [
+    "format", "code", "class", "way", "teams", "number", "step", "asked", "door", "address",
+    "seats", "removed", "question", "then",
 ];
 /// The fields of a question in it.
 const OF_QUESTION: [&str; 4] = ["first", "second", "first_counts", "second_counts"];
@@ -149,6 +152,7 @@ impl ClassRound {
             step: self.place().step.into(),
             asked: self.own_ids(),
             door: door.map(|door| door.code.into()),
+            address: self.address().map(|address| address.to_string()),
             seats: door
                 .map(|door| door.seats.iter().map(token).collect())
                 .unwrap_or_default(),
@@ -304,6 +308,11 @@ impl ClassRound {
         let Some(code) = code else {
             return Some(None);
         };
+        let address = fields.or("address", None, |name| {
+            let expected = "expected an address, such as 192.168.43.117:8090";
+            let parse = |text: &str| text.parse().map_err(|_| expected.to_owned());
+            fields.text_as(name, parse).map(Some)
+        })?;
         let texts = fields.or("seats", Vec::new(), |name| fields.any_texts(name))?;
         let seats = texts.iter().map(|text| match text.is_empty() {
             true => Ok(None),
@@ -317,6 +326,7 @@ impl ClassRound {
         match seats.collect::<Result<Vec<_>, _>>() {
             Ok(seats) if seats.len() == people => Some(Some(Door {
                 code,
+                address,
                 seats,
                 removed,
             })),

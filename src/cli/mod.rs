@@ -168,12 +168,13 @@ enum OpenCommand {
         /// Let everyone vote on a phone or a laptop of their own, in the local network
         #[arg(long)]
         host: bool,
-        /// The port at which they come in (default: the first free one from 8090 on)
-        #[arg(long, value_name = "PORT", requires = "host")]
+        /// The port at which they come in (default: that of the round that is taken up, or the
+        /// first free one from 8090 on)
+        #[arg(long, value_name = "PORT")]
         port: Option<u16>,
         /// The page for their browsers (default: the one in this program, or carrom.html
         /// beside it)
-        #[arg(long, value_name = "FILE", requires = "host")]
+        #[arg(long, value_name = "FILE")]
         page: Option<PathBuf>,
         /// The round to play: its code, such as mixed-7
         #[arg(long, value_name = "CODE", value_parser = Code::read)]

@@ -1,6 +1,9 @@
 //! A class on its own devices: what the teacher's carrom and a pupil's ask of whoever
 //! reaches the other, and what they hear.
 
+use std::net::{IpAddr, SocketAddrV4};
+use std::time::Duration;
+
 use serde_json::Value;
 
 use crate::class::protocol::{PupilState, Refusal};
@@ -12,8 +15,13 @@ pub type LineId = u64;
 /// What a teacher's carrom asks of whoever serves its class.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HostCall {
-    /// Let pupils come in with this code; without one with a new one.
-    Open(Option<DoorCode>),
+    /// Let pupils come in.
+    Open {
+        /// With this code; without one with a new one.
+        code: Option<DoorCode>,
+        /// Where their devices look for it, if they were in before.
+        address: Option<SocketAddrV4>,
+    },
     /// Tell pupils how things stand, each for themselves.
     Tell(Vec<(LineId, PupilState)>),
     /// Tell somebody why they are not let in, or no longer, and hang up.
@@ -37,6 +45,10 @@ pub enum HostNews {
         seat: Option<SeatToken>,
         /// What will bring them back, if they are new.
         fresh: SeatToken,
+        /// Where from.
+        address: IpAddr,
+        /// When, since any moment that is the same for all.
+        at: Duration,
     },
     /// Somebody votes.
     Voted {
@@ -69,8 +81,8 @@ pub enum HostNews {
 pub struct OpenDoor {
     /// The code that lets them in.
     pub code: DoorCode,
-    /// Where it listens, the best first: `192.168.43.117:8090`.
-    pub addresses: Vec<String>,
+    /// Where it listens, the best first.
+    pub addresses: Vec<SocketAddrV4>,
     /// Whether the page is served there, or why not: then only other carroms can join.
     pub page: Result<(), String>,
 }

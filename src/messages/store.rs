@@ -4,6 +4,8 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use jiff::civil::Date;
+
 use crate::class::{ClassChange, ClassRound};
 use crate::game::{Game, SavedGame};
 use crate::gradebook::HandIn;
@@ -143,6 +145,8 @@ pub struct Kept<T> {
     pub name: String,
     /// How long ago it was saved; `None` where nobody knows the time.
     pub age: Option<Duration>,
+    /// The day on which it was saved, likewise.
+    pub day: Option<Date>,
     /// What it holds, or why it cannot be read.
     pub content: Result<Box<T>, String>,
 }

@@ -14,6 +14,11 @@ pub struct Calendar {
     zone: TimeZone,
 }
 
+/// A day as it is read: "21 November 2026".
+pub fn long_day(day: Date) -> String {
+    day.strftime("%-d %B %Y").to_string()
+}
+
 impl Calendar {
     /// The calendar of a time zone.
     pub const fn new(now_s: Option<i64>, zone: TimeZone) -> Self {

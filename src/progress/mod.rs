@@ -22,7 +22,7 @@ pub(crate) mod words;
 pub use advice::advice;
 pub use attempt::{Attempt, LESSON};
 pub use beliefs::{HeldBelief, Trend, beliefs};
-pub use calendar::Calendar;
+pub use calendar::{Calendar, long_day};
 pub use calibration::{Calibrated, calibration, calibration_over_time, calibration_words};
 pub use due::Due;
 pub use export::{csv, json, table, utc};

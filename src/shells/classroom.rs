@@ -2,6 +2,7 @@
 //! without a network. What they say to each other is what goes over the wire otherwise, word
 //! for word.
 
+use std::net::{Ipv4Addr, SocketAddrV4};
 use std::time::Duration;
 
 use crate::app::App;
@@ -11,7 +12,7 @@ use crate::messages::{HostCall, HostNews, Input, JoinCall, JoinNews, LineId, Ope
 use crate::shells::Headless;
 
 /// Where the class is, for all who are in it.
-const ADDRESS: &str = "192.168.43.117:8090";
+const ADDRESS: SocketAddrV4 = SocketAddrV4::new(Ipv4Addr::new(192, 168, 43, 117), 8090);
 
 /// A class in one process.
 pub struct Classroom {
@@ -20,6 +21,8 @@ pub struct Classroom {
     code: Option<DoorCode>,
     /// How many connections there have been.
     lines: LineId,
+    /// How much time has passed.
+    passed: Duration,
 }
 
 /// A pupil.
@@ -51,6 +54,7 @@ impl Classroom {
             pupils: Vec::new(),
             code: None,
             lines: 0,
+            passed: Duration::ZERO,
         };
         class.settle();
         class
@@ -113,6 +117,7 @@ impl Classroom {
 
     /// Lets simulated time pass for all.
     pub fn pass(&mut self, time: Duration) {
+        self.passed += time;
         if self.pupils.is_empty() {
             self.host.pass(time);
             return self.settle();
@@ -147,12 +152,12 @@ impl Classroom {
 
     fn host_calls(&mut self, call: &HostCall) {
         match call {
-            HostCall::Open(code) => {
+            HostCall::Open { code, .. } => {
                 let code = code.unwrap_or(DoorCode::of(123_456_789));
                 self.code = Some(code);
                 let door = OpenDoor {
                     code,
-                    addresses: vec![ADDRESS.into()],
+                    addresses: vec![ADDRESS],
                     page: Ok(()),
                 };
                 self.host
@@ -184,6 +189,12 @@ impl Classroom {
 
     fn at(&mut self, line: LineId) -> Option<&mut Pupil> {
         self.pupils.iter_mut().find(|it| it.line == Some(line))
+    }
+
+    /// The address of a pupil's device: each has one of its own.
+    fn address_of(&self, line: LineId) -> Ipv4Addr {
+        let at = self.pupils.iter().position(|it| it.line == Some(line));
+        Ipv4Addr::from(at.map_or(0, |at| at as u32 + 1) | 10 << 24)
     }
 
     fn tell(&mut self, line: LineId, saying: &HostSaying) {
@@ -248,6 +259,8 @@ impl Classroom {
                     name,
                     seat,
                     fresh: SeatToken::of(u128::from(line)),
+                    address: self.address_of(line).into(),
+                    at: self.passed,
                 }
             }
             Ok(Saying::Vote { q, vote, said, n }) => HostNews::Voted {

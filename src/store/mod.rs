@@ -217,7 +217,7 @@ impl Store {
         self.progress.on_day(self.calendar().today());
         let done = match &request.wish {
             StoreRequest::Save(game) => StoreReply::Saved(self.save(ticket, game)),
-            StoreRequest::List => StoreReply::Listed(self.games.list(self.knows_age())),
+            StoreRequest::List => StoreReply::Listed(self.games.list(self.ages().as_ref())),
             StoreRequest::Load(name) => {
                 let loaded = self.games.load(ticket, name);
                 StoreReply::Loaded(loaded.map(|(game, _)| Box::new(game)))
@@ -232,7 +232,9 @@ impl Store {
             StoreRequest::NoteClass { changes, round } => {
                 StoreReply::Saved(self.note_class(ticket, changes, round))
             }
-            StoreRequest::ListClasses => StoreReply::Classes(self.classes.list(self.knows_age())),
+            StoreRequest::ListClasses => {
+                StoreReply::Classes(self.classes.list(self.ages().as_ref()))
+            }
             StoreRequest::LoadClass(name) => StoreReply::Class(self.load_class(ticket, name)),
             StoreRequest::RemoveClass(name) => StoreReply::Removed(self.classes.remove(name)),
             StoreRequest::ExportClass(round) => StoreReply::Exported(self.export_class(round)),
@@ -390,9 +392,10 @@ impl Store {
         }))
     }
 
-    /// Whether the ages of files mean anything beside what its clock says.
-    fn knows_age(&self) -> bool {
-        self.clock == Clock::Computer
+    /// The calendar for the ages of files; `None` where they mean nothing beside what its clock
+    /// says.
+    fn ages(&self) -> Option<Calendar> {
+        (self.clock == Clock::Computer).then(|| self.calendar())
     }
 
     /// The time, and the days where this computer is.

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::text_store::TextStore;
 use crate::files::FileErrors;
 use crate::messages::Kept;
+use crate::progress::Calendar;
 
 /// Things of one kind that are saved again and again, each known by the
 /// ticket of whoever works on it.
@@ -111,16 +112,24 @@ impl<T> OpenFiles<T> {
         self.notice.take()
     }
 
-    /// All there is, the latest first, with their ages if those mean anything.
-    pub(super) fn list(&self, with_age: bool) -> Result<Vec<Kept<T>>, String> {
+    /// All there is, the latest first, with their ages and days where a calendar knows them.
+    pub(super) fn list(&self, calendar: Option<&Calendar>) -> Result<Vec<Kept<T>>, String> {
         let names = self.texts.names()?.into_iter();
-        let found = names.map(|name| Kept {
-            age: with_age.then(|| self.texts.age(&name)).flatten(),
-            content: match self.read(&name) {
-                Ok((_, thing)) => Ok(Box::new(thing)),
-                Err(fault) => Err(fault.without_file()),
-            },
-            name,
+        let found = names.map(|name| {
+            let age = calendar.and_then(|_| self.texts.age(&name));
+            let day = age.zip(calendar).and_then(|(age, calendar)| {
+                let age_s = i64::try_from(age.as_secs()).ok()?;
+                calendar.day(calendar.now_s?.checked_sub(age_s)?)
+            });
+            Kept {
+                age,
+                day,
+                content: match self.read(&name) {
+                    Ok((_, thing)) => Ok(Box::new(thing)),
+                    Err(fault) => Err(fault.without_file()),
+                },
+                name,
+            }
         });
         Ok(found.collect())
     }

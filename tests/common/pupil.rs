@@ -1,7 +1,7 @@
 //! A pupil's device as a test plays it: a WebSocket and what is said over it.
 
 use std::io::{self, Read, Write};
-use std::net::TcpStream;
+use std::net::{Ipv4Addr, SocketAddrV4, TcpStream};
 use std::time::Duration;
 
 use serde_json::{Value, json};
@@ -21,7 +21,24 @@ pub(crate) struct Pupil {
 
 /// A connection to a host on this computer.
 pub(crate) fn connect(port: u16) -> io::Result<TcpStream> {
-    let stream = TcpStream::connect(("127.0.0.1", port))?;
+    connect_from(1, port)
+}
+
+/// The same from another address, `127.0.0.DEVICE`, where a computer has such ones: each device in a
+/// network has its own.
+pub(crate) fn connect_from(device: u8, port: u16) -> io::Result<TcpStream> {
+    let host = SocketAddrV4::new(Ipv4Addr::LOCALHOST, port);
+    #[cfg(target_os = "linux")]
+    let stream = {
+        use rustix::net::{AddressFamily, SocketType, bind, connect, socket};
+        let own = SocketAddrV4::new(Ipv4Addr::new(127, 0, 0, device), 0);
+        let socket = socket(AddressFamily::INET, SocketType::STREAM, None)?;
+        bind(&socket, &own)?;
+        connect(&socket, &host)?;
+        TcpStream::from(socket)
+    };
+    #[cfg(not(target_os = "linux"))]
+    let stream = TcpStream::connect(host)?;
     stream.set_nodelay(true)?;
     stream.set_read_timeout(Some(PATIENCE))?;
     Ok(stream)
@@ -40,9 +57,14 @@ pub(crate) fn answer(port: u16, request: &[u8]) -> String {
 impl Pupil {
     /// A device that has not joined yet.
     pub(crate) fn dial(port: u16) -> io::Result<Self> {
+        Self::dial_from(1, port)
+    }
+
+    fn dial_from(device: u8, port: u16) -> io::Result<Self> {
         let link = format!("ws://127.0.0.1:{port}/class");
+        let stream = connect_from(device, port)?;
         let (socket, _) =
-            client(link, connect(port)?).map_err(|error| io::Error::other(error.to_string()))?;
+            client(link, stream).map_err(|error| io::Error::other(error.to_string()))?;
         Ok(Self {
             socket,
             state: Value::Null,
@@ -52,7 +74,18 @@ impl Pupil {
 
     /// A device that joins; what the host says to that is its state.
     pub(crate) fn join(port: u16, code: &str, name: &str, seat: Option<&str>) -> io::Result<Self> {
-        let mut pupil = Self::dial(port)?;
+        Self::join_from(1, port, code, name, seat)
+    }
+
+    /// The same with an address of its own, as of [`connect_from`].
+    pub(crate) fn join_from(
+        device: u8,
+        port: u16,
+        code: &str,
+        name: &str,
+        seat: Option<&str>,
+    ) -> io::Result<Self> {
+        let mut pupil = Self::dial_from(device, port)?;
         let mut join = json!({"t": "join", "v": 1, "code": code, "name": name});
         if let Some(seat) = seat {
             join["seat"] = seat.into();

@@ -121,9 +121,8 @@ fn teach(
         let news = host.take_news();
         for it in &news {
             if let HostNews::Opened(Ok(door)) = it {
-                let (_, port) = door.addresses[0].rsplit_once(':').unwrap();
-                told.send((port.parse().unwrap(), door.code.to_string()))
-                    .unwrap();
+                let port = door.addresses[0].port();
+                told.send((port, door.code.to_string())).unwrap();
             }
         }
         if !news.is_empty() {

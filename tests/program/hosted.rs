@@ -170,6 +170,73 @@ fn nobody_gets_in_without_the_code() {
     assert_eq!(pupil.text("name"), "Ada");
 }
 
+/// Guesses run at once and again by new connections, from one device; 1,277 a second were looked
+/// at. Another one that mistypes gets in meanwhile, and so does one behind the same router that was
+/// in already.
+#[cfg(target_os = "linux")]
+#[test]
+fn codes_are_guessed_slowly_however_many_connections_try() {
+    let folder = Folder::new("hosted-guesses");
+    let teacher = start(&folder);
+    let ada = teacher.join("Ada");
+    let seat = ada.text("seat");
+    drop(ada);
+    let guess = |device: u8, code: &str| {
+        let pupil = Pupil::join_from(device, teacher.port, code, "x", None).unwrap();
+        pupil.why().map(str::to_owned)
+    };
+    let heard: Vec<Option<String>> = thread::scope(|scope| {
+        let guesses: Vec<_> = (0..60)
+            .map(|number| {
+                scope.spawn(move || {
+                    let codes = [2 * number, 2 * number + 1].map(carrom::class::DoorCode::of);
+                    codes.map(|code| guess(1, &code.to_string()))
+                })
+            })
+            .collect();
+        let heard = guesses.into_iter().flat_map(|it| it.join().unwrap());
+        heard.collect()
+    });
+    let said = |why: &str| heard.iter().filter(|it| it.as_deref() == Some(why)).count();
+    // Sixty, and one for every ten seconds that it took.
+    assert!((60..=63).contains(&said("code")), "{heard:?}");
+    assert_eq!(said("code") + said("later"), 120);
+    assert_eq!(guess(1, &teacher.code).as_deref(), Some("later"));
+    let back = Pupil::join(teacher.port, &teacher.code, "Ada", Some(&seat)).unwrap();
+    assert_eq!(back.text("name"), "Ada");
+    assert_eq!(guess(2, "BCDFGH").as_deref(), Some("code"));
+    assert_eq!(guess(2, &teacher.code), None);
+}
+
+/// 246 seats were taken from one address in 0.6 s, and somebody who really came heard that the class
+/// is full.
+#[cfg(target_os = "linux")]
+#[test]
+fn one_device_does_not_fill_the_class() {
+    let folder = Folder::new("hosted-full");
+    let teacher = start(&folder);
+    let mut seats = Vec::new();
+    let start = Instant::now();
+    for number in 0..246 {
+        let pupil = teacher.join(&format!("Nobody {number}"));
+        match pupil.why() {
+            None => seats.push(pupil.text("seat")),
+            Some(why) => assert_eq!(why, "later"),
+        }
+    }
+    // Sixty at once, and one more every two seconds.
+    let most = 61 + start.elapsed().as_secs() as usize / 2;
+    assert!((60..=most).contains(&seats.len()), "{}", seats.len());
+    let newcomer = Pupil::join_from(2, teacher.port, &teacher.code, "Ada", None).unwrap();
+    assert_eq!(newcomer.text("name"), "Ada");
+    // Whoever comes back takes no new seat.
+    for (number, seat) in seats.iter().enumerate().take(20) {
+        let back = Pupil::join(teacher.port, &teacher.code, "x", Some(seat)).unwrap();
+        assert_eq!(back.text("name"), format!("Nobody {number}"));
+    }
+    teacher.wait_for("have voted");
+}
+
 #[test]
 fn names_of_any_signs_stay_names() {
     let folder = Folder::new("hosted-names");

@@ -245,7 +245,7 @@ fn a_round_in_a_terminal_is_killed_in_the_midst_of_votes_and_loses_none() {
             let mut pty = start(&[]);
             pty.wait_for("Start");
             pty.press("\x1b[F\x1b[B\r");
-            pty.wait_for("7: A, B, C, D");
+            pty.wait_for("A, B, C, D");
             pty.press("\r");
             pty
         } else {

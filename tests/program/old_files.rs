@@ -151,6 +151,25 @@ fn a_class_round_of_the_third_format_still_opens() {
 }
 
 #[test]
+fn a_class_round_of_the_fourth_format_still_opens() {
+    let bytes = include_bytes!("../saves/class-4.toml");
+    let round = ClassRound::read("class-4", bytes, &Default::default()).unwrap();
+    assert_eq!(round.removed().collect::<Vec<_>>(), ["Bo"]);
+    assert_eq!(round.address(), None);
+}
+
+#[test]
+fn a_class_round_of_the_fifth_format_still_opens() {
+    let bytes = include_bytes!("../saves/class-5.toml");
+    let round = ClassRound::read("class-5", bytes, &Default::default()).unwrap();
+    assert_eq!(round.address().unwrap().to_string(), "192.168.43.117:8091");
+    // Written anew it says the same.
+    let text = round.text().unwrap();
+    let again = ClassRound::read("again", text.as_bytes(), &Default::default()).unwrap();
+    assert_eq!(again.text().unwrap(), text);
+}
+
+#[test]
 fn an_exported_game_of_the_first_format_still_opens() {
     let bytes = include_bytes!("../saves/export-1.toml");
     let (saved, game) = SavedGame::read("export-1.toml", bytes).unwrap();

@@ -60,7 +60,7 @@ fn the_second_vote_scores_and_the_first_is_kept() {
 fn ten_are_enough_to_tell_them_apart() {
     let devices = |people: usize| {
         let mut round = ClassRound::with_devices(Code::parse("mixed-7").unwrap());
-        round.open(DoorCode::of(7));
+        round.open(DoorCode::of(7), None);
         for person in 0..people {
             let seat = SeatToken::of(person as u128 + 1);
             let name = format!("Person {person}");
@@ -149,13 +149,17 @@ fn a_bad_file_says_what_is_wrong_with_it() {
     let good = "format = 1\ncode = \"7\"\nteams = [\"Ants\"]\n";
     for (text, complaint) in [
         (String::new(), "format"),
-        ("format = 5\n".into(), "newer"),
+        ("format = 6\n".into(), "newer"),
         ("format = \"x\"\n".into(), "format"),
         (good.replace("\"7\"", "\"seven\""), "code"),
         (good.replace("\"Ants\"", "\"Ants\", \"ants\""), "twice"),
         (good.replace("\"Ants\"", "\" Ants\""), "visible"),
         (good.replace("[\"Ants\"]", "[]"), "found none"),
         (format!("{good}extra = 1\n"), "extra"),
+        (
+            format!("{good}door = \"BCDFGH\"\naddress = \"here\"\nseats = [\"\"]\n"),
+            "address",
+        ),
         (
             format!("{good}[[question]]\nfirst = [\"\", \"rays 1 2\"]\nsecond = []\n"),
             "found more",

@@ -2,11 +2,15 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::net::Ipv4Addr;
 use std::time::Duration;
 
 use carrom::app::App;
+use carrom::class::protocol::Refusal;
+use carrom::class::{DoorCode, SeatToken, Vote};
 use carrom::cli;
 use carrom::gradebook::HandIn;
+use carrom::messages::{HostCall, HostNews, Input, JoinCall, JoinNews, LineId, OpenDoor};
 use carrom::quiz::Code;
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
@@ -442,4 +446,340 @@ fn a_device_does_not_say_out_of_reach_after_the_round_is_over() {
     let screen = class.game(pupils[0]).screen();
     assert!(screen.contains("The round is over.") && screen.contains("place 1"));
     assert!(!screen.contains("out of reach"), "{screen}");
+}
+
+/// A class that is kept in `folder`: its round of this code, its name, and these pupils, who come
+/// in.
+fn hosted(folder: &Folder, code: Option<&str>, name: &str, pupils: &[&str]) -> Classroom {
+    let place = Place::Host {
+        code: code.map(|code| Code::parse(code).unwrap()),
+        name: name.into(),
+    };
+    let app = App::new(place, Settings::default(), 7);
+    let store = Store::in_folder(folder.path());
+    let mut class = Classroom::new(Headless::keeping(app, 80, 24, store));
+    for name in pupils {
+        let app = pupil(name, &class);
+        let who = class.add(name, app, 80, 24);
+        press(&mut class, who, "<Enter>", "You are in");
+    }
+    class
+}
+
+fn files_of_classes(folder: &Folder) -> usize {
+    let entries = fs::read_dir(folder.path().join("classes"));
+    let names = entries.into_iter().flatten().map(|it| it.unwrap().path());
+    names
+        .filter(|path| path.extension().is_some_and(|it| it == "toml"))
+        .count()
+}
+
+/// Goes on through all questions, whoever votes.
+fn play_to_the_end(class: &mut Classroom) {
+    for _ in 0..40 {
+        if class.game(Who::Host).screen().contains("for a spreadsheet") {
+            return;
+        }
+        press(class, Who::Host, "<End><Enter>", "");
+    }
+    panic!("no end:\n{}", class.game(Who::Host).screen());
+}
+
+/// Whoever had started carrom again after a crash had to look for the round in a list.
+#[test]
+fn a_round_that_was_stopped_is_offered_when_the_class_is_hosted_again() {
+    let folder = Folder::new("class-stopped");
+    let mut class = hosted(&folder, Some("from-angle2-7"), "10b", &["Ada", "Bo"]);
+    let code = class.code();
+    press(&mut class, Who::Host, "<Enter><Enter>", "0 of 2 have voted");
+    let ada = class.pupil("Ada").unwrap();
+    press(
+        &mut class,
+        ada,
+        "60<Enter>30<Enter><Enter>",
+        "Your vote is in",
+    );
+    // It is gone, as if it were killed.
+    drop(class);
+    for [width, height] in [[80, 24], [60, 20], [120, 40]] {
+        let mut class = hosted(&folder, None, "", &[]);
+        class.game(Who::Host).input(&Input::Resize(width, height));
+        let screen = class.game(Who::Host).screen();
+        let words: Vec<&str> = screen.split(['|', '\n']).map(str::trim).collect();
+        let words = words
+            .join(" ")
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ");
+        assert!(words.contains("10b stopped at question 1"), "{screen}");
+        assert!(words.contains("2 pupils"), "{screen}");
+        assert_eq!(class.code(), None, "nobody comes in before that is decided");
+    }
+    let mut class = hosted(&folder, None, "", &[]);
+    press(&mut class, Who::Host, "<Enter>", "the code of this class");
+    assert_eq!(class.code(), code);
+    press(&mut class, Who::Host, "", "0 of 2 are in");
+    press(&mut class, Who::Host, "<Enter>", "1 of 1 have voted");
+    assert_eq!(files_of_classes(&folder), 1, "it goes on in its file");
+}
+
+/// What is offered could be what is meant, and is not over.
+#[test]
+fn a_round_that_is_over_or_of_another_class_is_not_offered() {
+    let folder = Folder::new("class-not-offered");
+    drop(hosted(&folder, Some("from-angle2-7"), "10b", &["Ada"]));
+    for (code, name, shows) in [
+        // The same class and the same questions, as in the history of a shell.
+        (Some("from-angle2-7"), "10b", "10b stopped at"),
+        (Some("from-angle2-7"), "", "10b stopped at"),
+        (None, "10b", "10b stopped at"),
+        (None, "", "10b stopped at"),
+        (Some("from-angle2-8"), "10b", "the code of this class"),
+        (Some("from-angle2-7"), "11a", "the code of this class"),
+        (None, "11a", "devices of their own"),
+    ] {
+        let mut class = hosted(&folder, code, name, &[]);
+        press(&mut class, Who::Host, "", shows);
+    }
+    // Another one begins, and both are there.
+    let mut class = hosted(&folder, Some("from-angle2-7"), "10b", &[]);
+    press(&mut class, Who::Host, "<Down><Enter>", "Nobody is in yet");
+    let app = pupil("Bo", &class);
+    let bo = class.add("Bo", app, 80, 24);
+    press(&mut class, bo, "<Enter>", "You are in, Bo.");
+    assert_eq!(files_of_classes(&folder), 2);
+    // It is played to its end and left.
+    play_to_the_end(&mut class);
+    press(&mut class, Who::Host, "<Escape>", "");
+    let mut class = hosted(&folder, None, "10b", &[]);
+    press(&mut class, Who::Host, "", "devices of their own");
+}
+
+/// Each time a door was opened a round was there, with nobody in it.
+#[test]
+fn a_round_that_nobody_joined_leaves_no_file() {
+    let folder = Folder::new("class-nobody");
+    let mut class = hosted(&folder, Some("from-angle2-7"), "10b", &[]);
+    play_to_the_end(&mut class);
+    press(&mut class, Who::Host, "<Escape>", "");
+    assert_eq!(files_of_classes(&folder), 0);
+    drop(class);
+    let class = hosted(&folder, Some("from-angle2-7"), "10b", &["Ada"]);
+    assert_eq!(files_of_classes(&folder), 1);
+    drop(class);
+}
+
+/// There was nothing but the code and the first names.
+#[test]
+fn the_list_of_earlier_rounds_shows_class_date_and_head_count() {
+    let folder = Folder::new("class-earlier");
+    drop(hosted(
+        &folder,
+        Some("from-angle2-7"),
+        "10b",
+        &["Ada", "Bo", "Cy"],
+    ));
+    let place = Place::Class {
+        code: None,
+        teams: Vec::new(),
+        name: String::new(),
+    };
+    let app = App::new(place, Settings::default(), 7);
+    let store = Store::in_folder(folder.path());
+    let mut class = Classroom::new(Headless::keeping(app, 80, 24, store));
+    let today = || jiff::Zoned::now().date().strftime("%-d %B %Y").to_string();
+    let before = today();
+    press(
+        &mut class,
+        Who::Host,
+        "<End><Enter>",
+        "10b: from-angle2-7, 3 pupils, ",
+    );
+    let screen = class.game(Who::Host).screen();
+    let days = [before, today()].map(|day| format!("3 pupils, {day} "));
+    assert!(days.iter().any(|day| screen.contains(day)), "{screen}");
+    press(&mut class, Who::Host, "", "Ada, Bo, Cy");
+}
+
+/// Their devices call where the round was.
+#[test]
+fn a_round_that_is_at_another_address_than_before_tells_the_teacher_so() {
+    let folder = Folder::new("class-moved");
+    drop(hosted(&folder, Some("from-angle2-7"), "10b", &["Ada"]));
+    let file = folder.path().join("classes/class-1.toml");
+    let text = fs::read_to_string(&file).unwrap();
+    let moved = text.replace("192.168.43.117:8090", "192.168.43.118:8090");
+    assert_ne!(moved, text);
+    for (text, tells) in [(text, false), (moved, true)] {
+        fs::write(&file, text).unwrap();
+        let mut class = hosted(&folder, None, "", &[]);
+        press(&mut class, Who::Host, "<Enter>", "");
+        let screen = class.game(Who::Host).screen();
+        assert_eq!(screen.contains("192.168.43.118:8090"), tells, "{screen}");
+    }
+}
+
+/// A host at the first vote of its round, to which devices come by the thousand.
+struct Crowd {
+    host: Headless,
+    lines: LineId,
+    /// The time in seconds.
+    now_s: u64,
+}
+
+impl Crowd {
+    fn new() -> Self {
+        let place = Place::Host {
+            code: Code::parse("from-angle2-7"),
+            name: String::new(),
+        };
+        let app = App::new(place, Settings::default(), 7);
+        let mut host = Headless::new(app, 80, 24);
+        let door = OpenDoor {
+            code: DoorCode::of(7),
+            addresses: vec!["192.168.43.117:8090".parse().unwrap()],
+            page: Ok(()),
+        };
+        host.input(&Input::Hosted(vec![HostNews::Opened(Ok(door))]));
+        host.press("<Enter><Enter>");
+        let (lines, now_s) = (0, 0);
+        Self { host, lines, now_s }
+    }
+
+    /// Somebody new comes from an address; gives their connection, and whoever is sent away.
+    fn come(&mut self, address: u32) -> (LineId, Vec<(LineId, Refusal)>) {
+        self.lines += 1;
+        let line = self.lines;
+        self.hear(HostNews::Came {
+            line,
+            name: format!("Pupil {line}"),
+            seat: None,
+            fresh: SeatToken::of(line.into()),
+            address: Ipv4Addr::from(address).into(),
+            at: Duration::from_secs(self.now_s),
+        });
+        let calls = self.host.take_host_calls();
+        let sent_away = calls.iter().filter_map(|call| match call {
+            HostCall::Refuse(line, why) => Some((*line, *why)),
+            _ => None,
+        });
+        (line, sent_away.collect())
+    }
+
+    /// So many come from addresses of their own, and are in.
+    fn fill(&mut self, count: u32) {
+        for address in 1000..1000 + count {
+            assert_eq!(self.come(address).1, []);
+        }
+    }
+
+    fn hear(&mut self, news: HostNews) {
+        self.host.input(&Input::Hosted(vec![news]));
+    }
+
+    fn vote(&mut self, line: LineId) {
+        self.hear(HostNews::Voted {
+            line,
+            question: 0,
+            vote: Vote::First,
+            said: "rays 60 30".into(),
+            n: 1,
+        });
+    }
+
+    fn shows(&mut self, words: &str) {
+        let screen = self.host.screen();
+        assert!(screen.contains(words), "no {words}:\n{screen}");
+    }
+}
+
+/// They filled the class at once.
+#[test]
+fn new_seats_of_one_address_come_back_with_time() {
+    let mut crowd = Crowd::new();
+    // A class behind one router, and half of it once more.
+    for _ in 0..60 {
+        assert_eq!(crowd.come(1).1, []);
+    }
+    let (line, sent_away) = crowd.come(1);
+    assert_eq!(sent_away, [(line, Refusal::Later)]);
+    assert_eq!(crowd.come(2).1, [], "another device is let in");
+    for _ in 0..30 {
+        crowd.now_s += 2;
+        assert_eq!(crowd.come(1).1, []);
+        assert_eq!(crowd.come(1).1[0].1, Refusal::Later);
+    }
+    crowd.shows("0 of 91 have voted");
+}
+
+/// There was no room for anybody, though nobody was there.
+#[test]
+fn a_newcomer_to_a_full_class_takes_the_seat_of_somebody_away_who_never_voted() {
+    let mut crowd = Crowd::new();
+    crowd.fill(250);
+    crowd.vote(2);
+    let (line, sent_away) = crowd.come(9);
+    assert_eq!(sent_away, [(line, Refusal::Full)], "all are there");
+    for away in [1, 2, 3] {
+        crowd.hear(HostNews::Gone(away));
+    }
+    crowd.shows("1 of 248 have voted");
+    assert_eq!(crowd.come(9).1, []);
+    assert_eq!(crowd.come(9).1, []);
+    let (line, sent_away) = crowd.come(9);
+    assert_eq!(sent_away, [(line, Refusal::Full)]);
+    // Whoever has voted keeps the seat, and the vote.
+    crowd.shows("1 of 250 have voted");
+}
+
+/// The class was full for good as long as that device stayed.
+#[test]
+fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
+    let mut crowd = Crowd::new();
+    crowd.fill(20);
+    while crowd.lines < 250 {
+        crowd.now_s += 2;
+        assert_eq!(crowd.come(1).1, []);
+    }
+    crowd.vote(250);
+    // Not for itself.
+    crowd.now_s += 2;
+    let (line, sent_away) = crowd.come(1);
+    assert_eq!(sent_away, [(line, Refusal::Full)]);
+    // Until it holds half of all seats.
+    for newcomer in 0..105 {
+        let displaced = 249 - LineId::from(newcomer);
+        assert_eq!(crowd.come(2000 + newcomer).1, [(displaced, Refusal::Full)]);
+    }
+    let (line, sent_away) = crowd.come(3000);
+    assert_eq!(sent_away, [(line, Refusal::Full)]);
+    crowd.shows("1 of 250 have voted");
+}
+
+/// Nobody has to do anything: it goes on as soon as it is their turn.
+#[test]
+fn a_device_that_is_to_come_later_says_so_and_tries_again() {
+    let place = Place::Join {
+        address: Some("192.168.43.117:8090".into()),
+        code: Some(DoorCode::of(7)),
+        again: false,
+    };
+    let settings = Settings {
+        player: "Ada".into(),
+        ..Settings::default()
+    };
+    let mut game = Headless::new(App::new(place, settings, 7), 80, 24);
+    game.press("<Enter>");
+    for _ in 0..3 {
+        let dial = JoinCall::Dial("192.168.43.117:8090".into());
+        assert_eq!(game.take_join_calls(), [dial]);
+        game.input(&Input::Joined(JoinNews::Reached));
+        assert!(matches!(&game.take_join_calls()[..], [JoinCall::Say(_)]));
+        let no = JoinNews::Heard(r#"{"t":"no","why":"later"}"#.into());
+        game.input(&Input::Joined(no));
+        let screen = game.screen();
+        assert!(screen.contains("again by itself"), "{screen}");
+        assert_eq!(game.take_join_calls(), []);
+        game.pass(Duration::from_secs(6));
+    }
 }

@@ -259,7 +259,7 @@ impl Shell {
                         }
                     }
                 }
-                Effect::Host(HostCall::Open(_)) => {
+                Effect::Host(HostCall::Open { .. }) => {
                     let words = "a page cannot be one; the program carrom can".to_owned();
                     self.input(&Input::Hosted(vec![HostNews::Opened(Err(words))]));
                 }

@@ -19,7 +19,7 @@ use crate::messages::History;
 use crate::numbers::counted;
 use crate::progress::{
     Attempt, Calendar, Calibrated, HeldBelief, LESSON, Mastery, Tally, TopicStanding, advice,
-    beliefs, calibration, ends_deg, topics,
+    beliefs, calibration, ends_deg, long_day, topics,
 };
 use crate::quiz::{Measure, RIGHT_DEG};
 use rows::{ChapterRow, Cut, PackRow};
@@ -140,9 +140,11 @@ impl<'a> Report<'a> {
         let times = self.attempts.iter().filter_map(|it| it.time_s);
         let days: BTreeSet<Date> = times.filter_map(|time| self.calendar.day(time)).collect();
         match (days.first(), days.last()) {
-            (Some(first), Some(last)) if first == last => format!("{count} on {}", long(*first)),
+            (Some(first), Some(last)) if first == last => {
+                format!("{count} on {}", long_day(*first))
+            }
             (Some(first), Some(last)) => {
-                let (days, [first, last]) = (days.len(), [first, last].map(|day| long(*day)));
+                let (days, [first, last]) = (days.len(), [first, last].map(|day| long_day(*day)));
                 format!("{count} on {days} days, from {first} to {last}")
             }
             _ => count,
@@ -162,7 +164,7 @@ impl<'a> Report<'a> {
     /// Where the figures come from.
     fn origin(&self) -> String {
         let today = self.calendar.today();
-        let when = today.map_or(String::new(), |day| format!(" on {}", long(day)));
+        let when = today.map_or(String::new(), |day| format!(" on {}", long_day(day)));
         format!(
             "Written by carrom{when} from the answers kept on this computer. Days begin at \
              midnight where it was written. Right: a direction within {RIGHT_DEG}° of the true \
@@ -172,9 +174,4 @@ impl<'a> Report<'a> {
             Mastery::MEANING,
         )
     }
-}
-
-/// A day as it is read: "21 November 2026".
-fn long(day: Date) -> String {
-    day.strftime("%-d %B %Y").to_string()
 }

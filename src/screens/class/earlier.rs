@@ -1,13 +1,16 @@
 //! The list of earlier rounds, to take one up again.
 
+use jiff::civil::Date;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 
 use super::play::ClassPlay;
 use super::set_up::SetUp;
 use super::view::column;
-use crate::class::ClassRound;
+use crate::class::{ClassRound, Vote, WayOfVoting};
 use crate::messages::{Kept, Mouse, StoreAnswer, StoreReply, StoreRequest};
+use crate::numbers::counted;
+use crate::progress::long_day;
 use crate::screens::kept_files::{KeptFiles, KeptKind};
 use crate::screens::{Context, Next};
 use crate::widgets::panels::draw_panel;
@@ -77,7 +80,7 @@ impl EarlierRounds {
         let title = |kept: &Kept<ClassRound>| {
             let age = kept.age.map(text::ago).unwrap_or_default();
             let title = match &kept.content {
-                Ok(round) => format!("{}: {}", round.code(), round.teams().join(", ")),
+                Ok(round) => titled(round, kept.day),
                 Err(_) => format!("{}: not readable", kept.name),
             };
             text::clipped(
@@ -90,9 +93,35 @@ impl EarlierRounds {
             let number = round.place().question + 1;
             let place = format!("Question {number} of {}.", round.questions().len());
             lines.paragraph(&place, Role::Text);
-            lines.paragraph(&round.teams().join(", "), Role::Dim);
+            let names = round.teams().join(", ");
+            let names = text::clipped(&look.charset.text(&names), 2 * width);
+            lines.paragraph(&names, Role::Dim);
             lines.gap();
             lines.paragraph("Enter: take it up where it was left.", Role::Key);
         });
+    }
+}
+
+/// A round in a line: its class, its code, how many were in, and the day.
+fn titled(round: &ClassRound, day: Option<Date>) -> String {
+    let class = match round.class() {
+        "" => String::new(),
+        class => format!("{class}: "),
+    };
+    let day = day.map_or(String::new(), |day| format!(", {}", long_day(day)));
+    format!("{class}{}, {}{day}", round.code(), head_count(round))
+}
+
+/// How many there were: "27 pupils", "4 teams"; of hands the most that were counted at once.
+pub(super) fn head_count(round: &ClassRound) -> String {
+    let people = round.teams().len();
+    match round.way() {
+        WayOfVoting::Teams => counted(people, "team"),
+        WayOfVoting::Devices => counted(people, "pupil"),
+        WayOfVoting::Tally => {
+            let questions = 0..round.questions().len();
+            let votes = questions.flat_map(|at| Vote::BOTH.map(|vote| round.voted(at, vote)));
+            counted(votes.max().unwrap_or(0), "vote")
+        }
     }
 }

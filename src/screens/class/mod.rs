@@ -17,6 +17,7 @@ mod shown_view;
 mod spread_view;
 mod step_view;
 mod tally_entry;
+mod unfinished;
 mod view;
 mod vote_entry;
 mod vote_view;
@@ -30,7 +31,7 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::kept_files::KeptAction;
-use super::{Confirmation, Context, Next, Screen};
+use super::{Confirmation, Context, Next, Screen, View};
 use crate::class::ClassRound;
 use crate::messages::{Input, Key, Mouse};
 use crate::quiz::Code;
@@ -41,6 +42,7 @@ use earlier::EarlierRounds;
 use hosting::HostingAction;
 use play::ClassPlay;
 use set_up::{SetUp, SetUpAction, SetUpEnd, SetUpRow};
+use unfinished::{Unfinished, UnfinishedEnd};
 
 /// What keys do in a class round.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
@@ -50,6 +52,8 @@ pub(crate) enum ClassAction {
     SetUp(SetUpAction),
     /// choose an earlier round
     Earlier(KeptAction),
+    /// take up the round that was stopped, or begin another one
+    Unfinished(ListAction),
     /// see to the pupils on their own devices
     Hosting(HostingAction),
     /// go on
@@ -109,6 +113,7 @@ pub(crate) struct Class {
 enum ClassScene {
     SetUp(Box<SetUp>),
     Earlier(Box<EarlierRounds>),
+    Unfinished(Box<Unfinished>),
     Play(Box<ClassPlay>),
 }
 
@@ -122,21 +127,34 @@ impl Class {
         }
     }
 
-    /// A round on devices of their own: begun at once if its code is known.
+    /// A round on devices of their own: one that was stopped, if the teacher wants that, or
+    /// another one.
     pub(crate) fn with_devices(code: Option<&Code>, name: &str, cx: &mut Context) -> Self {
-        let mut class = Self::new(code, &[], name, cx);
-        match code {
-            Some(code) => {
-                let round = ClassRound::with_devices(code.clone()).of_class(name);
-                class.scene = ClassScene::Play(Box::new(ClassPlay::new(round, cx)));
-            }
-            None => {
-                if let ClassScene::SetUp(set_up) = &mut class.scene {
-                    set_up.put(SetUpRow::Devices);
-                }
-            }
+        let unfinished = Unfinished::ask(code.cloned(), name, cx);
+        Self {
+            scene: ClassScene::Unfinished(Box::new(unfinished)),
+            paused: false,
         }
-        class
+    }
+
+    /// Goes on from a round that was stopped; another one begins at once if its code is known.
+    fn after_unfinished(&mut self, end: Option<UnfinishedEnd>, cx: &mut Context) {
+        let ClassScene::Unfinished(unfinished) = &self.scene else {
+            return;
+        };
+        self.scene = match (end, unfinished.other()) {
+            (None, _) => return,
+            (Some(UnfinishedEnd::TakeUp(play)), _) => ClassScene::Play(play),
+            (Some(UnfinishedEnd::Another), (Some(code), name)) => {
+                let round = ClassRound::with_devices(code.clone()).of_class(name);
+                ClassScene::Play(Box::new(ClassPlay::new(round, cx)))
+            }
+            (Some(UnfinishedEnd::Another), (None, name)) => {
+                let mut set_up = SetUp::new(None, &[], name, Arc::clone(&cx.own));
+                set_up.put(SetUpRow::Devices);
+                ClassScene::SetUp(Box::new(set_up))
+            }
+        };
     }
 
     fn set_up(&mut self, outcome: Outcome<SetUpEnd>, cx: &mut Context) -> Next {
@@ -156,7 +174,7 @@ impl Class {
 
     fn leave(&mut self, cx: &mut Context) -> Next {
         match &mut self.scene {
-            ClassScene::SetUp(_) => Next::Back,
+            ClassScene::SetUp(_) | ClassScene::Unfinished(_) => Next::Back,
             ClassScene::Earlier(earlier) => {
                 self.scene = ClassScene::SetUp(Box::new(earlier.set_up.clone()));
                 Next::Stay
@@ -187,6 +205,8 @@ impl Class {
                 self.set_up(outcome, cx)
             }
             ClassScene::Earlier(earlier) => earlier.mouse(mouse, cx),
+            // Its view takes it.
+            ClassScene::Unfinished(_) => Next::Ignored,
             ClassScene::Play(play) => play.mouse(mouse, cx),
         }
     }
@@ -230,6 +250,10 @@ impl Screen for Class {
             }
             ClassScene::Earlier(earlier) => {
                 let keys = keys.with(earlier.rounds.keys("take it up"), Earlier);
+                keys.on(Key::Escape, Leave, "back")
+            }
+            ClassScene::Unfinished(unfinished) => {
+                let keys = keys.with(unfinished.keys(), ClassAction::Unfinished);
                 keys.on(Key::Escape, Leave, "back")
             }
             ClassScene::Play(play) => play.keys(),
@@ -278,6 +302,10 @@ impl Screen for Class {
             (ClassAction::Earlier(action), ClassScene::Earlier(earlier)) => {
                 return earlier.rounds.act(action, cx);
             }
+            (ClassAction::Unfinished(action), ClassScene::Unfinished(unfinished)) => {
+                let end = unfinished.act(action, cx);
+                self.after_unfinished(end, cx);
+            }
             (action, ClassScene::Play(play)) => play.act(action, cx),
             _ => return Next::Ignored,
         }
@@ -311,6 +339,10 @@ impl Screen for Class {
                     self.scene = ClassScene::Play(play);
                 }
             }
+            (Input::Kept(answer), ClassScene::Unfinished(unfinished)) => {
+                let end = unfinished.take_answer(answer, cx);
+                self.after_unfinished(end, cx);
+            }
             (Input::Kept(answer), ClassScene::Play(play)) => play.take_answer(answer, cx),
             (Input::Hosted(news), ClassScene::Play(play)) => play.take_news(news, cx),
             _ => return Next::Ignored,
@@ -331,12 +363,21 @@ impl Screen for Class {
         }
     }
 
+    fn view<'s>(&'s self, _cx: &'s Context) -> Option<View<'s, ClassAction>> {
+        match &self.scene {
+            ClassScene::Unfinished(unfinished) => Some(unfinished.view()),
+            _ => None,
+        }
+    }
+
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
         let look = cx.settings.look();
         match &self.scene {
             _ if self.paused => view::paused(area, buf, &look),
             ClassScene::SetUp(set_up) => set_up_view::draw(set_up, area, buf, &look),
             ClassScene::Earlier(earlier) => earlier.draw(area, buf, &look),
+            // Its view draws it.
+            ClassScene::Unfinished(_) => {}
             ClassScene::Play(play) => view::draw(play, cx.room(), buf, &look),
         }
     }

@@ -217,14 +217,15 @@ impl ClassPlay {
 
     /// Lets pupils on devices go: those of a round that is over cannot come back.
     pub(super) fn leave(&mut self, cx: &mut Context) {
-        if self.hosting.is_none() {
+        let scene = self.scene();
+        let is_over = self.is_over();
+        let Some(hosting) = &mut self.hosting else {
             return;
-        }
+        };
         Hosting::close(cx);
-        if self.is_over() {
+        if is_over {
             self.round.close();
-            let round = Box::new(self.round.clone());
-            cx.keep(self.ticket, StoreRequest::SaveClass(round));
+            hosting.save(&self.round, scene, cx);
         }
     }
 

@@ -25,6 +25,8 @@ pub(super) struct Link {
     state: LinkState,
     /// Tries in vain since the host was last heard.
     tries: u32,
+    /// Why the host did not let them in yet.
+    held_up: Option<Refusal>,
     /// The number of the last vote that was made here.
     n: u64,
     /// A vote that the host has not taken yet, and whether it was said on this connection.
@@ -66,6 +68,7 @@ impl Link {
             seat: None,
             state: LinkState::Dialling,
             tries: 0,
+            held_up: None,
             n: 0,
             pending: None,
             said: false,
@@ -84,6 +87,11 @@ impl Link {
     /// Whether what the screen shows is how things stand.
     pub(super) fn is_in(&self) -> bool {
         self.state == LinkState::In
+    }
+
+    /// Why the host has not let them in yet, if it said so.
+    pub(super) fn held_up(&self) -> Option<Refusal> {
+        self.held_up
     }
 
     /// Whether a vote is still on its way.
@@ -134,6 +142,7 @@ impl Link {
                 let first = self.state != LinkState::In;
                 self.state = LinkState::In;
                 self.tries = 0;
+                self.held_up = None;
                 if first && self.seat != Some(state.seat) {
                     cx.join(JoinCall::Remember {
                         seat: state.seat.to_string(),
@@ -153,6 +162,7 @@ impl Link {
                 LinkNews::State(state)
             }
             Some(HostSaying::No { why }) if why.is_passing() => {
+                self.held_up = Some(why);
                 self.take(&JoinNews::Lost(why.words().into()), cx)
             }
             Some(HostSaying::No { why }) => {

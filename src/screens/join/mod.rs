@@ -346,8 +346,14 @@ impl Screen for Join {
     fn view<'s>(&'s self, _cx: &'s Context) -> Option<View<'s, JoinAction>> {
         let Some((desk, link)) = self.desk() else {
             let mut panel = Panel::new("your class");
-            match self.link {
-                Some(_) => panel.paragraph("Knocking at the door ..", Role::Text),
+            match &self.link {
+                Some(link) => {
+                    panel.paragraph("Knocking at the door ..", Role::Text);
+                    if let Some(why) = link.held_up() {
+                        panel.gap();
+                        panel.paragraph(why.words(), Role::Warn);
+                    }
+                }
                 None => panel.part(JoinAction::Form, |panel| self.form.write(panel)),
             }
             return Some(View::alone(SplitLayout::card, panel));

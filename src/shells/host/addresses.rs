@@ -1,13 +1,13 @@
 //! Where this computer is reached in its networks.
 
-use std::net::{IpAddr, Ipv4Addr, UdpSocket};
+use std::net::{IpAddr, Ipv4Addr, SocketAddrV4, UdpSocket};
 
 /// An address that is nobody's, to ask which way leads out; nothing is sent there.
 const ELSEWHERE: (Ipv4Addr, u16) = (Ipv4Addr::new(192, 0, 2, 1), 9);
 
-/// The addresses of this computer with this port: the one towards the network first, and that
-/// of the computer itself where there is no network.
-pub(super) fn own(port: u16) -> Vec<String> {
+/// The addresses of this computer with this port: the one where devices were before first, then
+/// the one towards the network; that of the computer itself where there is no network.
+pub(super) fn own(port: u16, before: Option<SocketAddrV4>) -> Vec<SocketAddrV4> {
     let interfaces = if_addrs::get_if_addrs().unwrap_or_default();
     let mut own: Vec<Ipv4Addr> = interfaces
         .iter()
@@ -16,13 +16,16 @@ pub(super) fn own(port: u16) -> Vec<String> {
             _ => None,
         })
         .collect();
-    let outward = outward();
-    own.sort_by_key(|ip| (Some(*ip) != outward, !ip.is_private(), *ip));
+    let (before, outward) = (before.map(|it| *it.ip()), outward());
+    let is_later = |ip: Ipv4Addr| [before, outward].map(|first| first != Some(ip));
+    own.sort_by_key(|ip| (is_later(*ip), !ip.is_private(), *ip));
     own.dedup();
     if own.is_empty() {
         own.push(Ipv4Addr::LOCALHOST);
     }
-    own.iter().map(|ip| format!("{ip}:{port}")).collect()
+    own.into_iter()
+        .map(|ip| SocketAddrV4::new(ip, port))
+        .collect()
 }
 
 /// The address that others in the network see.

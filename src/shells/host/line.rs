@@ -15,7 +15,7 @@ use super::head::{self, Wish};
 use super::switchboard::{Line, Outgoing, Switchboard};
 use super::{hang_up, random, spawn};
 use crate::class::protocol::{HostSaying, LARGEST_HAND_IN, LARGEST_SAYING, Refusal, Saying};
-use crate::class::{DoorCode, SeatToken};
+use crate::class::{Allowance, Bucket, SeatToken, Verdict};
 use crate::messages::HostNews;
 
 /// In which time the head of a request has to be there.
@@ -28,11 +28,13 @@ const GONE: Duration = Duration::from_secs(65);
 /// How long a piece may take to be sent, and the page as a whole.
 const WRITE_TIME: Duration = Duration::from_secs(10);
 const PAGE_TIME: Duration = Duration::from_secs(120);
-/// How long whoever knows no code has to wait: so nobody tries many.
-const WRONG_CODE: Duration = Duration::from_secs(1);
-/// Messages a second, and how many at once.
-const RATE: f64 = 10.0;
-const BURST: f64 = 30.0;
+/// How long whoever has to try again later is kept waiting.
+const LATER: Duration = Duration::from_secs(1);
+/// Messages at once, and how many a second.
+const MESSAGES: Allowance = Allowance {
+    at_once: 30.0,
+    per_s: 10.0,
+};
 /// For how many messages something that is handed in counts.
 const HAND_IN: f64 = 20.0;
 
@@ -240,9 +242,16 @@ fn join(
     else {
         return Err(Some(Refusal::Join));
     };
-    if code.parse::<DoorCode>() != Ok(board.code) {
-        thread::sleep(WRONG_CODE);
-        return Err(Some(Refusal::Code));
+    match board.judge(line, &code, seat) {
+        Verdict::Right => {}
+        Verdict::Wrong(delay) => {
+            thread::sleep(delay);
+            return Err(Some(Refusal::Code));
+        }
+        Verdict::Unseen => {
+            thread::sleep(LATER);
+            return Err(Some(Refusal::Later));
+        }
     }
     let fresh = SeatToken::of(random().map_err(|_| None)?);
     socket.get_mut().deadline = None;
@@ -259,6 +268,8 @@ fn join(
         name,
         seat,
         fresh,
+        address: line.address,
+        at: board.now(),
     });
     Ok(())
 }
@@ -269,23 +280,17 @@ fn listen(
     line: &Arc<Line>,
     socket: &mut WebSocket<Wire>,
 ) -> Option<Refusal> {
-    let mut room = BURST;
-    let mut since = Instant::now();
+    let mut messages = Bucket::full(MESSAGES);
     loop {
         let saying = match next(socket) {
             Ok(saying) => saying,
             Err(why) => return why,
         };
-        let now = Instant::now();
         let weight = match saying {
             Saying::HandIn { .. } => HAND_IN,
             _ => 1.0,
         };
-        room = (room + RATE * (now - since).as_secs_f64()).min(BURST) - weight;
-        since = now;
-        if room < 0.0 {
-            thread::sleep(Duration::from_secs_f64(-room / RATE));
-        }
+        thread::sleep(messages.take(weight, board.now()));
         match saying {
             Saying::Vote { q, vote, said, n } => board.hear(HostNews::Voted {
                 line: line.id,

@@ -16,7 +16,7 @@ mod page;
 mod switchboard;
 
 use std::io;
-use std::net::{Ipv4Addr, TcpListener, TcpStream};
+use std::net::{Ipv4Addr, SocketAddrV4, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
@@ -24,7 +24,6 @@ use std::time::Duration;
 pub use page::ServedPage;
 
 use crate::class::DoorCode;
-use crate::class::protocol::HostSaying;
 use crate::messages::{HostCall, HostNews, OpenDoor};
 use switchboard::Switchboard;
 
@@ -70,16 +69,16 @@ impl Host {
     /// Does what a screen asks for.
     pub fn call(&mut self, call: &HostCall) {
         match (call, &self.board) {
-            (HostCall::Open(code), _) => {
+            (HostCall::Open { code, address }, _) => {
                 self.close();
-                let opened = self.open(*code).map_err(|error| error.to_string());
+                let opened = self.open(*code, *address);
+                let opened = opened.map_err(|error| error.to_string());
                 self.news.push(HostNews::Opened(opened));
                 (self.wake)();
             }
             (HostCall::Tell(states), Some(board)) => {
                 for (line, state) in states {
-                    let saying = HostSaying::State(Box::new(state.clone()));
-                    board.tell(*line, saying.to_text());
+                    board.tell(*line, state.clone());
                 }
             }
             (HostCall::Refuse(line, why), Some(board)) => board.refuse(*line, *why),
@@ -103,9 +102,13 @@ impl Host {
         }
     }
 
-    fn open(&mut self, code: Option<DoorCode>) -> io::Result<OpenDoor> {
+    fn open(
+        &mut self,
+        code: Option<DoorCode>,
+        before: Option<SocketAddrV4>,
+    ) -> io::Result<OpenDoor> {
         raise_limit();
-        let listener = self.listen()?;
+        let listener = self.listen(before.map(|it| it.port()))?;
         let port = listener.local_addr()?.port();
         let code = match code {
             Some(code) => code,
@@ -126,15 +129,17 @@ impl Host {
         spawn("host", move || accept(&listener, &board))?;
         Ok(OpenDoor {
             code,
-            addresses: addresses::own(port),
+            addresses: addresses::own(port, before),
             page: told,
         })
     }
 
-    fn listen(&self) -> io::Result<TcpListener> {
-        let ports = match self.options.port {
-            Some(port) => port..=port,
-            None => PORT..=PORT + PORTS - 1,
+    /// Listens at the port that was asked for. Where none was, at the one where devices look
+    /// for the round, or else at the first free one.
+    fn listen(&self, before: Option<u16>) -> io::Result<TcpListener> {
+        let ports: Vec<u16> = match self.options.port {
+            Some(port) => vec![port],
+            None => before.into_iter().chain(PORT..PORT + PORTS).collect(),
         };
         let mut failed = io::Error::from(io::ErrorKind::AddrInUse);
         for port in ports {

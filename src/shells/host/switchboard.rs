@@ -1,14 +1,14 @@
 //! All connections of a class, and what was heard by them.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{BTreeMap, HashSet, VecDeque};
 use std::net::{IpAddr, TcpStream};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use super::{ServedPage, hang_up};
-use crate::class::DoorCode;
-use crate::class::protocol::{HostSaying, Refusal};
+use crate::class::protocol::{HostSaying, PupilState, Refusal};
+use crate::class::{DoorCode, GuardedCode, SeatToken, Verdict};
 use crate::messages::{HostNews, LineId};
 
 /// Most connections at once. When there are more, the oldest one goes that has not joined, of
@@ -18,7 +18,10 @@ const MOST_LINES: usize = 600;
 /// All connections of a class.
 pub(super) struct Switchboard {
     /// The code of the class.
-    pub(super) code: DoorCode,
+    code: Mutex<GuardedCode>,
+    /// What brings those back who were in.
+    seats: Mutex<HashSet<SeatToken>>,
+    opened: Instant,
     /// The port on which it listens.
     pub(super) port: u16,
     /// The page, if there is one.
@@ -34,7 +37,8 @@ pub(super) struct Switchboard {
 pub(super) struct Line {
     /// Its number.
     pub(super) id: LineId,
-    address: IpAddr,
+    /// Where it comes from.
+    pub(super) address: IpAddr,
     pub(super) stream: TcpStream,
     /// Whoever writes a frame holds this.
     pub(super) writing: Mutex<()>,
@@ -76,7 +80,9 @@ impl Switchboard {
         wake: Arc<dyn Fn() + Send + Sync>,
     ) -> Self {
         Self {
-            code,
+            code: Mutex::new(GuardedCode::new(code)),
+            seats: Mutex::default(),
+            opened: Instant::now(),
             port,
             page,
             wake,
@@ -131,10 +137,27 @@ impl Switchboard {
         lock(&self.lines).get(&id).cloned()
     }
 
+    /// The time, since it was opened.
+    pub(super) fn now(&self) -> Duration {
+        self.opened.elapsed()
+    }
+
+    /// What is said to a code that somebody has typed. However many guess at it, whoever was in
+    /// comes back.
+    pub(super) fn judge(&self, line: &Line, typed: &str, seat: Option<SeatToken>) -> Verdict {
+        let was_in = seat.is_some_and(|seat| lock(&self.seats).contains(&seat));
+        let mut code = lock(&self.code);
+        if was_in && code.is(typed) {
+            return Verdict::Right;
+        }
+        code.judge(typed, line.address, self.now())
+    }
+
     /// Tells a pupil how things stand.
-    pub(super) fn tell(&self, id: LineId, state: String) {
+    pub(super) fn tell(&self, id: LineId, state: PupilState) {
         if let Some(line) = self.line(id) {
-            lock(&line.outbox).state = Some(state);
+            lock(&self.seats).insert(state.seat);
+            lock(&line.outbox).state = Some(HostSaying::State(Box::new(state)).to_text());
             line.filled.notify_all();
         }
     }

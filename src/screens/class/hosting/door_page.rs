@@ -47,7 +47,7 @@ pub(super) fn draw(
             return lines.paragraph(words, Role::Text);
         }
     };
-    let address = door.addresses.first().map_or("", String::as_str);
+    let address = &address(door);
     let link = format!("http://{address}/#code={}", door.code);
     let body = above_foot(false, door, area, look)[0];
     let qr = Qr::of(&link, look).filter(|_| door.page.is_ok());
@@ -79,6 +79,12 @@ pub(super) fn draw(
     }
     let mut lines = Lines::new(foot_place, buf, *look);
     write_foot(waits && beside.is_none(), door, &mut lines);
+}
+
+/// The address that is shown first.
+fn address(door: &OpenDoor) -> String {
+    let first = door.addresses.first();
+    first.map(ToString::to_string).unwrap_or_default()
 }
 
 /// A code for cameras, and what stands around it.
@@ -175,7 +181,7 @@ fn draw_words(
     buf: &mut Buffer,
     look: &Look,
 ) -> Rect {
-    let address = door.addresses.first().map_or("", String::as_str);
+    let address = &address(door);
     let code = door.code.to_string();
     let in_words = match (hosting.present(), round.teams().len()) {
         (0, 0) => "Nobody is in yet.".to_owned(),

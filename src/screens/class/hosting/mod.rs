@@ -10,6 +10,7 @@ mod people;
 mod qr;
 
 use std::collections::BTreeSet;
+use std::net::IpAddr;
 use std::time::Duration;
 
 use ratatui::buffer::Buffer;
@@ -18,7 +19,8 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use crate::class::protocol::{HandedIn, PupilState, PupilStep, Refusal, VERSION};
 use crate::class::{
-    AskedQuestion, Ballot, ClassChange, ClassRound, ClassStep, Said, ToldTruth, Vote, standings,
+    AskedQuestion, Ballot, ClassChange, ClassRound, ClassStep, NewSeats, Said, SeatToken,
+    ToldTruth, Vote, standings,
 };
 use crate::messages::{HostCall, HostNews, Key, LineId, Mouse, OpenDoor, StoreRequest};
 use crate::quiz::{Answer, Confidence, Form, Response, explain};
@@ -63,12 +65,15 @@ pub(crate) enum HostingAction {
 #[derive(Debug, Clone)]
 pub(in crate::screens::class) struct Hosting {
     door: DoorState,
+    /// Whether the round has a file: one that nobody has joined needs none.
+    has_file: bool,
     /// Who is reached how, in the order of the round's names.
     presence: Vec<Presence>,
     /// Whether nobody new is let in.
     shut: bool,
     keeping: Keeping,
     handing_in: HandingIn,
+    new_seats: NewSeats,
     /// How long the door has been open without anybody coming in.
     waited: Duration,
     page: Option<HostPage>,
@@ -89,6 +94,8 @@ enum DoorState {
 struct Presence {
     /// Their connection; `None` while they are away.
     line: Option<LineId>,
+    /// Where their connection comes from, or came from.
+    address: Option<IpAddr>,
     /// The number of their last vote that was handled.
     n: u64,
     /// The number of the last state that this connection was told.
@@ -136,13 +143,18 @@ pub(in crate::screens::class) struct Scene {
 impl Hosting {
     /// The door of a round, which is asked to be opened.
     pub(in crate::screens::class) fn open(round: &ClassRound, cx: &mut Context) -> Self {
-        cx.host(HostCall::Open(round.door()));
+        cx.host(HostCall::Open {
+            code: round.door(),
+            address: round.address(),
+        });
         Self {
             door: DoorState::Opening,
+            has_file: round.door().is_some(),
             presence: vec![Presence::default(); round.teams().len()],
             shut: false,
             keeping: Keeping::default(),
             handing_in: HandingIn::default(),
+            new_seats: NewSeats::default(),
             waited: Duration::ZERO,
             page: Some(HostPage::Door),
             gathers: true,
@@ -158,10 +170,14 @@ impl Hosting {
     /// Those who are away and never voted, nor handed anything in.
     fn away(&self, round: &ClassRound) -> Vec<usize> {
         let all = self.presence.iter().enumerate();
-        let away = all.filter(|(person, it)| {
-            it.line.is_none() && !it.has_handed_in && !round.has_voted(*person)
-        });
+        let away = all.filter(|(person, it)| it.line.is_none() && self.is_idle(*person, round));
         away.map(|(person, _)| person).collect()
+    }
+
+    /// Whether somebody never voted, nor handed anything in.
+    fn is_idle(&self, person: usize, round: &ClassRound) -> bool {
+        let presence = self.presence.get(person);
+        presence.is_some_and(|it| !it.has_handed_in) && !round.has_voted(person)
     }
 
     /// "27 of 32 have voted": of those who are in, and those who have voted and are away.
@@ -194,7 +210,15 @@ impl Hosting {
         for it in news {
             match it {
                 HostNews::Opened(Ok(door)) => {
-                    round.open(door.code);
+                    let address = door.addresses.first().copied();
+                    let before = round.address().filter(|it| Some(*it) != address);
+                    if let (Some(before), Some(now)) = (before, address) {
+                        cx.tell(format!(
+                            "This round was at {before} and is now at {now}. Devices cannot come \
+                             back by themselves: ask your pupils to open the new address."
+                        ));
+                    }
+                    round.open(door.code, address);
                     self.door = DoorState::Open(door.clone());
                     self.save(round, scene, cx);
                 }
@@ -204,20 +228,26 @@ impl Hosting {
                     name,
                     seat,
                     fresh,
+                    address,
+                    at,
                 } => {
                     let known = seat.and_then(|seat| round.seat(seat));
-                    match known {
-                        Some(person) => self.seat(person, *line, cx),
-                        None if round.is_removed(*seat, name) => {
-                            cx.host(HostCall::Refuse(*line, Refusal::Kicked));
-                        }
-                        None => match self.let_in(name, *fresh, round, scene) {
-                            Ok(person) => {
-                                self.seat(person, *line, cx);
+                    let seated = match known {
+                        Some(person) => Ok(person),
+                        None if round.is_removed(*seat, name) => Err(Refusal::Kicked),
+                        None if self.shut || scene.step == PupilStep::End => Err(Refusal::Closed),
+                        None if !self.new_seats.has_one(*address, *at) => Err(Refusal::Later),
+                        None => self.let_in(name, *fresh, *address, round, cx),
+                    };
+                    match seated {
+                        Ok(person) => {
+                            self.seat(person, *line, *address, cx);
+                            if known.is_none() {
+                                self.new_seats.take(*address, *at);
                                 self.keeping.wait_for_changes(*line);
                             }
-                            Err(why) => cx.host(HostCall::Refuse(*line, why)),
-                        },
+                        }
+                        Err(why) => cx.host(HostCall::Refuse(*line, why)),
                     }
                 }
                 HostNews::Voted {
@@ -263,11 +293,12 @@ impl Hosting {
     }
 
     /// Puts somebody in their place; whoever sat there has to leave.
-    fn seat(&mut self, person: usize, line: LineId, cx: &mut Context) {
+    fn seat(&mut self, person: usize, line: LineId, address: IpAddr, cx: &mut Context) {
         let Some(presence) = self.presence.get_mut(person) else {
             return;
         };
         presence.rev = 0;
+        presence.address = Some(address);
         if let Some(before) = presence.line.replace(line) {
             cx.host(HostCall::Refuse(before, Refusal::Elsewhere));
         }
@@ -278,21 +309,36 @@ impl Hosting {
     fn let_in(
         &mut self,
         name: &str,
-        seat: crate::class::SeatToken,
+        seat: SeatToken,
+        address: IpAddr,
         round: &mut ClassRound,
-        scene: Scene,
+        cx: &mut Context,
     ) -> Result<usize, Refusal> {
-        if self.shut || scene.step == PupilStep::End {
-            return Err(Refusal::Closed);
-        }
-        if round.teams().len() >= round.way().most() {
-            return Err(Refusal::Full);
-        }
         let name = round.name_for(name).ok_or(Refusal::Name)?;
+        if round.teams().len() >= round.way().most() {
+            let person = self.who_gives_way(address, round).ok_or(Refusal::Full)?;
+            self.change_people(&ClassChange::Vacate { person }, round, cx);
+        }
         let change = ClassChange::Join { seat, name };
         self.change(change, round).map_err(|_| Refusal::Full)?;
         self.presence.push(Presence::default());
         Ok(self.presence.len() - 1)
+    }
+
+    /// In a class that is full, the one whose seat goes to somebody who comes from this address:
+    /// they never voted, nor handed anything in, and are away; or at least one device may hold most
+    /// of the seats. The address that holds most of them gives way first, and there who came last.
+    fn who_gives_way(&self, address: IpAddr, round: &ClassRound) -> Option<usize> {
+        let held = |by: &Presence| {
+            let all = self.presence.iter();
+            all.filter(|it| it.address == by.address).count()
+        };
+        let idle = self.presence.iter().enumerate().filter(|(person, it)| {
+            let holds_most = 2 * held(it) > self.presence.len() && it.address != Some(address);
+            (it.line.is_none() || holds_most) && self.is_idle(*person, round)
+        });
+        let last = idle.max_by_key(|(person, it)| (it.line.is_none(), held(it), *person));
+        last.map(|(person, _)| person)
     }
 
     /// Takes a vote; says whether it fits the question. One that does not changes nothing and
@@ -321,15 +367,19 @@ impl Hosting {
         Ok(())
     }
 
-    /// Has the round kept as it stands.
+    /// Has the round kept as it stands, if it has a file or somebody has joined.
     pub(in crate::screens::class) fn save(
         &mut self,
         round: &ClassRound,
         scene: Scene,
         cx: &mut Context,
     ) {
+        if !self.has_file && round.teams().is_empty() {
+            return;
+        }
         // What has changed is in it.
         self.keeping.changes.clear();
+        self.has_file = true;
         self.keeping.ask(
             scene.ticket,
             StoreRequest::SaveClass(Box::new(round.clone())),
@@ -377,6 +427,7 @@ impl Hosting {
         self.tell(&waiting, round, scene, cx);
         if !self.keeping.changes.is_empty() {
             let changes = std::mem::take(&mut self.keeping.changes);
+            self.has_file = true;
             let round = Box::new(round.clone());
             self.keeping
                 .ask(scene.ticket, StoreRequest::NoteClass { changes, round }, cx);
@@ -538,7 +589,10 @@ impl Hosting {
         }
         match change {
             ClassChange::Vacate { person } => {
-                self.presence.remove(*person);
+                let gone = self.presence.remove(*person);
+                if let Some(line) = gone.line {
+                    cx.host(HostCall::Refuse(line, Refusal::Full));
+                }
             }
             ClassChange::Remove { person } => {
                 let gone = self.presence.remove(*person);

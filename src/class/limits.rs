@@ -1,0 +1,327 @@
+//! How much may come from whom: so many at once, and then so many in a time.
+//!
+//! Whoever asks says what time it is, counted from any moment: nothing here looks at a clock.
+
+use std::collections::BTreeMap;
+use std::net::IpAddr;
+use std::time::Duration;
+
+use super::DoorCode;
+
+/// New seats that one address may take at once: a class of 40 behind one router, with some who
+/// come twice.
+const NEW_SEATS: Allowance = Allowance {
+    at_once: 60.0,
+    per_s: 0.5,
+};
+/// Wrong codes that one address may say: as many who mistype, and then one every ten seconds.
+const WRONG_CODES: Allowance = Allowance {
+    at_once: 60.0,
+    per_s: 0.1,
+};
+/// Wrong codes that all addresses together may say.
+const ALL_WRONG_CODES: Allowance = Allowance {
+    at_once: 400.0,
+    per_s: 1.5,
+};
+/// Those of an address that do not count among those of all: whoever guesses by many addresses does
+/// not keep out somebody who has only just come.
+const FIRST_WRONG_CODES: Allowance = Allowance {
+    at_once: 2.0,
+    per_s: 1.0 / 1800.0,
+};
+/// How long a wrong code is answered after it came, for an address that has said none before; once
+/// as long again for every ten that it has said.
+const WRONG_CODE_DELAY: Duration = Duration::from_secs(1);
+const DELAY_STEP: f64 = 10.0;
+/// How many addresses are remembered before those are looked for that can be forgotten.
+const MANY: usize = 256;
+
+/// So many at once, and then so many a second.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Allowance {
+    /// How many at once.
+    pub at_once: f64,
+    /// How many a second come back.
+    pub per_s: f64,
+}
+
+/// What is left of an allowance.
+#[derive(Debug, Clone, Copy)]
+pub struct Bucket {
+    allowance: Allowance,
+    left: f64,
+    /// When that was left.
+    since: Duration,
+}
+
+impl Bucket {
+    /// All of an allowance.
+    pub const fn full(allowance: Allowance) -> Self {
+        Self {
+            allowance,
+            left: allowance.at_once,
+            since: Duration::ZERO,
+        }
+    }
+
+    /// What is left at a time.
+    fn left(&self, now: Duration) -> f64 {
+        let back = self.allowance.per_s * now.saturating_sub(self.since).as_secs_f64();
+        (self.left + back).min(self.allowance.at_once)
+    }
+
+    /// Whether there is one left.
+    fn has_one(&self, now: Duration) -> bool {
+        self.left(now) >= 1.0
+    }
+
+    /// Takes so many, whether they are left or not; gives the time until they would be.
+    pub fn take(&mut self, count: f64, now: Duration) -> Duration {
+        self.left = self.left(now) - count;
+        self.since = self.since.max(now);
+        Duration::from_secs_f64((-self.left / self.allowance.per_s).max(0.0))
+    }
+}
+
+/// The same allowance for each address.
+#[derive(Debug, Clone)]
+struct Addresses {
+    allowance: Allowance,
+    /// What is left for those that have taken some.
+    known: BTreeMap<IpAddr, Bucket>,
+    /// With how many known ones those are forgotten that have all of it again.
+    most: usize,
+}
+
+impl Addresses {
+    const fn new(allowance: Allowance) -> Self {
+        Self {
+            allowance,
+            known: BTreeMap::new(),
+            most: MANY,
+        }
+    }
+
+    /// What is left for an address.
+    fn of(&mut self, address: IpAddr, now: Duration) -> &mut Bucket {
+        if self.known.len() >= self.most {
+            let at_once = self.allowance.at_once;
+            self.known.retain(|_, bucket| bucket.left(now) < at_once);
+            self.most = MANY.max(2 * self.known.len());
+        }
+        let full = Bucket::full(self.allowance);
+        self.known.entry(address).or_insert(full)
+    }
+}
+
+/// Seats that addresses take: nobody fills a class alone.
+#[derive(Debug, Clone)]
+pub struct NewSeats(Addresses);
+
+impl Default for NewSeats {
+    fn default() -> Self {
+        Self(Addresses::new(NEW_SEATS))
+    }
+}
+
+impl NewSeats {
+    /// Whether somebody new may come from an address.
+    pub fn has_one(&mut self, address: IpAddr, now: Duration) -> bool {
+        self.0.of(address, now).has_one(now)
+    }
+
+    /// Somebody new has come from there.
+    pub fn take(&mut self, address: IpAddr, now: Duration) {
+        self.0.of(address, now).take(1.0, now);
+    }
+}
+
+/// The code of a class, and how often it may be guessed.
+#[derive(Debug)]
+pub struct GuardedCode {
+    code: DoorCode,
+    addresses: Addresses,
+    firsts: Addresses,
+    all: Bucket,
+}
+
+/// What is said to a code.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// It is the code of the class.
+    Right,
+    /// It is not; that is said after so long.
+    Wrong(Duration),
+    /// It was not looked at: there were too many wrong ones.
+    Unseen,
+}
+
+impl GuardedCode {
+    /// A code that nobody has guessed at.
+    pub const fn new(code: DoorCode) -> Self {
+        Self {
+            code,
+            addresses: Addresses::new(WRONG_CODES),
+            firsts: Addresses::new(FIRST_WRONG_CODES),
+            all: Bucket::full(ALL_WRONG_CODES),
+        }
+    }
+
+    /// Whether it is this code, for somebody who may say so as often as they like.
+    pub fn is(&self, typed: &str) -> bool {
+        typed.parse() == Ok(self.code)
+    }
+
+    /// What is said to a code that somebody at an address has typed.
+    pub fn judge(&mut self, typed: &str, address: IpAddr, now: Duration) -> Verdict {
+        let own = self.addresses.of(address, now);
+        let first = self.firsts.of(address, now);
+        let shared = match first.has_one(now) {
+            true => first,
+            false => &mut self.all,
+        };
+        if !own.has_one(now) || !shared.has_one(now) {
+            return Verdict::Unseen;
+        }
+        if typed.parse() == Ok(self.code) {
+            return Verdict::Right;
+        }
+        let wrong = WRONG_CODES.at_once - own.left(now);
+        own.take(1.0, now);
+        shared.take(1.0, now);
+        Verdict::Wrong(WRONG_CODE_DELAY.mul_f64(1.0 + wrong / DELAY_STEP))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::net::Ipv4Addr;
+
+    use super::*;
+
+    const LESSON: Duration = Duration::from_secs(45 * 60);
+    /// How many codes there are.
+    const CODES: f64 = 64e6;
+    /// As many as one device has said a second.
+    const GUESSES_PER_S: u32 = 1277;
+
+    fn address(host: u8) -> IpAddr {
+        Ipv4Addr::new(192, 168, 43, host).into()
+    }
+
+    /// How many codes were looked at in a lesson in which each of these addresses says as many as it
+    /// can; connections do not count, so that neither many at once nor new ones help.
+    fn looked_at(addresses: u8) -> u32 {
+        let mut code = GuardedCode::new(DoorCode::of(63_999_999));
+        let mut looked_at = 0;
+        for guess in 0..GUESSES_PER_S * LESSON.as_secs() as u32 {
+            let now = Duration::from_secs(1) * guess / GUESSES_PER_S;
+            let typed = DoorCode::of(u64::from(guess)).to_string();
+            let from = address((guess % u32::from(addresses)) as u8);
+            match code.judge(&typed, from, now) {
+                Verdict::Wrong(_) => looked_at += 1,
+                Verdict::Unseen => {}
+                Verdict::Right => panic!("the code is another one"),
+            }
+        }
+        looked_at
+    }
+
+    /// 1,277 a second tried 3.4 million codes in a lesson, a twentieth of all.
+    #[test]
+    fn guessing_for_a_lesson_finds_less_than_a_ten_thousandth_of_the_codes() {
+        let alone = looked_at(1);
+        // 60 at once, and one every ten seconds.
+        assert!((300..=331).contains(&alone), "{alone}");
+        // All addresses that a network of 254 has: 400 at once, 1.5 a second, and of each address
+        // the first two and one for every half hour.
+        let most = looked_at(254);
+        assert!((4000..=400 + 4050 + 254 * 4).contains(&most), "{most}");
+        for guesses in [alone, most] {
+            assert!(f64::from(guesses) / CODES < 1e-4);
+        }
+    }
+
+    /// Forty behind one router come within a minute, and every one of them mistypes the code first.
+    #[test]
+    fn a_class_behind_one_router_mistypes_and_still_gets_in() {
+        let mut code = GuardedCode::new(DoorCode::of(7));
+        let mut seats = NewSeats::default();
+        let right = DoorCode::of(7).to_string().to_lowercase();
+        for pupil in 0..40 {
+            let now = Duration::from_millis(1500) * pupil;
+            let wrong = code.judge("BBBBBB", address(1), now);
+            let Verdict::Wrong(delay) = wrong else {
+                panic!("{pupil}: {wrong:?}");
+            };
+            assert!(delay < Duration::from_secs(6), "{pupil}: {delay:?}");
+            assert_eq!(code.judge(&right, address(1), now + delay), Verdict::Right);
+            assert!(seats.has_one(address(1), now + delay));
+            seats.take(address(1), now + delay);
+        }
+    }
+
+    /// While somebody guesses by all the addresses they can have, somebody else who has just come
+    /// mistypes and gets in all the same.
+    #[test]
+    fn guessing_by_many_addresses_keeps_nobody_else_out() {
+        let mut code = GuardedCode::new(DoorCode::of(7));
+        let mut said = 0;
+        for second in 0..=600 {
+            let now = Duration::from_secs(second);
+            for host in 0..200 {
+                let verdict = code.judge("BBBBBB", address(host), now);
+                said += u32::from(matches!(verdict, Verdict::Wrong(_)));
+            }
+        }
+        assert!(said > 1000, "{said}");
+        let now = Duration::from_secs(600);
+        assert!(matches!(
+            code.judge("BBBBBC", address(250), now),
+            Verdict::Wrong(_)
+        ));
+        let right = DoorCode::of(7).to_string();
+        assert_eq!(code.judge(&right, address(250), now), Verdict::Right);
+        assert_eq!(code.judge(&right, address(0), now), Verdict::Unseen);
+    }
+
+    #[test]
+    fn seats_come_back_with_time_and_addresses_are_forgotten() {
+        let mut seats = NewSeats::default();
+        let mut now = Duration::ZERO;
+        let mut taken = 0;
+        while seats.has_one(address(1), now) {
+            seats.take(address(1), now);
+            taken += 1;
+        }
+        assert_eq!(taken, 60);
+        assert!(seats.has_one(address(2), now));
+        now += Duration::from_secs(2);
+        assert!(seats.has_one(address(1), now));
+        seats.take(address(1), now);
+        assert!(!seats.has_one(address(1), now));
+        // An earlier time gives nothing back.
+        assert!(!seats.has_one(address(1), Duration::ZERO));
+        now += Duration::from_secs(3600);
+        for host in 0..=u32::from(u16::MAX) {
+            seats.take(Ipv4Addr::from(host).into(), now);
+            now += Duration::from_secs(1);
+        }
+        assert!(seats.0.known.len() <= MANY + 60, "{}", seats.0.known.len());
+    }
+
+    /// The time until so many are left again, as a connection waits it.
+    #[test]
+    fn what_is_not_left_takes_its_time() {
+        let mut bucket = Bucket::full(Allowance {
+            at_once: 2.0,
+            per_s: 4.0,
+        });
+        let start = Duration::from_secs(9);
+        let waits = [1.0, 1.0, 1.0, 2.0].map(|count| bucket.take(count, start).as_secs_f64());
+        assert_eq!(waits, [0.0, 0.0, 0.25, 0.75]);
+        let later = start + Duration::from_secs(1);
+        assert_eq!(bucket.take(1.0, later), Duration::ZERO);
+    }
+}

@@ -1,0 +1,180 @@
+//! A round on devices that was stopped, by a crash or by a bell: it is offered before the class
+//! begins another one.
+
+use super::ClassAction;
+use super::earlier::head_count;
+use super::play::ClassPlay;
+use crate::class::{ClassRound, WayOfVoting};
+use crate::messages::{Kept, StoreAnswer, StoreReply, StoreRequest};
+use crate::progress::long_day;
+use crate::quiz::Code;
+use crate::screens::{Context, View};
+use crate::widgets::input::{KeyTable, ListAction, ListView};
+use crate::widgets::panel::Panel;
+use crate::widgets::{Outcome, Role, text};
+
+/// What can be chosen.
+const CHOICES: [&str; 2] = ["take it up", "begin another round"];
+
+/// The page that offers it.
+#[derive(Debug, Clone)]
+pub(super) struct Unfinished {
+    /// The round that begins otherwise, and what its class is called.
+    code: Option<Code>,
+    name: String,
+    /// The round that was stopped; `None` while it is looked for.
+    stopped: Option<Kept<ClassRound>>,
+    list: ListView,
+    /// The ticket with which it is being loaded.
+    loading: Option<u64>,
+    /// Why it cannot be taken up.
+    trouble: Option<String>,
+}
+
+/// What follows from the page.
+pub(super) enum UnfinishedEnd {
+    /// The round that was stopped goes on.
+    TakeUp(Box<ClassPlay>),
+    /// Another round begins.
+    Another,
+}
+
+impl Unfinished {
+    /// Looks for a round that was stopped and could be the one that is meant: of this code and
+    /// this class, where they are given.
+    pub(super) fn ask(code: Option<Code>, name: &str, cx: &mut Context) -> Self {
+        cx.ask(StoreRequest::ListClasses);
+        Self {
+            code,
+            name: name.to_owned(),
+            stopped: None,
+            list: ListView::default(),
+            loading: None,
+            trouble: None,
+        }
+    }
+
+    /// The round that begins otherwise, and what its class is called.
+    pub(super) fn other(&self) -> (Option<&Code>, &str) {
+        (self.code.as_ref(), &self.name)
+    }
+
+    /// The one that was stopped: of those that could be meant the latest, if it is not over and
+    /// somebody was in.
+    fn find<'k>(&self, kept: &'k [Kept<ClassRound>]) -> Option<&'k Kept<ClassRound>> {
+        let is_meant = |round: &ClassRound| {
+            let is_class = self.name.is_empty() || round.is_of_class(&self.name);
+            let is_code = self.code.as_ref().is_none_or(|code| code == round.code());
+            round.way() == WayOfVoting::Devices && is_class && is_code
+        };
+        let mut rounds = kept
+            .iter()
+            .filter_map(|it| Some((it, it.content.as_ref().ok()?)));
+        let (latest, round) = rounds.find(|(_, round)| is_meant(round))?;
+        let is_stopped = round.door().is_some() && !round.teams().is_empty();
+        is_stopped.then_some(latest)
+    }
+
+    /// Takes in what came of what was asked.
+    pub(super) fn take_answer(
+        &mut self,
+        answer: &StoreAnswer,
+        cx: &mut Context,
+    ) -> Option<UnfinishedEnd> {
+        match &answer.done {
+            StoreReply::Classes(kept) if self.stopped.is_none() => {
+                self.stopped = kept.as_ref().ok().and_then(|kept| self.find(kept)).cloned();
+                self.stopped.is_none().then_some(UnfinishedEnd::Another)
+            }
+            StoreReply::Class(loaded)
+                if self.loading.take_if(|it| *it == answer.ticket).is_some() =>
+            {
+                match loaded {
+                    Ok(round) => {
+                        let round = round.as_ref().clone();
+                        let play = ClassPlay::with_ticket(round, answer.ticket, cx);
+                        Some(UnfinishedEnd::TakeUp(Box::new(play)))
+                    }
+                    Err(reason) => {
+                        self.trouble = Some(format!("It cannot be taken up: {reason}."));
+                        None
+                    }
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// The keys.
+    pub(super) fn keys(&self) -> KeyTable<ListAction> {
+        match self.stopped {
+            Some(_) => ListView::keys(CHOICES[self.list.chosen(CHOICES.len())]),
+            None => KeyTable::new("list"),
+        }
+    }
+
+    /// Does what a key or a click stands for.
+    pub(super) fn act(&mut self, action: ListAction, cx: &mut Context) -> Option<UnfinishedEnd> {
+        let stopped = self.stopped.as_ref()?;
+        match self.list.act(action, CHOICES.len()) {
+            Outcome::Done(0) => {
+                self.trouble = None;
+                self.loading = Some(cx.ask(StoreRequest::LoadClass(stopped.name.clone())));
+                None
+            }
+            Outcome::Done(_) => Some(UnfinishedEnd::Another),
+            _ => None,
+        }
+    }
+
+    /// What the page shows.
+    pub(super) fn view(&self) -> View<'_, ClassAction> {
+        let mut panel = Panel::new("a round that was stopped");
+        let mut beside = Panel::new("the round");
+        let stopped = self.stopped.as_ref();
+        if let Some((kept, round)) = stopped.and_then(|it| Some((it, it.content.as_ref().ok()?))) {
+            // Not its code: whoever has that could play it first.
+            let called = match round.class() {
+                "" => "A class",
+                class => class,
+            };
+            let question = round.place().question + 1;
+            let count = head_count(round);
+            panel.paragraph(
+                format!("{called} stopped at question {question} with {count}: take it up?"),
+                Role::Title,
+            );
+            panel.gap();
+            for (at, name) in CHOICES.into_iter().enumerate() {
+                let chosen = at == self.list.chosen(CHOICES.len());
+                let action = ClassAction::Unfinished(ListAction::Point(at));
+                panel.row((name, Role::Text), ("", Role::Dim), chosen, action);
+            }
+            panel.gap();
+            if let Some(trouble) = &self.trouble {
+                panel.paragraph(trouble, Role::Warn);
+                panel.gap();
+            }
+            panel.paragraph(
+                "Taken up, it keeps its address and its code: devices that are still on the page \
+                 come back by themselves, with every vote. Otherwise it stays in the list of \
+                 earlier rounds.",
+                Role::Dim,
+            );
+            beside.fact("questions", round.questions().len().to_string());
+            if let Some(code) = round.door() {
+                beside.fact("code", code.to_string());
+            }
+            if let Some(address) = round.address() {
+                beside.fact("at", address.to_string());
+            }
+            if let (Some(day), Some(age)) = (kept.day, kept.age) {
+                beside.fact("saved on", long_day(day));
+                beside.fact("age", text::ago(age));
+            }
+        } else {
+            panel.paragraph("Looking for a round that was stopped …", Role::Text);
+        }
+        View::panels(panel, beside)
+    }
+}
