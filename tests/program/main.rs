@@ -18,6 +18,8 @@ mod hosted;
 #[cfg(unix)]
 mod kill;
 mod memory;
+#[cfg(target_os = "linux")]
+mod noise;
 mod old_files;
 #[cfg(target_os = "linux")]
 mod owed;
