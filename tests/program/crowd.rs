@@ -444,24 +444,26 @@ fn number_in(said: &str) -> Option<u32> {
     Some((COUNTS_PER_DEGREE * angle).round() as u32)
 }
 
-/// Goes on from a place to the next vote, if there is one; gives what a device shows there.
-fn to_the_next_vote(pty: &mut Pty, from: ClassPlace, questions: usize) -> Option<&'static str> {
-    let (keys, shows) = match from.step {
-        ClassStep::Describe => ("\r", "have voted"),
-        ClassStep::FirstVote => ("\r\r", "have voted again"),
-        _ if from.question + 1 == questions => return None,
+/// Goes on from a place to the next vote, if there is one; gives the number of its question, and what
+/// devices call it.
+fn to_the_next_vote(
+    pty: &mut Pty,
+    from: ClassPlace,
+    questions: usize,
+) -> Option<(usize, &'static str)> {
+    let here = from.question + 1;
+    let (keys, question, shows, title) = match from.step {
+        ClassStep::Describe => ("\r", here, "have voted", "- your vote -"),
+        ClassStep::FirstVote => ("\r\r", here, "have voted again", "- your second vote -"),
+        _ if here == questions => return None,
         // The shot, the scores, the next question, its first vote.
-        _ => ("\r\x1b[F\r\r\r", "have voted"),
+        _ => ("\r\x1b[F\r\r\r", here + 1, "have voted", "- your vote -"),
     };
     pty.press(keys);
-    let question = from.question + 1 + usize::from(from.step == ClassStep::SecondVote);
     pty.wait_until("the vote", |screen| {
         screen.contains(&format!("question {question} of")) && screen.contains(shows)
     });
-    Some(match from.step {
-        ClassStep::FirstVote => "Your first vote counts",
-        _ => "Enter: then ",
-    })
+    Some((question, title))
 }
 
 /// Killed in the midst of a round, again and again (`CARROM_KILLS` times), and started again as
@@ -534,8 +536,10 @@ fn a_host_is_killed_in_the_midst_of_a_round_and_loses_no_vote() {
             terminal.wait_for("Your vote is in.");
         }
         let goes_on = place.step.vote().is_none() || chance.random_bool(0.6);
-        if goes_on && let Some(shows) = to_the_next_vote(&mut pty, place, questions) {
-            terminal.wait_for(shows);
+        if goes_on && let Some((question, title)) = to_the_next_vote(&mut pty, place, questions) {
+            terminal.wait_until("the vote", |screen| {
+                screen.contains(&format!("question {question} of")) && screen.contains(title)
+            });
             terminal.vote();
             has_voted = true;
         }
