@@ -3,12 +3,15 @@
 
 use std::fs;
 use std::io::{ErrorKind, Read, Write};
+use std::net::{Ipv4Addr, SocketAddrV4};
 use std::path::PathBuf;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use carrom::class::Vote;
 use carrom::gradebook::HandIn;
+use carrom::messages::{HostCall, HostNews};
+use carrom::shells::host::{Host, HostOptions};
 use serde_json::{Value, json};
 use tungstenite::Message;
 
@@ -106,6 +109,36 @@ fn a_vote_for_a_choice_that_is_not_there_ends_no_host() {
         (bo.text("second").as_str(), bo.state.get("misfit")),
         ("choice 2", None)
     );
+}
+
+/// It was at the first free port from 8090 on, and devices called the old one in vain.
+#[test]
+fn a_round_is_taken_up_at_the_port_where_its_devices_look_for_it() {
+    let free = || std::net::TcpListener::bind("0.0.0.0:0").unwrap();
+    let port_of = |listener: &std::net::TcpListener| listener.local_addr().unwrap().port();
+    let opened = |port: Option<u16>, before: u16| {
+        let mut host = Host::new(HostOptions { port, page: None }, || ());
+        host.call(&HostCall::Open {
+            code: Some("BCDFGH".parse().unwrap()),
+            address: Some(SocketAddrV4::new(Ipv4Addr::LOCALHOST, before)),
+        });
+        let HostNews::Opened(Ok(door)) = host.take_news().remove(0) else {
+            panic!("it is not open");
+        };
+        assert_eq!(door.code.to_string(), "BCDFGH");
+        let ports: Vec<u16> = door.addresses.iter().map(|it| it.port()).collect();
+        assert!(connect(ports[0]).is_ok());
+        ports[0]
+    };
+    let before = port_of(&free());
+    // Twice, as after a crash.
+    assert_eq!([opened(None, before), opened(None, before)], [before; 2]);
+    // Another program has it now.
+    let taken = free();
+    assert_ne!(opened(None, port_of(&taken)), port_of(&taken));
+    // What the teacher asks for comes first.
+    let wanted = port_of(&free());
+    assert_eq!(opened(Some(wanted), before), wanted);
 }
 
 #[test]

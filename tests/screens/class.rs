@@ -406,6 +406,8 @@ fn arguments_are_checked() {
     assert!(wrong("class --teams A,a").contains("found \"a\" twice"));
     assert!(wrong("class --teams ,").contains("found none"));
     assert!(wrong("class --palette pink").contains("pink"));
+    // An earlier round may be one on devices.
+    assert_eq!(wrong("class --port 9000"), "");
     let mut game = Headless::from(cli::open("class --teams A,B --code quick-7").unwrap());
     assert!(game.screen().contains("> Start"), "{}", game.screen());
     game.press("<Enter>");

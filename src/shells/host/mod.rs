@@ -19,7 +19,7 @@ use std::io;
 use std::net::{Ipv4Addr, SocketAddrV4, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 pub use page::ServedPage;
 
@@ -31,6 +31,9 @@ use switchboard::Switchboard;
 pub const PORT: u16 = 8090;
 /// How many ports are tried.
 const PORTS: u16 = 10;
+/// How long a carrom that has just ended, or a round that was just left, may need to let go of its
+/// port.
+const LETTING_GO: Duration = Duration::from_millis(300);
 /// How many connections may wait to be accepted: a class that comes all at once.
 #[cfg(unix)]
 const BACKLOG: i32 = 1024;
@@ -137,13 +140,15 @@ impl Host {
     /// Listens at the port that was asked for. Where none was, at the one where devices look
     /// for the round, or else at the first free one.
     fn listen(&self, before: Option<u16>) -> io::Result<TcpListener> {
-        let ports: Vec<u16> = match self.options.port {
-            Some(port) => vec![port],
-            None => before.into_iter().chain(PORT..PORT + PORTS).collect(),
+        let first = self.options.port.or(before).map(|port| (port, LETTING_GO));
+        let others = match self.options.port {
+            Some(_) => 0..0,
+            None => PORT..PORT + PORTS,
         };
+        let others = others.map(|port| (port, Duration::ZERO));
         let mut failed = io::Error::from(io::ErrorKind::AddrInUse);
-        for port in ports {
-            match TcpListener::bind((Ipv4Addr::UNSPECIFIED, port)) {
+        for (port, patience) in first.into_iter().chain(others) {
+            match bind(port, patience) {
                 Ok(listener) => {
                     #[cfg(unix)]
                     rustix::net::listen(&listener, BACKLOG)?;
@@ -161,6 +166,19 @@ impl Host {
 impl Drop for Host {
     fn drop(&mut self) {
         self.close();
+    }
+}
+
+/// Takes a port, or waits so long for whoever has it.
+fn bind(port: u16, patience: Duration) -> io::Result<TcpListener> {
+    let end = Instant::now() + patience;
+    loop {
+        match TcpListener::bind((Ipv4Addr::UNSPECIFIED, port)) {
+            Err(error) if error.kind() == io::ErrorKind::AddrInUse && Instant::now() < end => {
+                thread::sleep(Duration::from_millis(10));
+            }
+            bound => return bound,
+        }
     }
 }
 
