@@ -1,6 +1,6 @@
-//! How much may come from whom: so many at once, and then so many in a time.
+//! Limits on what one address may do to a class: an allowance at once, and then so much a second.
 //!
-//! Whoever asks says what time it is, counted from any moment: nothing here looks at a clock.
+//! The caller passes the time, counted from any fixed moment: nothing here looks at a clock.
 
 use std::collections::BTreeMap;
 use std::net::IpAddr;
@@ -8,33 +8,32 @@ use std::time::Duration;
 
 use super::DoorCode;
 
-/// New seats that one address may take at once: a class of 40 behind one router, with some who
-/// come twice.
+/// New seats for one address: a class of 40 behind one router joins at once, and some of them twice.
 const NEW_SEATS: Allowance = Allowance {
     at_once: 60.0,
     per_s: 0.5,
 };
-/// Wrong codes that one address may say: as many who mistype, and then one every ten seconds.
+/// Wrong codes from one address: as many pupils mistype, and after that one every ten seconds.
 const WRONG_CODES: Allowance = Allowance {
     at_once: 60.0,
     per_s: 0.1,
 };
-/// Wrong codes that all addresses together may say.
+/// Wrong codes from all addresses together.
 const ALL_WRONG_CODES: Allowance = Allowance {
     at_once: 400.0,
     per_s: 1.5,
 };
-/// Those of an address that do not count among those of all: whoever guesses by many addresses does
-/// not keep out somebody who has only just come.
+/// Wrong codes from one address that do not count among those of all: somebody who guesses from many
+/// addresses does not keep out a pupil who has only just come.
 const FIRST_WRONG_CODES: Allowance = Allowance {
     at_once: 2.0,
     per_s: 1.0 / 1800.0,
 };
-/// How long a wrong code is answered after it came, for an address that has said none before; once
-/// as long again for every ten that it has said.
+/// How long the answer to the first wrong code from an address takes; as long again for every ten
+/// wrong codes before it.
 const WRONG_CODE_DELAY: Duration = Duration::from_secs(1);
 const DELAY_STEP: f64 = 10.0;
-/// How many addresses are remembered before those are looked for that can be forgotten.
+/// How many addresses are remembered before the first search for some that can be forgotten.
 const MANY: usize = 256;
 
 /// So many at once, and then so many a second.
@@ -76,7 +75,7 @@ impl Bucket {
         self.left(now) >= 1.0
     }
 
-    /// Takes so many, whether they are left or not; gives the time until they would be.
+    /// Takes so many, even if fewer are left; gives the time until the debt is paid.
     pub fn take(&mut self, count: f64, now: Duration) -> Duration {
         self.left = self.left(now) - count;
         self.since = self.since.max(now);
@@ -88,9 +87,9 @@ impl Bucket {
 #[derive(Debug, Clone)]
 struct Addresses {
     allowance: Allowance,
-    /// What is left for those that have taken some.
+    /// What is left for the addresses that have taken some.
     known: BTreeMap<IpAddr, Bucket>,
-    /// With how many known ones those are forgotten that have all of it again.
+    /// When so many are known, those that have their whole allowance again are forgotten.
     most: usize,
 }
 
@@ -115,7 +114,7 @@ impl Addresses {
     }
 }
 
-/// Seats that addresses take: nobody fills a class alone.
+/// The new seats that addresses take: no device fills a class alone.
 #[derive(Debug, Clone)]
 pub struct NewSeats(Addresses);
 
@@ -151,9 +150,9 @@ pub struct GuardedCode {
 pub enum Verdict {
     /// It is the code of the class.
     Right,
-    /// It is not; that is said after so long.
+    /// It is not; the answer comes after so long.
     Wrong(Duration),
-    /// It was not looked at: there were too many wrong ones.
+    /// It was not compared: there were too many wrong ones.
     Unseen,
 }
 
@@ -168,12 +167,12 @@ impl GuardedCode {
         }
     }
 
-    /// Whether it is this code, for somebody who may say so as often as they like.
+    /// Whether it is this code, without counting.
     pub fn is(&self, typed: &str) -> bool {
         typed.parse() == Ok(self.code)
     }
 
-    /// What is said to a code that somebody at an address has typed.
+    /// Judges a code that somebody at an address has typed, and counts it if it is wrong.
     pub fn judge(&mut self, typed: &str, address: IpAddr, now: Duration) -> Verdict {
         let own = self.addresses.of(address, now);
         let first = self.firsts.of(address, now);

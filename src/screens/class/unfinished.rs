@@ -40,8 +40,7 @@ pub(super) enum UnfinishedEnd {
 }
 
 impl Unfinished {
-    /// Looks for a round that was stopped and could be the one that is meant: of this code and
-    /// this class, where they are given.
+    /// Looks for a round that was stopped, with this code and of this class where they are given.
     pub(super) fn ask(code: Option<Code>, name: &str, cx: &mut Context) -> Self {
         cx.ask(StoreRequest::ListClasses);
         Self {
@@ -59,8 +58,8 @@ impl Unfinished {
         (self.code.as_ref(), &self.name)
     }
 
-    /// The one that was stopped: of those that could be meant the latest, if it is not over and
-    /// somebody was in.
+    /// The latest round on devices with this code and of this class, if it is not over and somebody
+    /// was in.
     fn find<'k>(&self, kept: &'k [Kept<ClassRound>]) -> Option<&'k Kept<ClassRound>> {
         let is_meant = |round: &ClassRound| {
             let is_class = self.name.is_empty() || round.is_of_class(&self.name);

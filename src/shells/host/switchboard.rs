@@ -142,8 +142,8 @@ impl Switchboard {
         self.opened.elapsed()
     }
 
-    /// What is said to a code that somebody has typed. However many guess at it, whoever was in
-    /// comes back.
+    /// Judges a code that somebody has typed. A device that was in comes back however many others
+    /// guess.
     pub(super) fn judge(&self, line: &Line, typed: &str, seat: Option<SeatToken>) -> Verdict {
         let was_in = seat.is_some_and(|seat| lock(&self.seats).contains(&seat));
         let mut code = lock(&self.code);

@@ -325,9 +325,10 @@ impl Hosting {
         Ok(self.presence.len() - 1)
     }
 
-    /// In a class that is full, the one whose seat goes to somebody who comes from this address:
-    /// they never voted, nor handed anything in, and are away; or at least one device may hold most
-    /// of the seats. The address that holds most of them gives way first, and there who came last.
+    /// In a full class, the person whose seat goes to a newcomer from this address. Only somebody who
+    /// has never voted nor handed anything in loses a seat: if they are away, or if more than half of
+    /// all seats belong to their address, which may be one device. The address with the most seats
+    /// gives way first, and of its seats the last.
     fn who_gives_way(&self, address: IpAddr, round: &ClassRound) -> Option<usize> {
         let held = |by: &Presence| {
             let all = self.presence.iter();
