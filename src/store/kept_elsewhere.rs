@@ -17,7 +17,7 @@ const EXPORTS: &str = "exports/";
 
 impl Store {
     /// A store in memory that begins with these files, the latest last. A damaged database is
-    /// set aside under another name.
+    /// set aside under another name, and what can be read of it goes into a new one.
     #[must_use]
     pub fn of_files(files: &[FileBytes]) -> Self {
         let mut store = Self::in_memory();
@@ -36,16 +36,22 @@ impl Store {
         let Some((_, bytes)) = files.iter().find(|(path, _)| path == PROGRESS) else {
             return;
         };
-        match Database::of_bytes(bytes) {
-            Ok(database) => self.progress = database,
+        let name = format!("{ASIDE}-{}.db", self.aside.len() + 1);
+        let is_sound = match Database::of_bytes(bytes, &name) {
+            Ok((database, was_damaged)) => {
+                self.progress = database;
+                !was_damaged
+            }
             Err(trouble) => {
-                let name = format!("{ASIDE}-{}.db", self.aside.len() + 1);
                 self.notice = Some(format!(
                     "{PROGRESS} cannot be used: {trouble}. It is kept as {name}, and what you do \
                      from now on is saved in a new file."
                 ));
-                self.aside.push((name, bytes.clone()));
+                false
             }
+        };
+        if !is_sound {
+            self.aside.push((name, bytes.clone()));
         }
     }
 

@@ -13,6 +13,8 @@ mod cli;
 mod crowd;
 #[cfg(unix)]
 mod freeze;
+#[cfg(target_os = "linux")]
+mod full_disk;
 mod gather;
 mod hosted;
 #[cfg(unix)]

@@ -8,7 +8,8 @@ use rusqlite::Connection;
 use rusqlite::backup::Backup;
 
 use super::error::DatabaseError;
-use super::mend::{columns, remove};
+use super::mend::Draft;
+use super::salvage::{Columns, RowCounts};
 use super::{schema, unchanged};
 use crate::files::fsync_dir;
 
@@ -30,14 +31,13 @@ pub(super) fn keep(
     if fs::exists(&path)? {
         return Ok(());
     }
-    let draft = folder.join(DRAFT);
-    remove(&draft)?;
-    let mut copy = Connection::open(&draft)?;
+    let draft = Draft::beside(&path, DRAFT)?;
+    let mut copy = Connection::open(draft.path())?;
     Backup::new(connection, &mut copy)?.step(-1)?;
     // One file, that can be looked at without another beside it.
     copy.pragma_update(None, "journal_mode", "DELETE")?;
     drop(copy);
-    fs::rename(&draft, &path)?;
+    fs::rename(draft.path(), &path)?;
     fsync_dir(folder)?;
     for name in names(folder).iter().skip(KEPT) {
         fs::remove_file(folder.join(name))?;
@@ -57,13 +57,14 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Adds what these tables lack from the latest copy of the same version; says which that is.
+/// Adds what these tables lack from the latest copy of the same version; says which that is,
+/// and how many rows of each table it added.
 pub(super) fn fill_in(
     new: &Connection,
     folder: &Path,
     version: i64,
-    tables: &[&str],
-) -> Result<Option<String>, DatabaseError> {
+    tables: &[String],
+) -> Result<Option<(String, RowCounts)>, DatabaseError> {
     for name in names(folder) {
         let path = folder.join(&name);
         let is_sound = unchanged::examine(&path).is_ok_and(|it| it == version)
@@ -72,14 +73,20 @@ pub(super) fn fill_in(
             continue;
         }
         new.execute("ATTACH ?1 AS copy", [path.to_string_lossy()])?;
+        let mut added = Vec::new();
         for table in tables {
-            let columns = columns(new, table, false)?.join(", ");
-            new.execute_batch(&format!(
-                "INSERT OR IGNORE INTO main.{table} ({columns}) SELECT {columns} FROM copy.{table}"
-            ))?;
+            let columns = Columns::of(new, table)?.names.join(", ");
+            let rows = new.execute(
+                &format!(
+                    "INSERT OR IGNORE INTO main.{table} ({columns}) \
+                     SELECT {columns} FROM copy.{table}"
+                ),
+                [],
+            )?;
+            added.push((table.clone(), rows));
         }
         new.execute_batch("DETACH copy")?;
-        return Ok(Some(name));
+        return Ok(Some((name, added)));
     }
     Ok(None)
 }

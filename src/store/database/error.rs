@@ -13,6 +13,9 @@ pub(super) enum DatabaseError {
     /// It is not what it should be; what SQLite says of it.
     #[error("it is damaged; SQLite says: {0}")]
     Damaged(String),
+    /// It is damaged, and was not mended, for this reason.
+    #[error("it is damaged and could not be mended: {0}")]
+    Unmended(Box<DatabaseError>),
     /// It is something else.
     #[error("it is not a carrom database: {0}")]
     NotOurs(String),
@@ -32,10 +35,10 @@ pub(super) enum DatabaseError {
     )]
     InLog(String),
     /// SQLite failed.
-    #[error("{words}{0}", words = of_code(.0.sqlite_error_code()))]
+    #[error("{}", in_words(.0))]
     Sqlite(#[from] rusqlite::Error),
     /// The folder cannot be used.
-    #[error("{0}")]
+    #[error("{}", if is_full(.0) { no_room(.0) } else { .0.to_string() })]
     Folder(#[from] io::Error),
 }
 
@@ -69,9 +72,15 @@ impl DatabaseError {
 
     /// Whether there is no room for more.
     pub(super) fn is_full(&self) -> bool {
-        let full = ErrorKind::StorageFull;
         self.code() == Some(ErrorCode::DiskFull)
-            || matches!(self, Self::Folder(error) if error.kind() == full)
+            || matches!(self, Self::Folder(error) if is_full(error))
+    }
+
+    /// Whether there may be no room for more: SQLite says of some of its files only that they
+    /// cannot be made, or cannot be written.
+    pub(super) fn may_be_full(&self) -> bool {
+        let unclear = [ErrorCode::SystemIoFailure, ErrorCode::CannotOpen];
+        self.code().is_some_and(|code| unclear.contains(&code))
     }
 
     /// Whether nothing may be written where it is.
@@ -94,20 +103,30 @@ impl DatabaseError {
     }
 }
 
-/// What SQLite failed at, before its own words; nothing where those have to do.
-fn of_code(code: Option<ErrorCode>) -> &'static str {
-    match code {
-        Some(ErrorCode::DiskFull) => "there is no room on the disk; SQLite says: ",
-        Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked) => {
-            "another program holds it; SQLite says: "
-        }
+/// Whether something could not be written because there is no room for it.
+pub(super) fn is_full(error: &io::Error) -> bool {
+    let full = [ErrorKind::StorageFull, ErrorKind::QuotaExceeded];
+    full.contains(&error.kind())
+}
+
+/// The same in words, for whatever reason that is known.
+pub(super) fn no_room(why: &dyn std::error::Error) -> String {
+    format!("there is no room on the disk ({why})")
+}
+
+/// What SQLite failed at, before its own words.
+fn in_words(error: &rusqlite::Error) -> String {
+    let words = match error.sqlite_error_code() {
+        Some(ErrorCode::DiskFull) => return no_room(error),
+        Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked) => "another program holds it; ",
         Some(
             ErrorCode::DatabaseCorrupt | ErrorCode::NotADatabase | ErrorCode::OperationInterrupted,
-        ) => "it is damaged; SQLite says: ",
+        ) => "it is damaged; ",
         Some(ErrorCode::ReadOnly | ErrorCode::CannotOpen | ErrorCode::PermissionDenied) => {
-            "it cannot be opened to be written; SQLite says: "
+            "it cannot be opened to be written; "
         }
-        Some(ErrorCode::SystemIoFailure) => "the disk does not work as it should; SQLite says: ",
-        _ => "SQLite says: ",
-    }
+        Some(ErrorCode::SystemIoFailure) => "the disk does not work as it should; ",
+        _ => "",
+    };
+    format!("{words}SQLite says: {error}")
 }

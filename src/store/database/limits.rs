@@ -40,3 +40,36 @@ pub(super) fn limit_work(connection: &mut Connection, bytes: u64) -> rusqlite::R
 pub(super) fn unlimit_work(connection: &mut Connection) -> rusqlite::Result<()> {
     connection.progress_handler(0, None::<fn() -> bool>)
 }
+
+#[cfg(test)]
+mod tests {
+    use rusqlite::ErrorCode;
+
+    use super::*;
+
+    #[test]
+    fn a_query_without_end_is_interrupted() {
+        let mut connection = Connection::open_in_memory().unwrap();
+        limit_work(&mut connection, 0).unwrap();
+        let endless = "WITH RECURSIVE number (n) AS (SELECT 1 UNION ALL SELECT n + 1 FROM number) \
+            SELECT count(*) FROM number";
+        let count = connection.query_row(endless, [], |row| row.get::<_, i64>(0));
+        let code = count.unwrap_err().sqlite_error_code();
+        assert_eq!(code, Some(ErrorCode::OperationInterrupted));
+    }
+
+    #[test]
+    fn a_schema_is_not_trusted_and_cannot_be_written() {
+        let connection = Connection::open_in_memory().unwrap();
+        distrust(&connection).unwrap();
+        connection.execute_batch("CREATE TABLE t (x)").unwrap();
+        let trusted = connection.query_row("PRAGMA trusted_schema", [], |row| row.get(0));
+        assert_eq!(trusted, Ok(false));
+        let changed = "PRAGMA writable_schema = 1; DELETE FROM sqlite_schema";
+        assert!(connection.execute_batch(changed).is_err());
+        connection
+            .execute_batch("CREATE VIEW v AS SELECT x FROM t")
+            .unwrap();
+        assert!(connection.prepare("SELECT x FROM v").is_err());
+    }
+}

@@ -2,14 +2,16 @@
 //! one is kept under another name, as it was.
 
 use std::fs::{self, File};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, Cursor, ErrorKind, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
-use rusqlite::types::ToSqlOutput;
-use rusqlite::{Connection, ErrorCode, OpenFlags, params_from_iter};
+use rusqlite::Connection;
+use rusqlite::config::DbConfig;
 
 use super::error::DatabaseError;
-use super::{NAME, backup, limits, schema, size};
+use super::pages::Pages;
+use super::salvage::{Saved, salvage};
+use super::{backup, limits, path, schema, size};
 use crate::files::fsync_dir;
 
 /// The new file, until it is whole.
@@ -23,53 +25,73 @@ const HEADER: [u8; 24] = *b"SQLite format 3\0\x10\0\x02\x02\0\x40\x20\x20";
 /// How the names of the files end that belong to a database, those beside it first.
 pub(super) const ENDINGS: [&str; 4] = ["-journal", "-wal", "-shm", ""];
 
-/// What could be saved.
-#[derive(Debug, Default)]
-struct Saved {
-    /// Rows of each table, by its name, and whether all of it could be read.
-    tables: Vec<(String, u64, bool)>,
-    /// Answers that are missing between others.
-    gaps: u64,
-    /// The copy from which what could not be read was taken.
-    backup: Option<String>,
+/// A database that is not finished; removed, with all that belongs to it, unless it is put in
+/// its place.
+pub(super) struct Draft(PathBuf);
+
+impl Draft {
+    /// A draft of this name beside a file. What a killed carrom left there is removed.
+    pub(super) fn beside(path: &Path, name: &str) -> io::Result<Self> {
+        let draft = Self(path.with_file_name(name));
+        remove(&draft.0)?;
+        Ok(draft)
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl Drop for Draft {
+    fn drop(&mut self) {
+        // What cannot be removed takes some room, no more.
+        let _ = remove(&self.0);
+    }
 }
 
 /// Puts a mended database in the place of a damaged one, for that `trouble`; says what was
 /// saved. Nobody else may use it meanwhile.
 pub(super) fn mend(folder: &Path, trouble: &DatabaseError) -> Result<String, DatabaseError> {
-    if !schema::is_ours(&folder.join(NAME)) {
+    let damaged = path(folder);
+    if !schema::is_ours(&damaged) {
         return Err(DatabaseError::begins_otherwise());
     }
-    let (draft, copy) = (folder.join(DRAFT), folder.join(COPY));
-    remove(&draft)?;
-    copy_damaged(folder, &draft)?;
-    // The answers themselves are whole if all that was damaged is an index.
-    let saved = match reindexed(&draft) {
-        Ok(()) => None,
-        Err(error) if error.is_full() => return Err(error),
-        Err(_) => {
-            remove(&draft)?;
-            copy_damaged(folder, &copy)?;
-            let saved = salvaged(folder, &copy, &draft);
-            remove(&copy)?;
-            Some(saved?)
-        }
-    };
-    let kept = put_in_place(folder, &draft)?;
-    let saved = saved.map_or("Everything in it could be saved.".into(), |it| it.told());
-    Ok(format!(
-        "The file of your answers was damaged and is mended. {saved} The damaged file is kept \
-         as {} ({trouble}).",
-        folder.join(kept).display(),
-    ))
+    let unmended = |why: DatabaseError| DatabaseError::Unmended(Box::new(why));
+    let (saved, kept) = mended(folder, &damaged).map_err(unmended)?;
+    Ok(notice(&saved, &kept.display().to_string(), trouble))
 }
 
-/// Copies the damaged database, with what its first bytes should be.
-fn copy_damaged(folder: &Path, to: &Path) -> io::Result<()> {
-    remove(to)?;
-    let from = folder.join(NAME);
+/// What the player is to know of a mended database.
+fn notice(saved: &str, kept: &str, trouble: &DatabaseError) -> String {
+    format!(
+        "The file of your answers was damaged and is mended. {saved} The damaged file is kept \
+         as {kept} ({trouble})."
+    )
+}
+
+/// Says what was saved, and where the damaged one is kept.
+fn mended(folder: &Path, damaged: &Path) -> Result<(String, PathBuf), DatabaseError> {
+    let draft = Draft::beside(damaged, DRAFT)?;
+    copy_damaged(damaged, draft.path())?;
+    // The answers themselves are whole if all that was damaged is an index.
+    let saved = match reindexed(draft.path()) {
+        Ok(()) => "Everything in it could be saved.".into(),
+        Err(error) if error.is_full() => return Err(error),
+        Err(_) => {
+            remove(draft.path())?;
+            let copy = Draft::beside(damaged, COPY)?;
+            copy_damaged(damaged, copy.path())?;
+            salvaged(folder, copy.path(), draft.path())?.told()
+        }
+    };
+    let kept = put_in_place(damaged, draft.path())?;
+    Ok((saved, kept))
+}
+
+/// Copies a damaged database, with what its first bytes should be.
+fn copy_damaged(from: &Path, to: &Path) -> io::Result<()> {
     for ending in ["", "-wal"] {
-        match fs::copy(with_ending(&from, ending), with_ending(to, ending)) {
+        match fs::copy(with_ending(from, ending), with_ending(to, ending)) {
             Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
             _ => {}
         }
@@ -89,39 +111,71 @@ fn reindexed(draft: &Path) -> Result<(), DatabaseError> {
     finish(&connection)
 }
 
-/// Makes the draft a new database with every row of the damaged one that can be read.
+/// Makes the draft a new database with every row of the damaged one that can be read, and with
+/// those of the latest copy where some could not be.
 fn salvaged(folder: &Path, damaged: &Path, draft: &Path) -> Result<Saved, DatabaseError> {
-    let old = Connection::open_with_flags(damaged, OpenFlags::SQLITE_OPEN_READ_ONLY)?;
-    // Else SQLite reads nothing of a file that has been cut off.
-    old.pragma_update(None, "writable_schema", true)?;
-    let version = match (schema::examine(&old), schema::version_of_tables(&old)) {
-        (Ok(version), _) | (_, Ok(Some(version))) => version,
-        _ => match schema::version(&old) {
-            Ok(version @ 1..=schema::VERSION) => version,
-            _ => schema::VERSION,
-        },
-    };
+    // The last connection that closes moves what is in the log into the pages.
+    let version = version_of_damaged(&Connection::open(damaged)?)?;
     let mut new = Connection::open(draft)?;
-    schema::lay_out(&new, version)?;
-    let mut saved = Saved::default();
-    let transaction = new.transaction()?;
-    for table in tables(&transaction)? {
-        let (rows, is_whole) = copy(&old, &transaction, &table)?;
-        saved.tables.push((table, rows, is_whole));
+    let mut saved = refilled(&mut new, version, File::open(damaged)?)?;
+    if !saved.damaged().is_empty() {
+        saved.copy = backup::fill_in(&new, folder, version, saved.damaged())?;
     }
-    transaction.commit()?;
-    if saved.tables.iter().any(|(.., is_whole)| !is_whole) {
-        saved.backup = backup::fill_in(&new, folder, version, &saved.damaged())?;
-    }
-    saved.gaps = new.query_row(
-        "SELECT coalesce(max(id), 0) - count(*) FROM attempt WHERE id > 0",
-        [],
-        |row| row.get::<_, i64>(0).map(i64::unsigned_abs),
-    )?;
     schema::prepare(&mut new)?;
     schema::check(&new)?;
     finish(&new)?;
     Ok(saved)
+}
+
+/// A database in memory with every row of a damaged one that can be read, and what the player
+/// is to know of it: that was damaged for this `trouble`, and is kept under this name.
+pub(super) fn mended_bytes(
+    damaged: &[u8],
+    kept: &str,
+    trouble: &DatabaseError,
+) -> Result<(Connection, String), DatabaseError> {
+    if !schema::begins_like_ours(damaged) {
+        return Err(DatabaseError::begins_otherwise());
+    }
+    let mut old = Connection::open_in_memory()?;
+    old.deserialize_read_exact("main", damaged, damaged.len(), true)?;
+    let version = version_of_damaged(&old)?;
+    let mut new = Connection::open_in_memory()?;
+    let saved = refilled(&mut new, version, Cursor::new(damaged))?;
+    schema::prepare(&mut new)?;
+    schema::check(&new)?;
+    Ok((new, notice(&saved.told(), kept, trouble)))
+}
+
+/// Makes an empty database one of this version, with every row that can be read of a damaged
+/// one.
+fn refilled(
+    new: &mut Connection,
+    version: i64,
+    damaged: impl Read + Seek,
+) -> Result<Saved, DatabaseError> {
+    schema::lay_out(new, version)?;
+    let transaction = new.transaction()?;
+    let saved = salvage(&mut Pages::of(damaged)?, &transaction)?;
+    transaction.commit()?;
+    Ok(saved)
+}
+
+/// Which version a damaged database has, or may have.
+fn version_of_damaged(old: &Connection) -> Result<i64, DatabaseError> {
+    limits::distrust(old)?;
+    // Else SQLite reads nothing of a file that has been cut off.
+    old.set_db_config(DbConfig::SQLITE_DBCONFIG_DEFENSIVE, false)?;
+    old.pragma_update(None, "writable_schema", true)?;
+    Ok(
+        match (schema::examine(old), schema::version_of_tables(old)) {
+            (Ok(version), _) | (_, Ok(Some(version))) => version,
+            _ => match schema::version(old) {
+                Ok(version @ 1..=schema::VERSION) => version,
+                _ => schema::VERSION,
+            },
+        },
+    )
 }
 
 /// Brings a draft to the disk as one file.
@@ -130,100 +184,34 @@ fn finish(connection: &Connection) -> Result<(), DatabaseError> {
     Ok(())
 }
 
-/// The names of the tables, in the order in which they were made.
-pub(super) fn tables(connection: &Connection) -> rusqlite::Result<Vec<String>> {
-    let mut names = connection
-        .prepare("SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY rootpage")?;
-    names.query_map([], |row| row.get(0))?.collect()
-}
-
-/// The names of a table's columns, or of those alone that rows are known by.
-pub(super) fn columns(
-    connection: &Connection,
-    table: &str,
-    only_key: bool,
-) -> rusqlite::Result<Vec<String>> {
-    let mut names = connection.prepare(
-        "SELECT name FROM pragma_table_info(?1) WHERE pk > 0 OR NOT ?2 ORDER BY pk, cid",
-    )?;
-    names
-        .query_map((table, only_key), |row| row.get(0))?
-        .collect()
-}
-
-/// Copies the rows of a table as they are; says how many, and whether that is all of them.
-/// Where the table cannot be read any further, the rest is read from its other end.
-fn copy(old: &Connection, new: &Connection, table: &str) -> Result<(u64, bool), DatabaseError> {
-    let key = columns(new, table, true)?;
-    let columns = columns(new, table, false)?;
-    let names = columns.join(", ");
-    let places = vec!["?"; columns.len()].join(", ");
-    let mut put = new.prepare(&format!(
-        "INSERT OR IGNORE INTO {table} ({names}) VALUES ({places})"
-    ))?;
-    let (mut copied, mut is_whole) = (0, true);
-    for direction in ["ASC", "DESC"] {
-        let order = key.iter().map(|name| format!("{name} {direction}"));
-        let order = order.collect::<Vec<_>>().join(", ");
-        let sql = format!("SELECT {names} FROM {table} NOT INDEXED ORDER BY {order}");
-        // What fails outside is the reading, inside the writing.
-        let copying = old.prepare(&sql).and_then(|mut rows| {
-            let mut rows = rows.query([])?;
-            while let Some(row) = rows.next()? {
-                // As they are: what they mean is a matter of whoever reads them.
-                let values: rusqlite::Result<Vec<_>> =
-                    (0..columns.len()).map(|i| row.get_ref(i)).collect();
-                let values = values?.into_iter().map(ToSqlOutput::Borrowed);
-                match put.execute(params_from_iter(values)) {
-                    Ok(rows) => copied += rows as u64,
-                    Err(error) if makes_no_sense(&error) => is_whole = false,
-                    Err(error) => return Ok(Err(error)),
-                }
-            }
-            Ok(Ok(()))
-        });
-        match copying {
-            Ok(Ok(())) => break,
-            Ok(Err(error)) => return Err(error.into()),
-            Err(_) => is_whole = false,
-        }
-    }
-    Ok((copied, is_whole))
-}
-
-/// Whether a row is none that its table may hold.
-fn makes_no_sense(error: &rusqlite::Error) -> bool {
-    error.sqlite_error_code() == Some(ErrorCode::ConstraintViolation)
-}
-
-/// Keeps the damaged database under another name, which it gives, and puts the draft in its
-/// place.
-fn put_in_place(folder: &Path, draft: &Path) -> io::Result<String> {
-    let name = free_name(folder);
-    let (from, to) = (folder.join(NAME), folder.join(&name));
+/// Keeps the damaged database under another name, and puts the draft in its place; says where
+/// the damaged one is.
+fn put_in_place(damaged: &Path, draft: &Path) -> io::Result<PathBuf> {
+    let kept = free_place(damaged);
+    let folder = damaged.parent().unwrap_or(Path::new("."));
     // There is a database at any moment: the damaged one has two names until the new one
     // takes its place.
-    if fs::hard_link(&from, &to).is_err() {
-        fs::copy(&from, &to)?;
+    if fs::hard_link(damaged, &kept).is_err() {
+        fs::copy(damaged, &kept).inspect_err(|_| drop(fs::remove_file(&kept)))?;
     }
     fsync_dir(folder)?;
     // What belongs to it goes first: the new database must not find it.
     for ending in ENDINGS.iter().filter(|ending| !ending.is_empty()) {
-        match fs::rename(with_ending(&from, ending), with_ending(&to, ending)) {
+        match fs::rename(with_ending(damaged, ending), with_ending(&kept, ending)) {
             Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
             _ => {}
         }
     }
-    fs::rename(draft, &from)?;
+    fs::rename(draft, damaged)?;
     fsync_dir(folder)?;
-    Ok(name)
+    Ok(kept)
 }
 
-/// A name for a damaged database that nothing has yet.
-fn free_name(folder: &Path) -> String {
-    let name = |number: u32| format!("progress-damaged-{number}.db");
-    let is_free = |name: &String| !matches!(fs::exists(folder.join(name)), Ok(true));
-    (1..).map(name).find(is_free).unwrap_or_else(|| name(0))
+/// A place beside it for a damaged database where nothing is yet.
+fn free_place(damaged: &Path) -> PathBuf {
+    let place = |number: u32| damaged.with_file_name(format!("progress-damaged-{number}.db"));
+    let is_free = |place: &PathBuf| !matches!(fs::exists(place), Ok(true));
+    (1..).map(place).find(is_free).unwrap_or_else(|| place(0))
 }
 
 /// Removes a database and all that belongs to it, if it is there.
@@ -241,91 +229,4 @@ pub(super) fn with_ending(path: &Path, ending: &str) -> PathBuf {
     let mut path = path.as_os_str().to_owned();
     path.push(ending);
     path.into()
-}
-
-impl Saved {
-    /// The tables of which not all could be read.
-    fn damaged(&self) -> Vec<&str> {
-        let damaged = self.tables.iter().filter(|(.., is_whole)| !is_whole);
-        damaged.map(|(name, ..)| name.as_str()).collect()
-    }
-
-    /// What was saved and what was not, in sentences.
-    fn told(&self) -> String {
-        let counts = self.tables.iter().filter(|(_, rows, _)| *rows > 0);
-        let counts: Vec<_> = counts.map(|(name, rows, _)| counted(name, *rows)).collect();
-        let damaged = self.damaged();
-        let mut told = match (counts.as_slice(), damaged.as_slice()) {
-            ([], []) => return "There was nothing in it.".into(),
-            ([], _) => "Nothing in it could be read.".into(),
-            (counts, []) => {
-                return format!("Everything in it could be saved: {}.", counts.join(", "));
-            }
-            (counts, _) => format!("Saved: {}.", counts.join(", ")),
-        };
-        let lost: Vec<_> = damaged.iter().map(|name| things(name).1).collect();
-        match &self.backup {
-            Some(backup) => {
-                told += &format!(
-                    " Of the {} some could not be read; those kept before were taken from \
-                     {backup}.",
-                    lost.join(" and the ")
-                );
-            }
-            None => {
-                told += &format!(" Not saved: some of the {}", lost.join(" and of the "));
-                if damaged.contains(&"attempt") && self.gaps > 0 {
-                    told += &format!(", {} or more", counted("attempt", self.gaps));
-                }
-                told += ".";
-            }
-        }
-        told
-    }
-}
-
-/// Rows of a table, as a player knows them.
-fn counted(table: &str, rows: u64) -> String {
-    let (one, more) = things(table);
-    format!("{rows} {}", if rows == 1 { one } else { more })
-}
-
-/// What a table holds, as a player knows it: one of them, and more.
-fn things(table: &str) -> (&str, &str) {
-    match table {
-        "attempt" => ("answer", "answers"),
-        "star" => ("level won", "levels won"),
-        "bookmark" => ("chapter begun", "chapters begun"),
-        "page_seen" => ("page read", "pages read"),
-        other => (other, other),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_was_saved_and_what_not_is_told_in_a_players_words() {
-        let saved = |answers, is_whole, gaps| {
-            let tables = vec![
-                ("attempt".into(), answers, is_whole),
-                ("star".into(), 1, true),
-            ];
-            Saved {
-                tables,
-                gaps,
-                backup: None,
-            }
-            .told()
-        };
-        assert_eq!(
-            saved(730, true, 0),
-            "Everything in it could be saved: 730 answers, 1 level won."
-        );
-        assert_eq!(
-            saved(1, false, 1),
-            "Saved: 1 answer, 1 level won. Not saved: some of the answers, 1 answer or more."
-        );
-    }
 }

@@ -22,6 +22,8 @@ mod bytes;
 mod error;
 mod limits;
 mod mend;
+mod pages;
+mod salvage;
 mod schema;
 mod tables;
 mod unchanged;
@@ -35,7 +37,7 @@ use jiff::civil::Date;
 use rusqlite::{Connection, Transaction, TransactionBehavior};
 
 use super::folder_lock::FolderLock;
-use crate::files::not_a_file;
+use crate::files::{UnplacedFile, not_a_file};
 use error::DatabaseError;
 
 /// How long SQLite waits by itself for others.
@@ -256,12 +258,22 @@ impl Database {
         match &self.location {
             Location::Memory(_) | Location::Newer(..) => trouble.to_string(),
             Location::Folder(folder) => {
-                let left = if trouble.is_strange() {
+                let what_next = if trouble.is_strange() {
                     ", so it is left as it is; nothing is kept until it is moved away"
+                } else if trouble.is_damage() && self.only_looks {
+                    "; carrom mends it when you next open the game"
                 } else {
                     ""
                 };
-                format!("{}: {trouble}{left}", path(folder).display())
+                let trouble = match trouble {
+                    DatabaseError::Sqlite(why)
+                        if trouble.may_be_full() && !self.only_looks && !has_room(folder) =>
+                    {
+                        error::no_room(why)
+                    }
+                    _ => trouble.to_string(),
+                };
+                format!("{}: {trouble}{what_next}", path(folder).display())
             }
         }
     }
@@ -307,14 +319,27 @@ fn is_newer(version: &i64) -> bool {
 /// The name of the database.
 const NAME: &str = "progress.db";
 
+/// Where the database of a folder is: what belongs to it is beside the file, which a link may
+/// lead to.
 fn path(folder: &Path) -> PathBuf {
-    folder.join(NAME)
+    let path = folder.join(NAME);
+    match fs::canonicalize(&path) {
+        Ok(place) if path.is_symlink() => place,
+        _ => path,
+    }
 }
 
 /// The bytes of a database and its log.
 fn size(path: &Path) -> u64 {
     let files = ["", "-wal"].map(|ending| fs::metadata(mend::with_ending(path, ending)));
     files.into_iter().flatten().map(|about| about.len()).sum()
+}
+
+/// Whether a folder has room for what SQLite keeps beside a database.
+fn has_room(folder: &Path) -> bool {
+    // Its index of the log alone takes 32 KiB.
+    let tried = UnplacedFile::write(folder, &" ".repeat(1 << 16));
+    !tried.is_err_and(|error| error::is_full(&error))
 }
 
 /// Opens the database and brings it to the present version.

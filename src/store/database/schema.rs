@@ -200,17 +200,23 @@ pub(super) fn version_in_header(path: &Path) -> Option<i64> {
         .then(|| i32::from_be_bytes(*version).into())
 }
 
-/// Whether a file is a database of carrom's, damaged or not: it begins as one, but for a byte
-/// at most, and holds near its beginning how the answers' table was made.
+/// Whether a file is a database of carrom's, damaged or not.
 pub(super) fn is_ours(path: &Path) -> bool {
-    let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(1 << 20).read_to_end(&mut bytes));
-    let strange = bytes
+    let mut start = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(1 << 20).read_to_end(&mut start));
+    read.is_ok() && begins_like_ours(&start)
+}
+
+/// Whether a database of carrom's begins like this, damaged or not: as every database but for a
+/// byte at most, and near its beginning with how the answers' table was made, or its index.
+pub(super) fn begins_like_ours(start: &[u8]) -> bool {
+    let strange = start
         .iter()
         .zip(MAGIC)
         .filter(|(found, magic)| found != magic);
-    let words = b"CREATE TABLE attempt (";
-    read.is_ok() && strange.count() < 2 && bytes.windows(words.len()).any(|it| it == words)
+    let holds = |words: &str| start.windows(words.len()).any(|it| it == words.as_bytes());
+    strange.count() < 2
+        && (holds("CREATE TABLE attempt (") || holds("CREATE INDEX attempt_of_player ON"))
 }
 
 /// Looks a database through, page by page.

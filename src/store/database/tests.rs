@@ -286,9 +286,17 @@ fn a_damaged_database_is_mended_and_the_damaged_file_kept() {
     let cases = [
         // No more than an index.
         (with(page(&sound, 10), &[0; 4096]), "Everything in it", 200),
-        (with(page(&sound, 13), &[0; 4096]), "answers or more", 150),
+        (
+            with(page(&sound, 13), &[0; 4096]),
+            "Could not be read: ",
+            150,
+        ),
         // Cut off behind the first page of answers.
-        (sound[..page(&sound, 13) + 4096].to_vec(), "Not saved", 30),
+        (
+            sound[..page(&sound, 13) + 4096].to_vec(),
+            "Could not be read: ",
+            30,
+        ),
         // A letter of the name of the format.
         (with(3, b"j"), "Everything in it", 200),
     ];
@@ -302,6 +310,124 @@ fn a_damaged_database_is_mended_and_the_damaged_file_kept() {
     }
 }
 
+/// The pages below a zeroed one are found by what is on them.
+#[test]
+fn answers_that_no_page_leads_to_any_more_are_saved() {
+    let (scratch, mut damaged) = filled("cut-off");
+    let start = page(&damaged, 5);
+    damaged[start..start + 4096].fill(0);
+    let (notice, answers) = mended(&scratch, &damaged);
+    assert!(notice.contains("Everything in it could be saved: 200 answers"));
+    assert_eq!(answers, 200);
+}
+
+/// Rows that run over to other pages, and rows that were written last and are in the log.
+#[test]
+fn long_rows_and_rows_in_the_log_of_a_damaged_database_are_saved() {
+    let (scratch, _) = filled("long");
+    let mut database = scratch.database();
+    let long = Attempt {
+        question: "球\0".repeat(30_000),
+        truth: String::new(),
+        ..attempt(&"Ada".repeat(4000), 1000)
+    };
+    database.record(&long).unwrap();
+    let mut damaged = fs::read(scratch.path()).unwrap();
+    let start = page(&damaged, 13);
+    damaged[start..start + 4096].fill(0);
+    fs::write(scratch.path(), &damaged).unwrap();
+    let held = Connection::open(scratch.path()).unwrap();
+    let count = "SELECT count(*) FROM star";
+    held.query_row(count, [], |row| row.get::<_, i64>(0))
+        .unwrap();
+    for number in 1001..=1040 {
+        tables::insert_attempt(&held, &attempt("Bo", number)).unwrap();
+    }
+    let log = scratch.0.join("progress.db-wal");
+    let written = (fs::read(scratch.path()).unwrap(), fs::read(&log).unwrap());
+    assert!(written.0 == damaged && !written.1.is_empty());
+    drop(held);
+    fs::write(scratch.path(), written.0).unwrap();
+    fs::write(&log, written.1).unwrap();
+    let mut database = scratch.database();
+    assert_eq!(database.attempts(Some(&long.player)).unwrap(), [long]);
+    assert!(database.take_notice().unwrap().contains("is mended"));
+    let of_the_log: Vec<_> = (1001..=1040).map(|number| attempt("Bo", number)).collect();
+    assert_eq!(database.attempts(Some("Bo")).unwrap(), of_the_log);
+}
+
+/// Pages that are in use no more still hold what was on them.
+#[test]
+fn what_was_forgotten_does_not_come_back_from_a_damaged_database() {
+    let scratch = Scratch::new("forgotten");
+    let mut database = scratch.database();
+    for (chapter, number) in (0..300).flat_map(|n| [("kept", n), ("forgotten", n)]) {
+        let seen = seen(&format!("{number} {}", "x".repeat(50)));
+        database.mark("Ada", chapter, &seen).unwrap();
+    }
+    let forget = Forget::Chapter("forgotten".into());
+    database.forget("Ada", &forget).unwrap();
+    let mut damaged = fs::read(scratch.path()).unwrap();
+    let start = page(&damaged, 2);
+    damaged[start..start + 4096].fill(0);
+    fs::write(scratch.path(), &damaged).unwrap();
+    let mut database = scratch.database();
+    let marks = database.marks("Ada").unwrap();
+    assert_eq!(marks.keys().collect::<Vec<_>>(), ["kept"]);
+    assert!(
+        marks["kept"].pages.len() > 290,
+        "but for those that were on the page"
+    );
+    assert!(
+        database
+            .take_notice()
+            .unwrap()
+            .contains("some of the pages read")
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_damaged_database_behind_a_link_is_mended_where_the_link_leads() {
+    let (scratch, sound) = filled("link");
+    let elsewhere = Scratch::new("link-target");
+    let target = elsewhere.0.join("answers.sqlite");
+    let link = scratch.0.join("progress.db");
+    fs::rename(&link, &target).unwrap();
+    std::os::unix::fs::symlink(&target, &link).unwrap();
+    let mut damaged = sound.clone();
+    let start = page(&sound, 13);
+    damaged[start..start + 4096].fill(0);
+    fs::write(&target, &damaged).unwrap();
+    let mut database = scratch.database();
+    let answers = database.attempts(None).unwrap().len();
+    assert!((150..200).contains(&answers), "{answers}");
+    assert!(database.take_notice().unwrap().contains("is mended"));
+    database.record(&attempt("Bo", 1)).unwrap();
+    assert!(link.is_symlink());
+    assert_eq!(scratch.names(), ["progress.db"]);
+    let kept = elsewhere.0.join("progress-damaged-1.db");
+    assert!(fs::read(kept).unwrap() == damaged);
+    let mended = Connection::open(&target).unwrap();
+    assert_eq!(tables::attempts(&mended, None).unwrap().len(), answers + 1);
+}
+
+/// Who only looks follows the link too, to what was written last.
+#[cfg(unix)]
+#[test]
+fn the_log_of_a_database_behind_a_link_is_read() {
+    let (scratch, _) = filled("link-log");
+    let elsewhere = Scratch::new("link-log-target");
+    let target = elsewhere.0.join("progress.db");
+    fs::rename(scratch.path(), &target).unwrap();
+    std::os::unix::fs::symlink(&target, scratch.0.join("progress.db")).unwrap();
+    let held = Connection::open(&target).unwrap();
+    tables::insert_attempt(&held, &attempt("Bo", 1)).unwrap();
+    let mut database = scratch.database();
+    database.only_look();
+    assert_eq!(database.attempts(None).unwrap().len(), 201);
+}
+
 #[test]
 fn what_cannot_be_read_is_taken_from_the_copy_of_the_day_before() {
     let (scratch, sound) = filled("filled-in");
@@ -312,7 +438,8 @@ fn what_cannot_be_read_is_taken_from_the_copy_of_the_day_before() {
     let start = page(&sound, 13);
     damaged[start..start + 4096].fill(0);
     let (notice, answers) = mended(&scratch, &damaged);
-    assert!(notice.contains("progress-backup-2026-11-21.db"), "{notice}");
+    let copy = "Taken from progress-backup-2026-11-21.db: ";
+    assert!(notice.contains(copy), "{notice}");
     assert_eq!(answers, 200);
 }
 
@@ -425,7 +552,6 @@ fn a_schema_that_is_not_ours_is_refused_before_it_is_queried() {
         let scratch = Scratch::new("foreign");
         drop(with_foreign_schema(Connection::open(scratch.path()), sql));
         let before = fs::read(scratch.path()).unwrap();
-        let start = Instant::now();
         let refused = [
             scratch.database().record(&attempt("Ada", 1)),
             scratch.database().attempts(None).map(drop),
@@ -435,7 +561,6 @@ fn a_schema_that_is_not_ours_is_refused_before_it_is_queried() {
                 only_looks.attempts(None).map(drop)
             },
         ];
-        assert!(start.elapsed() < Duration::from_secs(2), "{sql}");
         for message in refused.map(Result::unwrap_err) {
             assert!(
                 message.contains("carrom did not make its"),

@@ -1,0 +1,402 @@
+//! The pages of a database file, read one by one past those that are damaged.
+//!
+//! SQLite ends a scan at the first page it cannot read, and what lies behind can be reached by
+//! those alone who know its keys. A tree leads to every page without them. The numbers are those
+//! of the Database File Format (<https://sqlite.org/fileformat.html>), sections 1.3 to 2.1.
+
+use std::collections::{BTreeSet, HashSet};
+use std::io::{self, Read, Seek, SeekFrom};
+use std::ops::RangeInclusive;
+
+use rusqlite::types::ValueRef;
+
+/// Bytes of a page: carrom makes no others.
+const PAGE: usize = 4096;
+/// Bytes before the first page's own header.
+const FILE_HEADER: usize = 100;
+/// Where the file's header gives the first page of the list of unused ones.
+const UNUSED: usize = 32;
+/// How many times its size may be read of a file, so that cells that overlap and chains that
+/// meet do not multiply the work. A sound file is read twice.
+const READINGS: u64 = 16;
+
+/// How the pages of a tree are laid out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Layout {
+    /// A table whose rows have ids; the pages at the bottom hold the rows.
+    Table,
+    /// A table without ids, or an index; every page holds rows.
+    Index,
+}
+
+/// The pages that a root leads to.
+#[derive(Debug, Default)]
+pub(super) struct Tree {
+    pub(super) pages: BTreeSet<u32>,
+    /// Whether each of them could be read.
+    pub(super) is_whole: bool,
+}
+
+/// What is in one place of a page.
+pub(super) struct Cell {
+    /// The row's id, in a table that has them.
+    pub(super) id: Option<i64>,
+    /// The row; `None` if it cannot be read.
+    pub(super) record: Option<Vec<u8>>,
+}
+
+/// What is on one page.
+pub(super) struct Contents {
+    pub(super) layout: Layout,
+    pub(super) cells: Vec<Cell>,
+    /// Whether each cell could be found.
+    pub(super) is_whole: bool,
+}
+
+/// A database file.
+pub(super) struct Pages<F> {
+    file: F,
+    count: u32,
+    /// Bytes that may still be read.
+    left: u64,
+}
+
+/// A page of a tree.
+struct Page {
+    bytes: Vec<u8>,
+    layout: Layout,
+    is_bottom: bool,
+    /// Where its header starts.
+    header: usize,
+}
+
+impl<F: Read + Seek> Pages<F> {
+    /// The pages of a file. The last may be cut off: what is missing of it counts as zeros.
+    ///
+    /// # Errors
+    /// If the size of the file cannot be found out.
+    pub(super) fn of(mut file: F) -> io::Result<Self> {
+        let bytes = file.seek(SeekFrom::End(0))?;
+        Ok(Self {
+            file,
+            count: u32::try_from(bytes.div_ceil(PAGE as u64)).unwrap_or(u32::MAX),
+            left: bytes.saturating_mul(READINGS).saturating_add(PAGE as u64),
+        })
+    }
+
+    /// The numbers of all pages.
+    pub(super) fn numbers(&self) -> RangeInclusive<u32> {
+        1..=self.count
+    }
+
+    /// Bytes of all pages.
+    pub(super) fn size(&self) -> usize {
+        PAGE.saturating_mul(self.count as usize)
+    }
+
+    /// The pages that are reached from a root.
+    pub(super) fn tree(&mut self, root: u32, layout: Layout) -> Tree {
+        let mut pages = BTreeSet::new();
+        let mut is_whole = true;
+        let mut ahead = vec![root];
+        while let Some(number) = ahead.pop() {
+            let page = if pages.contains(&number) {
+                None
+            } else {
+                self.page(number).filter(|page| page.layout == layout)
+            };
+            is_whole &= page.is_some();
+            if let Some(page) = page {
+                pages.insert(number);
+                for child in page.children() {
+                    is_whole &= child.is_some();
+                    ahead.extend(child);
+                }
+            }
+        }
+        Tree { pages, is_whole }
+    }
+
+    /// What is on a page; `None` if it is none of a tree.
+    pub(super) fn contents(&mut self, number: u32) -> Option<Contents> {
+        let page = self.page(number)?;
+        let mut contents = Contents {
+            layout: page.layout,
+            cells: Vec::new(),
+            is_whole: true,
+        };
+        if page.layout == Layout::Table && !page.is_bottom {
+            return Some(contents);
+        }
+        for start in page.starts() {
+            match start.and_then(|start| page.part(start)) {
+                Some(part) => contents.cells.push(Cell {
+                    id: part.id,
+                    record: self.record(&part),
+                }),
+                None => contents.is_whole = false,
+            }
+        }
+        Some(contents)
+    }
+
+    /// The pages that the file lists as unused: what they held was deleted.
+    pub(super) fn unused(&mut self) -> HashSet<u32> {
+        let mut unused = HashSet::new();
+        let first = self.bytes(1);
+        let mut next = first.and_then(|bytes| number_at(&bytes, UNUSED));
+        while let Some(number) = next
+            && let Some(bytes) = self.bytes(number)
+            && unused.insert(number)
+        {
+            let listed = number_at(&bytes, 4).unwrap_or_default();
+            let places = (8..PAGE).step_by(4).take(listed as usize);
+            unused.extend(places.filter_map(|place| number_at(&bytes, place)));
+            next = number_at(&bytes, 0);
+        }
+        unused
+    }
+
+    /// A whole row, of which this part is on its page.
+    fn record(&mut self, part: &Part) -> Option<Vec<u8>> {
+        if part.length > self.size() {
+            return None;
+        }
+        let mut record = part.bytes.to_vec();
+        let mut next = part.next;
+        while record.len() < part.length {
+            let bytes = self.bytes(next)?;
+            next = number_at(&bytes, 0)?;
+            let missing = part.length - record.len();
+            record.extend(bytes.iter().skip(4).take(missing));
+        }
+        Some(record)
+    }
+
+    fn page(&mut self, number: u32) -> Option<Page> {
+        let bytes = self.bytes(number)?;
+        let header = if number == 1 { FILE_HEADER } else { 0 };
+        let (layout, is_bottom) = match bytes.get(header)? {
+            2 => (Layout::Index, false),
+            5 => (Layout::Table, false),
+            10 => (Layout::Index, true),
+            13 => (Layout::Table, true),
+            _ => return None,
+        };
+        Some(Page {
+            bytes,
+            layout,
+            is_bottom,
+            header,
+        })
+    }
+
+    /// The bytes of a page; `None` if it cannot be read, or too much was read already.
+    fn bytes(&mut self, number: u32) -> Option<Vec<u8>> {
+        if !self.numbers().contains(&number) {
+            return None;
+        }
+        self.left = self.left.checked_sub(PAGE as u64)?;
+        let start = u64::from(number - 1) * PAGE as u64;
+        self.file.seek(SeekFrom::Start(start)).ok()?;
+        let mut bytes = Vec::with_capacity(PAGE);
+        let file = self.file.by_ref();
+        file.take(PAGE as u64).read_to_end(&mut bytes).ok()?;
+        bytes.resize(PAGE, 0);
+        Some(bytes)
+    }
+}
+
+/// The part of a row that is on the page of its cell.
+struct Part<'a> {
+    id: Option<i64>,
+    /// Bytes of the whole row.
+    length: usize,
+    bytes: &'a [u8],
+    /// The page on which it goes on; 0 if it does not.
+    next: u32,
+}
+
+impl Page {
+    /// Where its cells start; `None` for each that cannot be.
+    fn starts(&self) -> impl Iterator<Item = Option<usize>> {
+        let count = short_at(&self.bytes, self.header + 3).unwrap_or_default();
+        let list = self.header + if self.is_bottom { 8 } else { 12 };
+        (0..count).map_while(move |cell| {
+            let place = list + 2 * cell;
+            (place + 2 <= PAGE).then(|| {
+                let start = short_at(&self.bytes, place);
+                start.filter(|start| (list..PAGE).contains(start))
+            })
+        })
+    }
+
+    /// The pages below it; `None` for each that cannot be found.
+    fn children(&self) -> impl Iterator<Item = Option<u32>> {
+        let below = self
+            .starts()
+            .map(|start| start.and_then(|start| number_at(&self.bytes, start)));
+        let last = number_at(&self.bytes, self.header + 8);
+        below.chain([last]).filter(|_| !self.is_bottom)
+    }
+
+    /// What the page holds of the row whose cell starts there.
+    fn part(&self, start: usize) -> Option<Part<'_>> {
+        let start = start + if self.is_bottom { 0 } else { 4 };
+        let (length, rest) = varint(self.bytes.get(start..)?)?;
+        let length = usize::try_from(length).ok()?;
+        let (id, rest) = match self.layout {
+            Layout::Table => varint(rest).map(|(id, rest)| (Some(id), rest))?,
+            Layout::Index => (None, rest),
+        };
+        let most = match self.layout {
+            Layout::Table => PAGE - 35,
+            Layout::Index => (PAGE - 12) * 64 / 255 - 23,
+        };
+        let least = (PAGE - 12) * 32 / 255 - 23;
+        let on_page = if length <= most {
+            length
+        } else {
+            let full = least + (length - least) % (PAGE - 4);
+            if full <= most { full } else { least }
+        };
+        let bytes = rest.get(..on_page)?;
+        let next = match on_page < length {
+            true => number_at(rest, on_page)?,
+            false => 0,
+        };
+        Some(Part {
+            id,
+            length,
+            bytes,
+            next,
+        })
+    }
+}
+
+/// The values of a row, its columns in the order in which they are kept; `None` if it makes no
+/// sense.
+pub(super) fn values(record: &[u8]) -> Option<Vec<ValueRef<'_>>> {
+    let (length, _) = varint(record)?;
+    let (header, mut body) = record.split_at_checked(usize::try_from(length).ok()?)?;
+    let (_, mut header) = varint(header)?;
+    let mut values = Vec::new();
+    while !header.is_empty() {
+        let (kind, rest) = varint(header)?;
+        header = rest;
+        let length = match kind {
+            0 | 8 | 9 => 0,
+            1..=4 => kind,
+            5 => 6,
+            6 | 7 => 8,
+            12.. => (kind - 12) / 2,
+            _ => return None,
+        };
+        let (bytes, rest) = body.split_at_checked(usize::try_from(length).ok()?)?;
+        body = rest;
+        values.push(match kind {
+            0 => ValueRef::Null,
+            1..=6 => ValueRef::Integer(integer(bytes)),
+            7 => ValueRef::Real(f64::from_bits(integer(bytes).cast_unsigned())),
+            8 => ValueRef::Integer(0),
+            9 => ValueRef::Integer(1),
+            kind if kind % 2 == 0 => ValueRef::Blob(bytes),
+            _ => ValueRef::Text(bytes),
+        });
+    }
+    Some(values)
+}
+
+/// A big-endian number in two's complement.
+fn integer(bytes: &[u8]) -> i64 {
+    let sign = if bytes.first().is_some_and(|it| *it > 127) {
+        -1
+    } else {
+        0
+    };
+    bytes
+        .iter()
+        .fold(sign, |number, byte| number << 8 | i64::from(*byte))
+}
+
+/// A number of one to nine bytes, seven bits in each but the ninth, and what follows it.
+fn varint(bytes: &[u8]) -> Option<(i64, &[u8])> {
+    let mut number = 0;
+    for (place, byte) in bytes.iter().enumerate().take(9) {
+        let (bits, value) = if place == 8 {
+            (8, *byte)
+        } else {
+            (7, byte & 127)
+        };
+        number = number << bits | i64::from(value);
+        if place == 8 || *byte < 128 {
+            return Some((number, &bytes[place + 1..]));
+        }
+    }
+    None
+}
+
+fn short_at(bytes: &[u8], place: usize) -> Option<usize> {
+    let (short, _) = bytes.get(place..)?.split_first_chunk()?;
+    Some(u16::from_be_bytes(*short).into())
+}
+
+fn number_at(bytes: &[u8], place: usize) -> Option<u32> {
+    let (number, _) = bytes.get(place..)?.split_first_chunk()?;
+    Some(u32::from_be_bytes(*number))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+    use std::io::Cursor;
+
+    use super::*;
+
+    /// A file that counts the bytes that are read of it.
+    struct Counted<'a>(Cursor<Vec<u8>>, &'a Cell<usize>);
+
+    impl Read for Counted<'_> {
+        fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
+            let read = self.0.read(to)?;
+            self.1.set(self.1.get() + read);
+            Ok(read)
+        }
+    }
+
+    impl Seek for Counted<'_> {
+        fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+            self.0.seek(to)
+        }
+    }
+
+    /// Each of 1,200 cells is the same row, as long as the file, on a page that follows itself.
+    #[test]
+    fn cells_that_overlap_and_chains_without_end_do_not_multiply_the_work() {
+        let mut bytes = vec![0; 256 * PAGE];
+        let length: u32 = 255 * 4096;
+        let (leaf, next, start) = (PAGE, 2 * PAGE, 2500);
+        bytes[leaf] = 13;
+        bytes[leaf + 3..leaf + 5].copy_from_slice(&1200_u16.to_be_bytes());
+        for pointer in bytes[leaf + 8..leaf + 2408].chunks_exact_mut(2) {
+            pointer.copy_from_slice(&2500_u16.to_be_bytes());
+        }
+        let digits = [length >> 14 | 128, length >> 7 & 127 | 128, length & 127, 1];
+        let cell = &mut bytes[leaf + start..2 * PAGE];
+        cell[..4].copy_from_slice(&digits.map(|digit| digit as u8));
+        // 1,020 bytes of it are on its page; it goes on at page 3.
+        cell[1024..1028].copy_from_slice(&3_u32.to_be_bytes());
+        bytes[next..next + 4].copy_from_slice(&3_u32.to_be_bytes());
+        let read = Cell::new(0);
+        let mut pages = Pages::of(Counted(Cursor::new(bytes), &read)).unwrap();
+        let contents = pages.contents(2).unwrap();
+        let whole = contents.cells.iter().filter(|it| it.record.is_some());
+        assert!(whole.count() > 1);
+        assert!(
+            read.get() <= (READINGS as usize + 1) * pages.size(),
+            "{}",
+            read.get()
+        );
+        assert!(pages.contents(4).is_none(), "no more is read");
+    }
+}

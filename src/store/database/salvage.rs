@@ -1,0 +1,365 @@
+//! Every row that can still be read of a damaged database, in a new one.
+
+use std::collections::{BTreeSet, HashMap};
+use std::io::{Read, Seek};
+
+use rusqlite::types::{ToSqlOutput, ValueRef};
+use rusqlite::{Connection, ErrorCode, params_from_iter};
+
+use super::pages::{Contents, Layout, Pages, Tree, values};
+
+/// The table of answers, and the index that lists them once more.
+const ANSWERS: &str = "attempt";
+const LIST_OF_ANSWERS: &str = "attempt_of_player";
+/// The fewest bytes that an answer takes. An id is believed to be one of a file's if the file
+/// has room for as many answers.
+const LEAST_ANSWER: usize = 32;
+
+/// Numbers of rows, each with the name of their table.
+pub(super) type RowCounts = Vec<(String, usize)>;
+
+/// What could be saved.
+#[derive(Debug, Default)]
+pub(super) struct Saved {
+    /// Rows of each table, in the order in which the tables were made.
+    tables: RowCounts,
+    /// The tables of which something is lost.
+    damaged: Vec<String>,
+    /// Answers that were there and are lost.
+    lost_answers: usize,
+    /// Whether there may be more of them.
+    or_more: bool,
+    /// The copy from which rows were taken, and how many of each table.
+    pub(super) copy: Option<(String, RowCounts)>,
+}
+
+/// A table of the new database, and where its rows are in the damaged one.
+struct Table {
+    name: String,
+    columns: Columns,
+    tree: Tree,
+    /// Rows that were saved.
+    rows: usize,
+}
+
+/// Copies into the tables of `new` every row that can be read on the pages of a damaged
+/// database.
+pub(super) fn salvage<F: Read + Seek>(
+    pages: &mut Pages<F>,
+    new: &Connection,
+) -> rusqlite::Result<Saved> {
+    let roots = roots(pages);
+    let mut tree = |name: &str, layout| match roots.get(name) {
+        Some(root) => pages.tree(*root, layout),
+        None => Tree::default(),
+    };
+    let list = tree(LIST_OF_ANSWERS, Layout::Index);
+    let mut tables = Vec::new();
+    for name in table_names(new)? {
+        let columns = Columns::of(new, &name)?;
+        tables.push(Table {
+            tree: tree(&name, columns.layout),
+            name,
+            columns,
+            rows: 0,
+        });
+    }
+    for table in &mut tables {
+        for number in table.tree.pages.clone() {
+            if let Some(contents) = pages.contents(number) {
+                table.tree.is_whole &= contents.is_whole & table.take(&contents, new)?;
+            }
+        }
+    }
+    take_cut_off(pages, &mut tables, &list, new)?;
+    let mut saved = Saved {
+        tables: tables.iter().map(|it| (it.name.clone(), it.rows)).collect(),
+        ..Saved::default()
+    };
+    for table in tables.iter().filter(|table| !table.tree.is_whole) {
+        if table.name == ANSWERS {
+            saved.count_lost_answers(&list, pages, new)?;
+            if saved.lost_answers == 0 && !saved.or_more {
+                continue;
+            }
+        }
+        saved.damaged.push(table.name.clone());
+    }
+    Ok(saved)
+}
+
+/// Takes the rows on pages that no tree leads to any more, where one table alone can have lost
+/// them.
+fn take_cut_off<F: Read + Seek>(
+    pages: &mut Pages<F>,
+    tables: &mut [Table],
+    list: &Tree,
+    new: &Connection,
+) -> rusqlite::Result<()> {
+    let mut known = pages.unused();
+    known.extend(&list.pages);
+    known.extend(tables.iter().flat_map(|table| &table.tree.pages));
+    for number in pages.numbers().filter(|number| !known.contains(number)) {
+        let Some(contents) = pages.contents(number) else {
+            continue;
+        };
+        let mut records = contents.cells.iter().filter_map(|it| it.record.as_deref());
+        let Some(columns) = records.find_map(|it| Some(values(it)?.len())) else {
+            continue;
+        };
+        let mut owners = tables.iter_mut().filter(|table| {
+            !table.tree.is_whole
+                && table.columns.layout == contents.layout
+                && table.columns.names.len() == columns
+        });
+        if let (Some(owner), None) = (owners.next(), owners.next()) {
+            owner.take(&contents, new)?;
+        }
+    }
+    Ok(())
+}
+
+/// The first page of each table and index, by their names.
+fn roots<F: Read + Seek>(pages: &mut Pages<F>) -> HashMap<String, u32> {
+    let mut roots = HashMap::new();
+    for number in pages.tree(1, Layout::Table).pages {
+        let cells = pages.contents(number).map(|it| it.cells);
+        for record in cells.into_iter().flatten().filter_map(|it| it.record) {
+            if let Some([_, ValueRef::Text(name), _, ValueRef::Integer(root), ..]) =
+                values(&record).as_deref()
+                && let Ok(root) = u32::try_from(*root)
+            {
+                roots.insert(String::from_utf8_lossy(name).into_owned(), root);
+            }
+        }
+    }
+    roots
+}
+
+impl Table {
+    /// Saves the rows of a page; says whether that was all of them.
+    fn take(&mut self, contents: &Contents, new: &Connection) -> rusqlite::Result<bool> {
+        let mut is_whole = true;
+        for cell in &contents.cells {
+            let values = cell.record.as_deref().and_then(values);
+            let rows = match values {
+                Some(values) => self.insert(cell.id, values, new)?,
+                None => 0,
+            };
+            self.rows += rows;
+            is_whole &= rows > 0;
+        }
+        Ok(is_whole)
+    }
+
+    /// Puts a row into the new table, as it is: what it means is a matter of whoever reads it.
+    /// Says how many rows that makes: none if it cannot be one, or is there already.
+    fn insert(
+        &self,
+        id: Option<i64>,
+        mut values: Vec<ValueRef>,
+        new: &Connection,
+    ) -> rusqlite::Result<usize> {
+        // A row of before a column was added ends before it.
+        let names = match self.columns.names.get(..values.len()) {
+            Some(names) if !names.is_empty() => names,
+            _ => return Ok(0),
+        };
+        if let Some(id) = id
+            && let Some(column) = self.columns.id
+            && let Some(value) = values.get_mut(column)
+        {
+            *value = ValueRef::Integer(id);
+        }
+        let mut put = new.prepare_cached(&format!(
+            "INSERT OR IGNORE INTO {} ({}) VALUES ({})",
+            self.name,
+            names.join(", "),
+            vec!["?"; names.len()].join(", ")
+        ))?;
+        let values = values.into_iter().map(ToSqlOutput::Borrowed);
+        match put.execute(params_from_iter(values)) {
+            Err(error) if error.sqlite_error_code() == Some(ErrorCode::ConstraintViolation) => {
+                Ok(0)
+            }
+            put => put,
+        }
+    }
+}
+
+/// The names of the tables, in the order in which they were made.
+fn table_names(connection: &Connection) -> rusqlite::Result<Vec<String>> {
+    let mut names = connection
+        .prepare("SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY rootpage")?;
+    names.query_map([], |row| row.get(0))?.collect()
+}
+
+/// The columns of a table.
+pub(super) struct Columns {
+    /// Their names, in the order in which rows hold them.
+    pub(super) names: Vec<String>,
+    /// The one that is the row's id.
+    id: Option<usize>,
+    layout: Layout,
+}
+
+impl Columns {
+    /// Those of a table of this name.
+    pub(super) fn of(connection: &Connection, table: &str) -> rusqlite::Result<Self> {
+        let mut query = connection.prepare(
+            "SELECT list.wr, info.name, info.pk > 0 \
+             FROM pragma_table_list(?1) AS list, pragma_table_info(?1) AS info \
+             WHERE list.schema = 'main' \
+             ORDER BY iif(list.wr AND info.pk, info.pk, 1 << 16), info.cid",
+        )?;
+        let mut rows = query.query([table])?;
+        let mut columns = Self {
+            names: Vec::new(),
+            id: None,
+            layout: Layout::Table,
+        };
+        while let Some(row) = rows.next()? {
+            if row.get(0)? {
+                columns.layout = Layout::Index;
+            } else if row.get(2)? {
+                columns.id = Some(columns.names.len());
+            }
+            columns.names.push(row.get(1)?);
+        }
+        Ok(columns)
+    }
+}
+
+impl Saved {
+    /// Counts the answers that the list knows, or that are missing between others where the
+    /// list cannot be read either.
+    fn count_lost_answers<F: Read + Seek>(
+        &mut self,
+        list: &Tree,
+        pages: &mut Pages<F>,
+        new: &Connection,
+    ) -> rusqlite::Result<()> {
+        let mut saved = new.prepare("SELECT id FROM attempt")?;
+        let saved = saved.query_map([], |row| row.get(0))?;
+        let saved = saved.collect::<rusqlite::Result<BTreeSet<i64>>>()?;
+        let mut known = BTreeSet::new();
+        let ids = 1..=i64::try_from(pages.size() / LEAST_ANSWER).unwrap_or(i64::MAX);
+        self.or_more = !list.is_whole;
+        for number in &list.pages {
+            let contents = pages.contents(*number);
+            self.or_more |= !contents.as_ref().is_some_and(|it| it.is_whole);
+            for cell in contents.into_iter().flat_map(|it| it.cells) {
+                match cell.record.as_deref().and_then(values).as_deref() {
+                    Some([_, ValueRef::Integer(id)]) if ids.contains(id) => {
+                        known.insert(*id);
+                    }
+                    _ => self.or_more = true,
+                }
+            }
+        }
+        if self.or_more {
+            let last = known.last().max(saved.range(ids).last()).copied();
+            known.extend(1..=last.unwrap_or_default());
+        }
+        self.lost_answers = known.difference(&saved).count();
+        Ok(())
+    }
+
+    /// The tables of which something is lost.
+    pub(super) fn damaged(&self) -> &[String] {
+        &self.damaged
+    }
+
+    /// What was saved and what was not, in sentences.
+    pub(super) fn told(&self) -> String {
+        let saved = listed(&self.tables);
+        let mut told = match (saved.is_empty(), self.damaged.is_empty()) {
+            (true, true) => return "There was nothing in it.".into(),
+            (false, true) => return format!("Everything in it could be saved: {saved}."),
+            (true, false) => "Nothing in it could be read.".into(),
+            (false, false) => {
+                let lost = self.damaged.iter().map(|table| self.lost(table));
+                let lost = lost.collect::<Vec<_>>().join(", ");
+                format!("Saved: {saved}. Could not be read: {lost}.")
+            }
+        };
+        if let Some((copy, rows)) = &self.copy {
+            let taken = match listed(rows) {
+                nothing if nothing.is_empty() => "nothing that was missing".into(),
+                taken => taken,
+            };
+            told += &format!(" Taken from {copy}: {taken}.");
+        }
+        told
+    }
+
+    /// What is lost of a damaged table.
+    fn lost(&self, table: &str) -> String {
+        match (table, self.lost_answers) {
+            (ANSWERS, 1..) => {
+                let or_more = if self.or_more { " or more" } else { "" };
+                format!("{}{or_more}", counted(table, self.lost_answers))
+            }
+            _ => format!("some of the {}", things(table).1),
+        }
+    }
+}
+
+/// Rows of tables, those without any left out.
+fn listed(tables: &[(String, usize)]) -> String {
+    let some = tables.iter().filter(|(_, rows)| *rows > 0);
+    let some: Vec<_> = some.map(|(name, rows)| counted(name, *rows)).collect();
+    some.join(", ")
+}
+
+/// Rows of a table, as a player knows them.
+fn counted(table: &str, rows: usize) -> String {
+    let (one, more) = things(table);
+    format!("{rows} {}", if rows == 1 { one } else { more })
+}
+
+/// What a table holds, as a player knows it: one of them, and more.
+fn things(table: &str) -> (&str, &str) {
+    match table {
+        ANSWERS => ("answer", "answers"),
+        "star" => ("level won", "levels won"),
+        "bookmark" => ("chapter begun", "chapters begun"),
+        "page_seen" => ("page read", "pages read"),
+        other => (other, other),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_notice_counts_what_was_saved_and_what_was_not() {
+        let tables = [(ANSWERS, 730), ("star", 1), ("bookmark", 0)];
+        let mut saved = Saved {
+            tables: tables.map(|(name, rows)| (name.into(), rows)).into(),
+            ..Saved::default()
+        };
+        assert_eq!(
+            saved.told(),
+            "Everything in it could be saved: 730 answers, 1 level won."
+        );
+        saved.damaged = vec![ANSWERS.into(), "star".into()];
+        saved.lost_answers = 1;
+        assert_eq!(
+            saved.told(),
+            "Saved: 730 answers, 1 level won. Could not be read: 1 answer, some of the levels won."
+        );
+        saved.damaged.truncate(1);
+        saved.or_more = true;
+        saved.copy = Some((
+            "progress-backup-2026-11-21.db".into(),
+            vec![(ANSWERS.into(), 7)],
+        ));
+        assert_eq!(
+            saved.told(),
+            "Saved: 730 answers, 1 level won. Could not be read: 1 answer or more. Taken from \
+             progress-backup-2026-11-21.db: 7 answers."
+        );
+    }
+}
