@@ -52,7 +52,7 @@
 //!                  driven engine and the exact record of a shot. Knows no game, no
 //!                  terminal, no clock, no random numbers.
 //!   files/         how any file from outside is read, how its faults are told, and how
-//!                  whole files are written
+//!                  whole files, tables and JSON are written
 //!   ─────────────────────────────────────────────────────────────
 //!   numbers        how quantities are printed: figures, units, signs
 //! ```

@@ -205,6 +205,18 @@ fn maps() -> Vec<Map> {
     rooms.map(Map::read).collect()
 }
 
+/// One place makes cells of tables safe, so one place writes tables.
+#[test]
+fn only_one_file_writes_comma_separated_values() {
+    let mut found = Vec::new();
+    each_source(&src(), &mut |path| {
+        if fs::read_to_string(path).unwrap().contains("csv::Writer") {
+            found.push(path.strip_prefix(src()).unwrap().to_owned());
+        }
+    });
+    assert_eq!(found, [Path::new("files").join("csv_table.rs")]);
+}
+
 #[test]
 fn every_room_uses_only_lower_ones() {
     let maps = maps();

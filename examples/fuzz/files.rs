@@ -7,10 +7,14 @@ use std::sync::Arc;
 
 use carrom::class::ClassRound;
 use carrom::game::SavedGame;
+use carrom::gradebook::{Gradebook, HandIn, beliefs_csv, items_csv, pupils_csv};
 use carrom::lessons::Chapter;
 use carrom::levels::{Level, Patience, Scene};
-use carrom::messages::{StoreCall, StoreRequest};
+use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::paper::gradebook;
+use carrom::progress::{Attempt, csv, json};
 use carrom::quiz::concepts::Library;
+use carrom::quiz::{Answer, Code, Confidence, Round};
 use carrom::shells::tape::Tape;
 use carrom::store::Store;
 use rand::seq::IndexedRandom;
@@ -45,6 +49,7 @@ enum Kind {
     Concept,
     Saved,
     Tape,
+    HandIn,
 }
 
 /// A sound file.
@@ -69,7 +74,29 @@ pub(crate) fn models(home: &Path) -> Result<Vec<Vec<Model>>, Box<dyn Error>> {
         add(&mut found, kind, &home.join(folder), ending)?;
         models.push(found);
     }
+    let hand_ins = ["mixed-7", "own-7", "7"].map(|code| {
+        let bytes = HandIn::new("Ada", "10b", attempts(code))
+            .text()?
+            .into_bytes();
+        Ok(Model {
+            kind: Kind::HandIn,
+            bytes,
+        })
+    });
+    models.push(hand_ins.into_iter().collect::<Result<_, String>>()?);
     Ok(models)
+}
+
+/// Answers to a round of ten, noted as those of this one.
+fn attempts(code: &str) -> Vec<Attempt> {
+    let noted = Code::parse(code).unwrap_or_else(|| Code::hits(7));
+    let round = Round::hits(7);
+    let asked = { 1.. }.zip(round.questions());
+    let noted = asked.map(|(number, question)| {
+        let answer = Answer::new(question.beliefs[0].said, Confidence::Sure);
+        Attempt::of_quiz("Ada", &noted, number, question, &answer)
+    });
+    noted.collect()
 }
 
 fn add(models: &mut Vec<Model>, kind: Kind, folder: &Path, ending: &str) -> std::io::Result<()> {
@@ -138,6 +165,19 @@ fn read(kind: Kind, bytes: &[u8], folder: &Path) {
             drop(ClassRound::read("class", bytes, &Arc::default()));
         }
         Kind::Tape => drop(Tape::parse(&String::from_utf8_lossy(bytes))),
+        Kind::HandIn => {
+            let mut book = Gradebook::default();
+            book.add("hand-in", HandIn::read(bytes));
+            let results = book.results();
+            for table in [
+                pupils_csv(&results),
+                items_csv(&results),
+                beliefs_csv(&results),
+                Ok(gradebook::html(&results)),
+            ] {
+                assert!(table.is_ok(), "{table:?}");
+            }
+        }
     }
 }
 
@@ -156,7 +196,12 @@ fn database(chance: &mut Pcg64Mcg, folder: &Path) -> Result<(), Fault> {
         },
     );
     let ask = |store: &mut Store, wish| store.answer(&StoreCall { ticket: 0, wish });
-    ask(&mut Store::in_folder(&folder).timeless(), star.clone());
+    let mut store = Store::in_folder(&folder).timeless();
+    ask(&mut store, star.clone());
+    for attempt in attempts("7") {
+        ask(&mut store, StoreRequest::Record(Box::new(attempt)));
+    }
+    drop(store);
     let mut bytes = fs::read(&path).map_err(said)?;
     for _ in 0..chance.random_range(1..6) {
         change(&mut bytes, chance);
@@ -170,7 +215,13 @@ fn database(chance: &mut Pcg64Mcg, folder: &Path) -> Result<(), Fault> {
             StoreRequest::Marks("Ada".into()),
             star,
         ] {
-            ask(&mut store, wish);
+            if let StoreReply::Recalled(Ok(history)) = ask(&mut store, wish).done {
+                let attempts = &history.attempts;
+                assert!(attempts.iter().all(|it| it.fault().is_none()));
+                csv(attempts)?;
+                json(attempts, &history.calendar)?;
+                HandIn::new("Ada", "", attempts.clone()).text()?;
+            }
         }
         Ok(())
     })

@@ -1,8 +1,8 @@
 //! The tables a teacher takes home, as comma-separated values.
 
 use super::{ClassRound, ItemAnalysis, Vote, items};
+use crate::files::csv_table;
 use crate::numbers::{self, bare_degrees};
-use crate::progress::table;
 use crate::quiz::{Form, Grade, Question, Response, letter};
 
 /// The columns that both tables begin with: what was asked.
@@ -72,7 +72,7 @@ pub fn answers_csv(round: &ClassRound, date: &str) -> Result<String, String> {
             rows.push(row);
         }
     }
-    table(&[&ASKED[..], &heads].concat(), &rows)
+    csv_table(&[&ASKED[..], &heads].concat(), &rows)
 }
 
 /// A vote, whether it was right, its credit, how far off it was, the misconception; five
@@ -149,7 +149,7 @@ pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
             Some(row)
         })
         .collect();
-    table(&[&ASKED[..], &heads].concat(), &rows)
+    csv_table(&[&ASKED[..], &heads].concat(), &rows)
 }
 
 /// What was said at a vote with how many said it: "A 4, B 17, C 9, D 2".

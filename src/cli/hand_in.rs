@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, anyhow};
 
 use super::{Failure, GlobalOptions, print_names, progress, written};
-use crate::files::{Document, escape_control_lines};
+use crate::files::{self, Document, escape_control_lines};
 use crate::gradebook::{Gradebook, HandIn, beliefs_csv, items_csv, pupils_csv, round_of};
+use crate::numbers::counted;
 use crate::paper;
 use crate::quiz::Code;
 
@@ -104,7 +105,14 @@ pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), 
         let codes: Vec<String> = args.code.iter().map(ToString::to_string).collect();
         attempts.retain(|it| codes.contains(&round_of(it)));
     }
-    if attempts.is_empty() {
+    let answered = attempts.len();
+    let hand_in = HandIn::new(&player, args.class.as_deref().unwrap_or_default(), attempts);
+    let left_out = answered - hand_in.attempts.len();
+    if left_out > 0 {
+        let answers = counted(left_out, "answer");
+        eprintln!("carrom: left out {answers} that no question of this carrom can have got");
+    }
+    if hand_in.attempts.is_empty() {
         let of = if args.code.is_empty() {
             ""
         } else {
@@ -113,7 +121,6 @@ pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), 
         let message = format!("{player} has no answer{of} to hand in; --player gives another name");
         return Err(Failure::input(message));
     }
-    let hand_in = HandIn::new(&player, args.class.as_deref().unwrap_or_default(), attempts);
     let path = args
         .out
         .clone()
@@ -135,12 +142,13 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
     let mut book = Gradebook::default();
     for path in &paths {
         // A pipe or a device may never end.
-        let read = match path.is_file() {
-            true => crate::files::read(path, HandIn::LARGEST_FILE)
-                .map_err(|error| error.message)
-                .and_then(|bytes| HandIn::read(&bytes)),
-            false => Err("it is no file".into()),
+        let bytes = match path.is_file() {
+            true => files::read(path, HandIn::LARGEST_FILE),
+            false => Err(files::not_a_file(path)),
         };
+        let read = bytes
+            .map_err(|error| error.message)
+            .and_then(|bytes| HandIn::read(&bytes));
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let is_of_class = |it: &HandIn| {
             let wanted = args.class.as_ref().map(|name| name.to_lowercase());
@@ -151,7 +159,7 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
         }
     }
     if let Some(path) = &args.class_list {
-        let list = crate::files::read(path, crate::files::LARGEST).map_err(Failure::input)?;
+        let list = files::read(path, files::LARGEST).map_err(Failure::input)?;
         let list = String::from_utf8_lossy(&list);
         book.look_for(list.trim_start_matches('\u{feff}').lines());
     }

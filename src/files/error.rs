@@ -11,6 +11,14 @@ use super::letters::{hides, is_picture};
 /// is no end.
 const MOST_TOLD: usize = 20;
 
+/// Most characters of what is said of one error.
+const LONGEST_MESSAGE: usize = 400;
+/// What stands before the part of a message that is quoted.
+const FOUND: &str = ", found ";
+
+/// Most characters of a line, a word or a name from outside that a message quotes.
+pub const LONGEST_QUOTE: usize = 200;
+
 /// One thing that is wrong with a file.
 ///
 /// Shown as `my.toml:7: disc.mass_g: expected a mass from 0.001 to 100000 g, found -3`.
@@ -54,7 +62,7 @@ impl FileError {
     }
 
     fn what(&self) -> String {
-        let message = escape_control(&self.message, 400);
+        let message = brief(&self.message);
         match &self.field {
             Some(field) => format!("{}: {message}", escape_control(field, 80)),
             None => message,
@@ -64,7 +72,7 @@ impl FileError {
 
 impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&escape_control(&self.file, 200))?;
+        f.write_str(&escape_control(&self.file, LONGEST_QUOTE))?;
         if let Some(line) = self.line {
             write!(f, ":{line}")?;
         }
@@ -121,6 +129,28 @@ impl fmt::Display for FileErrors {
 pub fn escape_control_lines(text: &str) -> String {
     let lines = text.lines().map(|line| escape_control(line, usize::MAX));
     lines.collect::<Vec<_>>().join("\n")
+}
+
+/// A message that says what was expected, in carrom's words, and what was found, which is quoted from
+/// outside: on one line, without control characters, and with no more than [`LONGEST_QUOTE`] of what
+/// was found.
+pub fn brief(message: &str) -> String {
+    let message = match message.split_once(FOUND) {
+        Some((expected, found)) => {
+            format!("{expected}{FOUND}{}", escape_control(found, LONGEST_QUOTE))
+        }
+        None => message.to_owned(),
+    };
+    escape_control(&message, LONGEST_MESSAGE)
+}
+
+/// A text from outside in quotation marks, as a message shows it: without control characters, and
+/// no more than [`LONGEST_QUOTE`] of it.
+pub fn quoted(text: &str) -> String {
+    match text.char_indices().nth(LONGEST_QUOTE) {
+        Some((end, _)) => format!("{:?}...", text.get(..end).unwrap_or_default()),
+        None => format!("{text:?}"),
+    }
 }
 
 /// Text from outside on one line, without control characters and not endless, so

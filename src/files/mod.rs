@@ -1,10 +1,12 @@
 //! What all files have in common: how those from outside are read, how one says what is
 //! wrong with them, and how whole ones are written.
 
+mod csv_table;
 mod draft;
 mod error;
 mod expectation;
 mod fields;
+mod json;
 mod letters;
 mod list;
 mod number;
@@ -12,10 +14,14 @@ mod put;
 mod read;
 mod source;
 
+pub use csv_table::csv_table;
 pub use draft::{UNFINISHED, UnplacedFile, fsync_dir};
-pub use error::{FileError, FileErrors, escape_control, escape_control_lines};
+pub use error::{
+    FileError, FileErrors, LONGEST_QUOTE, brief, escape_control, escape_control_lines, quoted,
+};
 pub use fields::{Fields, newer};
 pub(crate) use fields::{all, is_id};
+pub use json::write_json;
 pub use letters::{NO_NAME, is_blank_name, is_invisible, tidy_name};
 pub use list::{List, embedded, list, not_a_file};
 pub use number::{NumberSpec, Range};

@@ -1,11 +1,13 @@
 //! The file that a pupil hands in.
 
+use std::collections::HashMap;
+
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::files::{newer, tidy_name};
+use crate::files::{BYTE_ORDER_MARK, LONGEST_QUOTE, escape_control, newer, quoted, tidy_name};
 use crate::progress::{Attempt, LESSON};
-use crate::quiz::{Code, Confidence, Family, Grade, NoCode};
+use crate::quiz::{Code, Confidence, Course, CourseKind, Family, Grade, Topic};
 
 use super::round_of;
 
@@ -74,8 +76,16 @@ impl HandIn {
     pub const LARGEST_FILE: usize = 1 << 24;
 
     /// The file of a pupil. Names are made presentable; one without a visible letter stays
-    /// empty.
+    /// empty. Answers that no teacher's carrom would read are left out: damage may have changed
+    /// them, and they would spoil all others.
     pub fn new(name: &str, class: &str, attempts: Vec<Attempt>) -> Self {
+        let mut known = KnownTopics::default();
+        let sound = attempts.into_iter();
+        let sound = sound.filter_map(|it| checked(it, &mut known).ok());
+        Self::of(name, class, sound.collect())
+    }
+
+    fn of(name: &str, class: &str, attempts: Vec<Attempt>) -> Self {
         Self {
             name: tidy(name),
             class: tidy(class),
@@ -164,10 +174,10 @@ impl HandIn {
             return Err("it is too large for a hand-in".into());
         }
         // Some editors and mail programs put a byte order mark before a text.
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         // Whatever else is in it: what it is and how new it is comes first.
         let value = serde_json::from_slice(bytes)
-            .map_err(|error| format!("it is damaged or no hand-in: {error}"))?;
+            .map_err(|error| format!("it is damaged or no hand-in: {}", short(&error)))?;
         Self::of_value(value)
     }
 
@@ -184,14 +194,17 @@ impl HandIn {
         if format > FORMAT.into() {
             return Err(newer(format!("format {format}"), FORMAT));
         }
-        let written: Written =
-            serde_json::from_value(value).map_err(|error| format!("it is damaged: {error}"))?;
+        let written: Written = serde_json::from_value(value)
+            .map_err(|error| format!("it is damaged: {}", short(&error)))?;
+        let mut known = KnownTopics::default();
         let attempts = { 1.. }.zip(written.answers).map(|(number, answer)| {
             let attempt = answer.attempt(&written.name);
-            attempt.ok_or_else(|| format!("it is damaged: answer {number} cannot be"))
+            attempt
+                .and_then(|attempt| checked(attempt, &mut known))
+                .map_err(|why| format!("it is damaged: answer {number} cannot be: {why}"))
         });
         let attempts = attempts.collect::<Result<_, _>>()?;
-        let hand_in = Self::new(&written.name, &written.class, attempts);
+        let hand_in = Self::of(&written.name, &written.class, attempts);
         match hand_in.name.is_empty() {
             true => Err("it has no name in it".into()),
             false => Ok(hand_in),
@@ -200,30 +213,18 @@ impl HandIn {
 }
 
 impl WrittenAnswer {
-    /// The answer; `None` if no carrom has noted such a one.
-    fn attempt(self, player: &str) -> Option<Attempt> {
-        let confidence = match &self.confidence {
-            None => None,
-            Some(id) => Some(Confidence::ALL.into_iter().find(|it| it.id() == id)?),
-        };
-        let is_known = self.family == LESSON || Family::with_id(&self.family).is_some();
-        let round = self
-            .question
-            .get("round")
-            .map(|it| it.as_str().map(Code::read));
-        let has_round = match round {
-            // Before codes were noted with the figures the seed was all there was.
-            None => true,
-            Some(Some(Ok(_) | Err(NoCode::Review))) => true,
-            Some(_) => false,
-        };
-        let is_possible = is_known && has_round && (0.0..=1.0).contains(&self.credit);
+    /// The answer as it is written; the reason if its confidence is none.
+    fn attempt(self, player: &str) -> Result<Attempt, String> {
+        let confidence = self.confidence.map(|id| {
+            let known = Confidence::with_id(&id);
+            known.ok_or_else(|| format!("its confidence is {}, which is unknown", quoted(&id)))
+        });
         let text = |figures: Map<String, Value>| Value::Object(figures).to_string();
-        is_possible.then(|| Attempt {
+        Ok(Attempt {
             time_s: self.time_s,
             player: player.to_owned(),
             family: self.family,
-            topic: tidy_name(&self.topic).chars().take(LONGEST_TOPIC).collect(),
+            topic: self.topic,
             seed: self.seed,
             number: self.number,
             question: text(self.question),
@@ -232,9 +233,96 @@ impl WrittenAnswer {
             error_deg: self.error_deg,
             credit: self.credit,
             right: self.right,
-            confidence,
+            confidence: confidence.transpose()?,
             misconception: self.misconception,
         })
+    }
+}
+
+/// Which topics belong to which families, as far as was asked: a file has thousands of answers
+/// about few topics.
+type KnownTopics = HashMap<(Family, String), bool>;
+
+/// An answer that some carrom can have noted, with its round and its topic as carrom writes them.
+///
+/// What pupils hand in becomes heads and cells of their teacher's tables: no name comes into them
+/// that is not known or tidied here.
+///
+/// # Errors
+/// What about it cannot be.
+fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, String> {
+    if let Some(fault) = attempt.fault() {
+        return Err(fault.into());
+    }
+    let code = name_round(&mut attempt)?;
+    let most = match (&code, attempt.family.as_str()) {
+        (_, LESSON) => u32::MAX as usize,
+        (Some(code), _) => code.course.count,
+        (None, _) => Course::MOST,
+    };
+    if !(1..=most).contains(&(attempt.number as usize)) {
+        return Err(format!("its round has no question {}", attempt.number));
+    }
+    if attempt.family != LESSON {
+        let family = Family::with_id(&attempt.family).ok_or_else(|| {
+            format!(
+                "its family is {}, which is unknown",
+                quoted(&attempt.family)
+            )
+        })?;
+        let is_own = code.is_some_and(|code| matches!(code.course.kind, CourseKind::Own(_)));
+        // A teacher's own questions are about what their files are called.
+        let is_free = is_own && family == Family::Concept;
+        if !is_free && !is_topic_of(&attempt.topic, family, known) {
+            return Err(format!(
+                "its topic is {}, which is none of its family",
+                quoted(&attempt.topic)
+            ));
+        }
+    }
+    attempt.topic = tidy_name(&attempt.topic)
+        .chars()
+        .take(LONGEST_TOPIC)
+        .collect();
+    Ok(attempt)
+}
+
+/// Writes the name of an answer's round as carrom does; gives its code.
+fn name_round(attempt: &mut Attempt) -> Result<Option<Code>, String> {
+    let mut figures: Map<String, Value> =
+        serde_json::from_str(&attempt.question).unwrap_or_default();
+    // Before codes were noted with the figures the seed was all there was.
+    let Some(round) = figures.get_mut("round") else {
+        return Ok(None);
+    };
+    let noted = round.as_str().unwrap_or_default();
+    let (name, code) = Code::read_noted(noted).map_err(|_| {
+        let shown = round.as_str().map_or_else(|| round.to_string(), Into::into);
+        format!("its round is {}, which is no code", quoted(&shown))
+    })?;
+    if name != noted {
+        *round = name.into();
+        attempt.question = Value::Object(figures).to_string();
+    }
+    Ok(code)
+}
+
+fn is_topic_of(topic: &str, family: Family, known: &mut KnownTopics) -> bool {
+    let asks = || {
+        Topic::with_id(topic.to_owned())
+            .families()
+            .contains(&family)
+    };
+    *known.entry((family, topic.to_owned())).or_insert_with(asks)
+}
+
+/// What serde says of a file. It may quote all of it.
+fn short(error: &serde_json::Error) -> String {
+    let message = error.to_string();
+    let place = format!(" at line {} column {}", error.line(), error.column());
+    match message.strip_suffix(&place) {
+        Some(what) => escape_control(what, LONGEST_QUOTE) + &place,
+        None => escape_control(&message, LONGEST_QUOTE),
     }
 }
 

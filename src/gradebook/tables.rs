@@ -1,8 +1,8 @@
 //! The gradebook as comma-separated values.
 
 use super::{ClassResults, beliefs, items};
+use crate::files::csv_table;
 use crate::numbers::fixed;
-use crate::progress::table;
 
 /// A row a pupil: what was answered in all, in each round and on each topic.
 ///
@@ -56,7 +56,7 @@ pub fn pupils_csv(results: &ClassResults<'_>) -> Result<String, String> {
         })
         .collect();
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
-    table(&heads, &rows)
+    csv_table(&heads, &rows)
 }
 
 /// A row a question: how all who answered it did.
@@ -96,7 +96,7 @@ pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
         "commonest_answers",
         "class",
     ];
-    table(&heads, &rows)
+    csv_table(&heads, &rows)
 }
 
 /// A row a misconception: how many hold it.
@@ -117,5 +117,5 @@ pub fn beliefs_csv(results: &ClassResults<'_>) -> Result<String, String> {
         })
         .collect();
     let heads = ["misconception", "in_words", "pupils", "answers", "class"];
-    table(&heads, &rows)
+    csv_table(&heads, &rows)
 }

@@ -36,11 +36,11 @@ impl Checkpoint {
         }
     }
 
-    /// Whether it can be answered so: of the kind that is asked for, with a choice that is
-    /// there. What a file or a database holds is checked here before it is used.
+    /// Whether it can be answered so: of the kind that is asked for, with rays in their range and a
+    /// choice that is there. What a file or a database holds is checked here before it is used.
     pub fn accepts(&self, said: &Response) -> bool {
         match (&self.asked, said) {
-            (CheckpointKind::Rays, Response::Rays(_)) => true,
+            (CheckpointKind::Rays, Response::Rays(rays)) => rays.are_in_range(),
             (CheckpointKind::Number { .. }, Response::Number(number)) => number.is_finite(),
             (CheckpointKind::Choice(choices), Response::Choice(line)) => *line < choices.len(),
             _ => false,

@@ -1,15 +1,20 @@
 //! One answer, with all that is known of it.
 
 use serde::Deserialize;
-use serde_json::{Value, json};
+use serde_json::{Map, Value};
 
-use crate::physics::units::{deg_from_rad, mm_from_m};
+use crate::physics::units::deg_from_rad;
 use crate::quiz::{
-    Answer, Clue, Code, Confidence, Form, Grade, Misconception, Question, Response, Topic,
+    Answer, Clue, Code, Confidence, Form, Grade, Misconception, Question, Rays, Topic,
 };
 
 /// The family of all questions that chapters ask.
 pub const LESSON: &str = "lesson";
+
+/// The furthest that an angle can be off, in degrees, with what rounding adds.
+const FURTHEST_OFF_DEG: f64 = 180.0 + 1e-6;
+/// Most lines of a choice in a chapter, with room for those of years to come.
+const MOST_LINES: u64 = 26;
 
 /// One answer, with all that is known of it. Nothing of it is particular to the quiz:
 /// whatever asks a question can note what was answered.
@@ -74,8 +79,8 @@ impl Attempt {
             seed: code.seed,
             number,
             question: Value::Object(figures).to_string(),
-            answer: said(&question.form, &answer.said).to_string(),
-            truth: said(&question.form, &question.form.truth()).to_string(),
+            answer: question.form.kept(&answer.said).to_string(),
+            truth: question.form.kept(&question.form.truth()).to_string(),
             error_deg: grade.angle_error.map(deg_from_rad),
             credit: grade.credit,
             right: grade.right,
@@ -87,6 +92,42 @@ impl Attempt {
     /// What it was about, as shown: "equal masses, by offset", or the title of the chapter.
     pub fn topic_name(&self) -> String {
         topic_name(&self.family, &self.topic)
+    }
+
+    /// What is wrong with it, in words; `None` for one that can have been given to some question.
+    ///
+    /// Files and databases can be changed by anybody. Whatever counts, shows or hands in answers
+    /// relies on this: numbers are finite and in the range of what they measure, and the answer is
+    /// of the same kind as the truth.
+    pub fn fault(&self) -> Option<&'static str> {
+        let error_is_possible = |error: f64| match self.family.as_str() {
+            // A chapter may ask for any number of degrees.
+            LESSON => error >= 0.0 && error.is_finite(),
+            _ => (0.0..=FURTHEST_OFF_DEG).contains(&error),
+        };
+        if !(0.0..=1.0).contains(&self.credit) {
+            Some("its credit is not a number from 0 to 1")
+        } else if !self.error_deg.is_none_or(error_is_possible) {
+            Some("its error is not an angle")
+        } else if !self.answer_is_possible() {
+            Some("what was answered is out of range or of the wrong kind")
+        } else {
+            None
+        }
+    }
+
+    fn answer_is_possible(&self) -> bool {
+        let Ok(answer) = serde_json::from_str::<Map<String, Value>>(&self.answer) else {
+            return false;
+        };
+        let truth: Map<String, Value> = serde_json::from_str(&self.truth).unwrap_or_default();
+        let is_like_truth = truth.is_empty() || answer.keys().all(|name| truth.contains_key(name));
+        let is_in_range = match self.family.as_str() {
+            LESSON => lesson_answer_is_possible(&answer),
+            _ => Form::could_be_kept(&answer),
+        };
+        // Where nothing was noted, what counts is noted all the same.
+        answer.is_empty() || (is_like_truth && is_in_range)
     }
 
     /// What it says of misconceptions. One that this carrom does not know is left out; where
@@ -126,6 +167,18 @@ impl Attempt {
     }
 }
 
+/// Whether this is an answer to some checkpoint of a chapter: two rays, any number, or a line
+/// counted from 1.
+fn lesson_answer_is_possible(answer: &Map<String, Value>) -> bool {
+    match (answer.get("number"), answer.get("choice")) {
+        (Some(number), None) => number.is_f64() || number.is_i64() || number.is_u64(),
+        (None, Some(line)) => line
+            .as_u64()
+            .is_some_and(|line| (1..=MOST_LINES).contains(&line)),
+        _ => Rays::of_json(&Value::Object(answer.clone())).is_some_and(|it| it.are_in_range()),
+    }
+}
+
 /// The name of what a family asked about, as shown.
 pub(super) fn topic_name(family: &str, topic: &str) -> String {
     match family {
@@ -152,21 +205,11 @@ struct StoredFigures<'a> {
     by_chance: Option<f64>,
 }
 
-/// What is said to a question, with the units in the names.
-fn said(form: &Form, said: &Response) -> Value {
-    match (form, said) {
-        (_, Response::Rays(rays)) => rays.json(),
-        (Form::Number { quantity, .. }, Response::Number(x)) => json!({ quantity.id(): x }),
-        (_, Response::Shot(offset)) => json!({ "offset_mm": mm_from_m(*offset) }),
-        _ => json!({ "choice": form.words(said) }),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::physics::ImpactPoint;
-    use crate::quiz::{Hit, Pieces, Ray, Rays};
+    use crate::quiz::{Hit, Pieces, Ray, Response};
 
     const HIT: Hit = Hit {
         pieces: Pieces::Equal,
@@ -185,6 +228,67 @@ mod tests {
         let answer = Answer::new(Response::Rays(rays), confidence);
         let code = Code::parse("7").unwrap();
         Attempt::of_quiz("Ada", &code, 3, &Question::from(&HIT), &answer)
+    }
+
+    #[test]
+    fn an_answer_that_no_question_can_have_got_has_a_fault() {
+        let sound = attempt(60.0, 30.0);
+        assert_eq!(sound.fault(), None);
+        for (credit, error_deg) in [
+            (f64::NAN, None),
+            (-0.1, None),
+            (1.1, None),
+            (f64::INFINITY, None),
+            (1.0, Some(f64::NAN)),
+            (1.0, Some(-1.0)),
+            (1.0, Some(181.0)),
+            (1.0, Some(f64::INFINITY)),
+        ] {
+            let changed = Attempt {
+                credit,
+                error_deg,
+                ..sound.clone()
+            };
+            assert!(changed.fault().is_some(), "{credit} {error_deg:?}");
+        }
+        for answer in [
+            "",
+            "null",
+            "[]",
+            "\"choice 99\"",
+            "{\"choice\":99}",
+            // Of another kind than the truth.
+            "{\"choice\":\"B\"}",
+            "{\"theta1_deg\":200.0,\"theta2_deg\":0.0}",
+            "{\"theta1_deg\":1e999,\"theta2_deg\":0.0}",
+            "{\"theta1_deg\":NaN,\"theta2_deg\":0.0}",
+            "{\"theta1_deg\":20.0}",
+        ] {
+            let changed = Attempt {
+                answer: answer.into(),
+                ..sound.clone()
+            };
+            assert!(changed.fault().is_some(), "{answer}");
+        }
+        let of_chapter = |answer: &str, truth: &str| Attempt {
+            family: LESSON.into(),
+            answer: answer.into(),
+            truth: truth.into(),
+            error_deg: Some(5000.0),
+            ..sound.clone()
+        };
+        for (answer, truth, is_sound) in [
+            ("{\"number\":-1e6}", "{\"number\":2,\"unit\":\"°\"}", true),
+            ("{\"choice\":2}", "{\"choice\":1}", true),
+            ("{\"theta1_deg\":null,\"theta2_deg\":0}", "null", true),
+            ("{\"choice\":99}", "{\"choice\":1}", false),
+            ("{\"choice\":0}", "{\"choice\":1}", false),
+            ("{\"choice\":1}", "{\"number\":1,\"unit\":\"\"}", false),
+            ("{\"number\":\"1\"}", "{\"number\":1,\"unit\":\"\"}", false),
+        ] {
+            let fault = of_chapter(answer, truth).fault();
+            assert_eq!(fault.is_none(), is_sound, "{answer} {fault:?}");
+        }
     }
 
     #[test]

@@ -3,10 +3,9 @@
 use jiff::Timestamp;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
-use unicode_width::UnicodeWidthChar;
 
 use super::{Attempt, Calendar, Tally, advice, beliefs, calibration, topics};
-use crate::files::is_invisible;
+use crate::files::{csv_table, write_json};
 use crate::numbers;
 use crate::quiz::{Confidence, Grade};
 
@@ -79,7 +78,7 @@ fn in_words(attempt: &Attempt) -> [String; IN_WORDS.len()] {
     ]
 }
 
-/// The attempts as a [`table`], one a row.
+/// The attempts as a [table](csv_table), one a row.
 ///
 /// # Errors
 /// None that can be met in practice; the reason, should a row not be writable.
@@ -100,7 +99,7 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
         cells.chain(in_words(attempt)).collect()
     };
     let rows: Vec<Vec<String>> = attempts.iter().map(row).collect();
-    table(&[&COLUMNS[..], &IN_WORDS].concat(), &rows)
+    csv_table(&[&COLUMNS[..], &IN_WORDS].concat(), &rows)
 }
 
 /// What was said, with its numbers as they were typed: a 30 is kept in radians and comes
@@ -120,62 +119,6 @@ fn tidied(said: &str) -> String {
     Value::Object(said).to_string()
 }
 
-/// A table of comma-separated values, as RFC 4180 has them: the heads, then the rows. A
-/// text that a spreadsheet would take for a formula gets an apostrophe before it, which
-/// makes it plain text there; numbers below zero are left as they are.
-///
-/// # Errors
-/// None that can be met in practice; the reason, should a row not be writable.
-pub fn table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String> {
-    let mut table = csv::Writer::from_writer(Vec::new());
-    let told = |error: csv::Error| error.to_string();
-    table
-        .write_record(heads.iter().map(|head| plain(head)))
-        .map_err(told)?;
-    for row in rows {
-        table
-            .write_record(row.iter().map(|cell| plain(cell)))
-            .map_err(told)?;
-    }
-    let bytes = table.into_inner().map_err(|error| error.to_string())?;
-    String::from_utf8(bytes).map_err(|error| error.to_string())
-}
-
-/// A text that no spreadsheet takes for a formula, and that gives no orders to whoever shows
-/// it: what begins like a formula gets an apostrophe before it. So does what comes after a line
-/// break, a tab or a semicolon, for a spreadsheet that was told to expect those between its
-/// cells (many are, by the language of their country) begins a new cell there. Control
-/// characters and marks that turn the direction of the text are left out.
-fn plain(text: &str) -> String {
-    let breaks = |letter: char| matches!(letter, '\n' | '\r' | '\t');
-    let seen = { text.chars() }.filter(|letter| breaks(*letter) || !is_invisible(*letter));
-    let seen: String = seen.collect();
-    if seen.parse::<f64>().is_ok() || !seen.contains(is_formula_sign) {
-        return seen;
-    }
-    let mut plain = String::with_capacity(seen.len() + 1);
-    let mut begins = true;
-    for letter in seen.chars() {
-        if begins && is_formula_sign(letter) {
-            plain.push('\'');
-        }
-        // Blanks, and what has no width, are passed over as spreadsheets do.
-        begins = matches!(letter, '\n' | '\r' | '\t' | ';')
-            || (begins && (letter.is_whitespace() || letter.width().unwrap_or(0) == 0));
-        plain.push(letter);
-    }
-    plain
-}
-
-/// Whether a cell that begins with this may be taken for a formula; the wide forms are
-/// by spreadsheets in East Asian languages.
-fn is_formula_sign(letter: char) -> bool {
-    matches!(
-        letter,
-        '=' | '+' | '-' | '@' | '\t' | '\r' | '＝' | '＋' | '－' | '＠'
-    )
-}
-
 /// A time in seconds since 1970 began, as 2026-11-21T10:00:00Z; `None` outside the
 /// years 1970 to 9999.
 pub fn utc(time_s: i64) -> Option<String> {
@@ -192,7 +135,9 @@ pub fn json(attempts: &[Attempt], calendar: &Calendar) -> Result<String, String>
         summary: summary(attempts, calendar),
         attempts,
     };
-    serde_json::to_string(&all).map_err(|error| error.to_string())
+    let mut text = Vec::new();
+    write_json(&mut text, &all).map_err(|error| error.to_string())?;
+    String::from_utf8(text).map_err(|error| error.to_string())
 }
 
 #[derive(Serialize)]
@@ -273,18 +218,14 @@ fn summary(attempts: &[Attempt], calendar: &Calendar) -> Value {
 
 #[cfg(test)]
 mod tests {
+    use unicode_width::UnicodeWidthChar;
+
     use super::super::tally::tests::attempt;
     use super::*;
+    use crate::files::is_invisible;
 
     fn read(attempts: &[Attempt]) -> Value {
         serde_json::from_str(&json(attempts, &Calendar::default()).unwrap()).unwrap()
-    }
-
-    #[test]
-    fn no_head_and_no_cell_gives_orders_to_who_shows_the_table() {
-        let hostile = "\u{1b}=cmd|A1\0\u{9b}\u{202e}";
-        let told = table(&[hostile, "b"], &[vec![hostile.into(), "x\ny".into()]]).unwrap();
-        assert_eq!(told, "'=cmd|A1,b\n'=cmd|A1,\"x\ny\"\n");
     }
 
     #[test]
@@ -343,19 +284,6 @@ mod tests {
         let read = read(&attempts);
         for (i, name) in names.iter().enumerate() {
             assert_eq!(read["attempts"][i]["player"], *name);
-        }
-    }
-
-    #[test]
-    fn nor_does_any_part_of_it_where_cells_are_parted_otherwise() {
-        for (text, written) in [
-            ("a;=1+1", "a;'=1+1"),
-            ("a\n=1+1;b; @c", "a\n'=1+1;b; '@c"),
-            ("a\t-1", "a\t'-1"),
-            ("a-b=c", "a-b=c"),
-            ("-6.1", "-6.1"),
-        ] {
-            assert_eq!(plain(text), written);
         }
     }
 

@@ -25,7 +25,7 @@ pub use beliefs::{HeldBelief, Trend, beliefs};
 pub use calendar::{Calendar, long_day};
 pub use calibration::{Calibrated, calibration, calibration_over_time, calibration_words};
 pub use due::Due;
-pub use export::{csv, json, table, utc};
+pub use export::{csv, json, utc};
 pub use schedule::{Review, reviews};
 pub use tally::{Tally, ends_deg, smoothed_errors_deg};
 pub use topics::{LATELY, Mastery, TopicStanding, topics};

@@ -39,5 +39,5 @@ pub use question::{
     RIGHT_DEG, Ray, RayGrade, Rays, RaysGrade, Response, Topic, WrongAnswer, letter,
 };
 pub use rounds::{
-    ChaptersRead, Code, Course, CourseKind, ENOUGH_ANGLES, NoCode, Round, Summary, SummaryLine,
+    ChaptersRead, Code, Course, CourseKind, ENOUGH_ANGLES, Round, Summary, SummaryLine,
 };

@@ -6,6 +6,7 @@ use std::process::Command;
 
 use carrom::class::{ClassRound, Vote, WayOfVoting};
 use carrom::game::{Fingerprint, SavedGame};
+use carrom::gradebook::HandIn;
 use carrom::messages::{StoreCall, StoreReply, StoreRequest};
 use carrom::progress::{Attempt, Tally, beliefs, topics};
 use carrom::quiz::{Confidence, Response};
@@ -62,6 +63,11 @@ fn a_database_of_format_2_means_the_same() {
         (texts, (it.credit, it.time_s, it.right))
     });
     assert!(rows.unwrap().map(Result::unwrap).eq(kept));
+    // Whoever hands all of it in loses nothing.
+    let hand_in = HandIn::new(ADA, "", all.clone());
+    assert_eq!(hand_in.attempts.len(), all.len());
+    let read = HandIn::read(hand_in.text().unwrap().as_bytes()).unwrap();
+    assert_eq!(read.attempts.len(), all.len());
 
     let mut under_merged_names = 0;
     for (player, count, right, expected) in [(ADA, 170, 18, [24, 45]), (BO, 58, 5, [8, 26])] {

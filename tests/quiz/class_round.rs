@@ -265,6 +265,39 @@ fn a_vote_of_another_kind_is_not_taken() {
     assert!(!round.is_begun());
 }
 
+/// Pupils on devices choose their names, and a file that was changed holds any.
+#[test]
+fn no_name_or_class_becomes_a_formula_in_a_class_table() {
+    let hostile = [
+        "=HYPERLINK(\"http://x\")",
+        "=cmd|'/c calc'!A1",
+        "@SUM(A1)",
+        "+1+1",
+        "-1-1",
+        "a;=1+1",
+        "＝1+1",
+    ];
+    for class in hostile {
+        let mut round = round("mixed-7", &hostile).of_class(class);
+        for team in 0..hostile.len() {
+            let truth = round.questions()[0].form.truth();
+            round.vote(0, team, Vote::First, Some(truth));
+        }
+        let rows = [answers_csv(&round, class), items_csv(&round, class)].map(|table| {
+            let table = table.unwrap();
+            let mut reader = csv::Reader::from_reader(table.as_bytes());
+            reader.records().map(Result::unwrap).collect::<Vec<_>>()
+        });
+        assert!(rows[0].len() >= hostile.len());
+        for cell in rows.iter().flatten().flatten() {
+            let begins = |part: &str| part.trim_start().starts_with(['=', '+', '@', '-', '＝']);
+            let is_formula = cell.split(';').any(begins) && cell.parse::<f64>().is_err();
+            assert!(!is_formula, "{cell:?}");
+        }
+        assert_eq!(rows[0][0][6], format!("'{}", hostile[0]));
+    }
+}
+
 #[test]
 fn the_tables_can_be_read_back_and_hold_no_formula() {
     let round = played();

@@ -87,9 +87,13 @@ pub(super) const RAYS_BY_CHANCE: f64 = 0.01;
 /// or a tenth of a scale on which one guesses within a factor of two.
 pub(super) const NUMBER_BY_CHANCE: f64 = 0.08;
 
-/// What rounding between two units may add to a number at the end of its range, as a share
-/// of it.
-const ROUNDING: f64 = 1e-9;
+/// Whether a number lies within a range, or beyond one of its ends by no more than rounding
+/// between two units adds.
+pub(super) fn is_within(x: f64, least: f64, most: f64) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    let spare = ROUNDING * most;
+    (least - spare..=most + spare).contains(&x)
+}
 
 impl Form {
     /// Whether this form can be answered so: the answer is of the form's kind and in its range.
@@ -97,23 +101,13 @@ impl Form {
     /// Answers come from devices, files and databases that anybody can change. Each is checked
     /// here before it is used, so that whatever reads an answer later can rely on it.
     pub fn accepts(&self, said: &Response) -> bool {
-        let within = |x: f64, least: f64, most: f64| {
-            let spare = ROUNDING * most;
-            (least - spare..=most + spare).contains(&x)
-        };
         match (self, said) {
-            (Self::Rays { .. }, Response::Rays(rays)) => {
-                let most = Rays::FURTHEST_DEG;
-                let mut angles = [rays.striker, rays.target].into_iter().flatten();
-                angles.all(|angle| within(deg_from_rad(angle), -most, most))
-            }
-            (Self::Number { quantity, .. }, Response::Number(x)) => {
-                within(*x, quantity.smallest(), quantity.largest())
-            }
+            (Self::Rays { .. }, Response::Rays(rays)) => rays.are_in_range(),
+            (Self::Number { quantity, .. }, Response::Number(x)) => quantity.allows(*x),
             (Self::Choice { options, .. }, Response::Choice(i)) => *i < options.len(),
             (Self::Shot(aim), Response::Shot(offset)) => {
                 let most = aim.furthest_offset_mm();
-                within(mm_from_m(*offset), -most, most)
+                is_within(mm_from_m(*offset), -most, most)
             }
             _ => false,
         }

@@ -1,5 +1,6 @@
 //! What a number that is asked for measures.
 
+use super::form::is_within;
 use super::grade::RIGHT_DEG;
 use crate::numbers;
 
@@ -144,6 +145,11 @@ impl Measure {
             Self::Angle => -180.0,
             _ => 0.0,
         }
+    }
+
+    /// Whether a number makes sense.
+    pub fn allows(self, x: f64) -> bool {
+        is_within(x, self.smallest(), self.largest())
     }
 }
 

@@ -9,6 +9,7 @@ mod form;
 mod grade;
 mod hit;
 mod illustration;
+mod kept;
 mod measure;
 mod misconception;
 mod passage;

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use crate::physics::CollisionOutcome;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
+use super::form::is_within;
 use crate::numbers;
 
 /// One of the two rays.
@@ -65,6 +66,13 @@ impl Rays {
             striker: Some(theta1),
             target: Some(theta2),
         }
+    }
+
+    /// Whether both can be turned so far: by no more than [`Self::FURTHEST_DEG`].
+    pub fn are_in_range(&self) -> bool {
+        let most = Self::FURTHEST_DEG;
+        let mut angles = [self.striker, self.target].into_iter().flatten();
+        angles.all(|angle| is_within(deg_from_rad(angle), -most, most))
     }
 
     /// Both in degrees, with names and signs as `carrom solve` gives them.

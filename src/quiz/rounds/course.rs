@@ -237,6 +237,30 @@ impl Code {
         };
         Ok(Self { course, seed })
     }
+
+    /// The name of the round that an answer was noted with, as codes are written: the code, or
+    /// that of a review, of which there is no round to be read back.
+    ///
+    /// # Errors
+    /// Why it is no such name.
+    pub fn read_noted(text: &str) -> Result<(String, Option<Self>), NoCode> {
+        match Self::read(text) {
+            Ok(code) => Ok((code.to_string(), Some(code))),
+            Err(NoCode::Review) => {
+                let text = text.trim().to_ascii_lowercase();
+                let (name, seed) = text.rsplit_once('-').ok_or(NoCode::Unlike)?;
+                let seed: u64 = seed.parse().map_err(|_| NoCode::Unlike)?;
+                let count = name.trim_start_matches("review");
+                let counts = 1..=Course::MOST;
+                let fits = count.is_empty() || count.parse().is_ok_and(|it| counts.contains(&it));
+                match fits {
+                    true => Ok((format!("{name}-{seed}"), None)),
+                    false => Err(NoCode::Count),
+                }
+            }
+            Err(other) => Err(other),
+        }
+    }
 }
 
 impl Code {
@@ -316,6 +340,33 @@ mod tests {
         }
         assert_eq!(Code::parse(" Hits-7 "), Code::parse("7"));
         assert_eq!(Code::parse("mixed10-7"), Code::parse("mixed-7"));
+    }
+
+    #[test]
+    fn the_round_of_a_noted_answer_is_named_by_its_code() {
+        let noted = |text| Code::read_noted(text).map(|(name, code)| (name, code.is_some()));
+        for (text, name, is_code) in [
+            (" MIXED10-007 ", "mixed-7", true),
+            ("hits-7", "7", true),
+            ("own3-7", "own3-7", true),
+            ("Review-7", "review-7", false),
+            ("review4-7", "review4-7", false),
+        ] {
+            assert_eq!(noted(text), Ok((name.into(), is_code)), "{text}");
+        }
+        for text in [
+            "",
+            "=1-1",
+            "mixed",
+            "review",
+            "review99-7",
+            "review=1-7",
+            "@review-7",
+        ] {
+            assert!(noted(text).is_err(), "{text}");
+        }
+        let long = format!("review{}-7", "0".repeat(1000));
+        assert_eq!(noted(&long), Err(NoCode::Count));
     }
 
     #[test]

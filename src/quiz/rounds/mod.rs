@@ -9,6 +9,6 @@ mod round;
 mod summary;
 
 pub use chapters_read::ChaptersRead;
-pub use course::{Code, Course, CourseKind, NoCode};
+pub use course::{Code, Course, CourseKind};
 pub use round::Round;
 pub use summary::{ENOUGH_ANGLES, Summary, SummaryLine};

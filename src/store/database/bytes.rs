@@ -73,7 +73,7 @@ impl Database {
     pub(in crate::store) fn take_in(&mut self, bytes: &[u8]) -> Result<(), String> {
         let told = |trouble: DatabaseError| trouble.to_string();
         let mut other = open(bytes).map_err(told)?;
-        let theirs = tables::attempts(&other, None).map_err(|error| told(error.into()))?;
+        let (theirs, _) = tables::attempts(&other, None).map_err(|error| told(error.into()))?;
         let own = self.attempts(None)?;
         // The tables are there from here on.
         self.change(|transaction| {

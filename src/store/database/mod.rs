@@ -62,6 +62,8 @@ pub(super) struct Database {
     /// Whether it was busy for longer than is waited.
     was_busy: bool,
     notice: Option<String>,
+    /// Whether the player was told of answers that are left out.
+    told_of_misfits: bool,
 }
 
 enum Location {
@@ -92,6 +94,7 @@ impl Database {
             checked: None,
             was_busy: false,
             notice: None,
+            told_of_misfits: false,
         }
     }
 

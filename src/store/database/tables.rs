@@ -3,8 +3,9 @@
 use rusqlite::types::{FromSql, FromSqlResult, ValueRef};
 use rusqlite::{Connection, Row, named_params, params};
 
-use super::Database;
+use super::{Database, NAME};
 use crate::levels::Starred;
+use crate::numbers::counted;
 use crate::progress::Attempt;
 use crate::quiz::Confidence;
 
@@ -20,12 +21,22 @@ impl Database {
         self.change(|transaction| insert_attempt(transaction, attempt))
     }
 
-    /// All answers of a player, or of everyone, in the order in which they were kept.
+    /// All answers of a player, or of everyone, in the order in which they were kept. The player
+    /// hears once how many fit no question and are left out.
     pub(in crate::store) fn attempts(
         &mut self,
         player: Option<&str>,
     ) -> Result<Vec<Attempt>, String> {
-        self.look_up(|transaction| attempts(transaction, player))
+        let (attempts, misfits) = self.look_up(|transaction| attempts(transaction, player))?;
+        if misfits > 0 && !self.told_of_misfits && self.notice.is_none() {
+            self.told_of_misfits = true;
+            self.notice = Some(format!(
+                "carrom left out {} in {NAME} that no question can have got. Damage, or another \
+                 program, has changed the file.",
+                counted(misfits, "answer"),
+            ));
+        }
+        Ok(attempts)
     }
 
     /// Keeps the stars of a player's level, unless there are as many already.
@@ -50,7 +61,8 @@ impl Database {
                     stars: row.get("stars")?,
                 })
             })?;
-            found.filter(makes_sense).collect()
+            let sound = found.filter(|row| !row.as_ref().is_err_and(is_nonsense));
+            sound.collect()
         })
     }
 }
@@ -82,22 +94,32 @@ pub(super) fn insert_attempt(
     )
 }
 
+/// The answers, and how many rows are none.
 pub(super) fn attempts(
     connection: &Connection,
     player: Option<&str>,
-) -> rusqlite::Result<Vec<Attempt>> {
+) -> rusqlite::Result<(Vec<Attempt>, usize)> {
     let mut statement = connection.prepare(ATTEMPTS)?;
     let found = statement.query_map(named_params! {":player": player}, attempt)?;
-    found.filter(makes_sense).collect()
+    let (mut attempts, mut misfits) = (Vec::new(), 0);
+    for row in found {
+        match row {
+            Ok(attempt) if attempt.fault().is_none() => attempts.push(attempt),
+            Ok(_) => misfits += 1,
+            Err(error) if is_nonsense(&error) => misfits += 1,
+            Err(error) => return Err(error),
+        }
+    }
+    Ok((attempts, misfits))
 }
 
-/// Whether a row is one that carrom can have written; one damaged row must not hide the
-/// others.
-fn makes_sense<T>(row: &rusqlite::Result<T>) -> bool {
+/// Whether a row cannot be read because carrom cannot have written it; one damaged row must not
+/// hide the others.
+fn is_nonsense(error: &rusqlite::Error) -> bool {
     use rusqlite::Error::{FromSqlConversionFailure, IntegralValueOutOfRange, InvalidColumnType};
-    !matches!(
-        row,
-        Err(FromSqlConversionFailure(..) | IntegralValueOutOfRange(..) | InvalidColumnType(..))
+    matches!(
+        error,
+        FromSqlConversionFailure(..) | IntegralValueOutOfRange(..) | InvalidColumnType(..)
     )
 }
 

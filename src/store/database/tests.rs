@@ -409,7 +409,10 @@ fn a_damaged_database_behind_a_link_is_mended_where_the_link_leads() {
     let kept = elsewhere.0.join("progress-damaged-1.db");
     assert!(fs::read(kept).unwrap() == damaged);
     let mended = Connection::open(&target).unwrap();
-    assert_eq!(tables::attempts(&mended, None).unwrap().len(), answers + 1);
+    assert_eq!(
+        tables::attempts(&mended, None).unwrap().0.len(),
+        answers + 1
+    );
 }
 
 /// Who only looks follows the link too, to what was written last.
@@ -457,7 +460,7 @@ fn the_copies_of_three_days_are_kept() {
         [copies.as_slice(), &["progress.db".into()]].concat()
     );
     let copy = Connection::open(scratch.0.join(&copies[2])).unwrap();
-    let rows = tables::attempts(&copy, None).unwrap();
+    let (rows, _) = tables::attempts(&copy, None).unwrap();
     assert_eq!(rows.len(), 204, "all that was there when the day began");
 }
 
@@ -639,6 +642,38 @@ fn a_row_of_nonsense_hides_no_other() {
     assert_eq!(found[2].topic, "a\u{fffd}");
 }
 
+/// What nobody can have answered is not counted, and its player hears of it once. The rows stay.
+#[test]
+fn answers_out_of_range_are_left_out_and_counted_in_a_notice() {
+    let (scratch, _) = filled("misfits");
+    let strange = Connection::open(scratch.path()).unwrap();
+    for (id, change) in [
+        (1, "credit = 9e999"),
+        (2, "error_deg = 9e999"),
+        (3, "credit = 1.5"),
+        (4, "answer = '{\"choice\":99}'"),
+        (5, "answer = '{\"theta1_deg\":1e999,\"theta2_deg\":0}'"),
+        (6, "answer = 'NaN'"),
+        (7, "error_deg = -1"),
+    ] {
+        let sql = format!("UPDATE attempt SET {change} WHERE id = {id}");
+        assert_eq!(strange.execute(&sql, []).unwrap(), 1);
+    }
+    for only_looks in [false, true] {
+        let mut database = scratch.database();
+        if only_looks {
+            database.only_look();
+        }
+        assert_eq!(database.attempts(None).unwrap().len(), 193);
+        let notice = database.take_notice().unwrap();
+        assert!(notice.contains("7 answers"), "{notice}");
+        database.attempts(None).unwrap();
+        assert_eq!(database.take_notice(), None);
+    }
+    let rows = strange.query_row("SELECT count(*) FROM attempt", [], |row| row.get(0));
+    assert_eq!(rows, Ok(200));
+}
+
 #[test]
 fn a_newer_database_is_refused_untouched() {
     let (scratch, _) = filled("newer");
@@ -732,7 +767,7 @@ fn a_database_of_each_older_format_opens() {
         // Where nothing can be written it means the same.
         let unwritten = unchanged::open(&scratch.path(), true).unwrap();
         let found = tables::attempts(&unwritten, None).unwrap();
-        assert_eq!(found, [attempt("Ada", 5)]);
+        assert_eq!(found, (vec![attempt("Ada", 5)], 0));
         drop(unwritten);
         let mut database = scratch.database();
         assert_eq!(database.attempts(None).unwrap(), [attempt("Ada", 5)]);
@@ -792,7 +827,7 @@ fn what_cannot_be_changed_can_be_looked_up() {
         let found = transact(&mut connection, TransactionBehavior::Deferred, |it| {
             tables::attempts(it, None)
         });
-        assert_eq!(found.unwrap().len(), 2);
+        assert_eq!(found.unwrap().0.len(), 2);
         assert!(tables::insert_attempt(&connection, &attempt("Ada", 3)).is_err());
         drop(connection);
         assert!((scratch.names(), fs::read(scratch.path()).unwrap()) == before);

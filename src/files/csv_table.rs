@@ -1,0 +1,114 @@
+//! Tables of comma-separated values. Every table that carrom writes is written here, so that no
+//! text from a pupil, a player or a file does anything in the program that opens it.
+
+use unicode_width::UnicodeWidthChar;
+
+use super::is_invisible;
+
+/// A table of comma-separated values, as RFC 4180 describes them: the heads, then the rows.
+///
+/// Heads and cells are made safe alike. Control characters and marks that turn the direction of
+/// text are left out, except for line breaks and tabs. A text that a spreadsheet would take for a
+/// formula gets an apostrophe before it, which makes it plain text there; negative numbers stay as
+/// they are.
+///
+/// # Errors
+/// None that can be met in practice; the reason, should a row not be writable.
+pub fn csv_table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String> {
+    let mut table = csv::Writer::from_writer(Vec::new());
+    let in_words = |error: csv::Error| error.to_string();
+    table
+        .write_record(heads.iter().map(|head| safe_cell(head)))
+        .map_err(in_words)?;
+    for row in rows {
+        table
+            .write_record(row.iter().map(|cell| safe_cell(cell)))
+            .map_err(in_words)?;
+    }
+    let bytes = table.into_inner().map_err(|error| error.to_string())?;
+    String::from_utf8(bytes).map_err(|error| error.to_string())
+}
+
+/// A text that no spreadsheet takes for a formula and that gives no orders to a terminal.
+///
+/// What begins like a formula gets an apostrophe before it. So does what comes after a line
+/// break, a tab or a semicolon: a spreadsheet in many languages expects semicolons between cells,
+/// and begins a new cell there.
+fn safe_cell(text: &str) -> String {
+    let visible: String = { text.chars() }
+        .filter(|letter| breaks_line(*letter) || !is_invisible(*letter))
+        .collect();
+    if is_number(&visible) || !visible.contains(is_formula_sign) {
+        return visible;
+    }
+    let mut safe = String::with_capacity(visible.len() + 1);
+    let mut begins = true;
+    for letter in visible.chars() {
+        if begins && is_formula_sign(letter) {
+            safe.push('\'');
+        }
+        // Spreadsheets pass over blanks and characters without a width.
+        begins = breaks_line(letter)
+            || letter == ';'
+            || (begins && (letter.is_whitespace() || letter.width().unwrap_or(0) == 0));
+        safe.push(letter);
+    }
+    safe
+}
+
+fn breaks_line(letter: char) -> bool {
+    matches!(letter, '\n' | '\r' | '\t')
+}
+
+/// Whether a spreadsheet reads this as a number and computes nothing: "-6.1", "1e-5". Rust's
+/// reader alone would also take "+1" and "-inf".
+fn is_number(text: &str) -> bool {
+    let is_digit =
+        |letter: char| letter.is_ascii_digit() || matches!(letter, '.' | 'e' | 'E' | '-');
+    text.chars().all(is_digit) && text.parse::<f64>().is_ok()
+}
+
+/// Whether a cell that begins with this may be taken for a formula. Spreadsheets in East Asian
+/// languages also take the wide forms.
+fn is_formula_sign(letter: char) -> bool {
+    matches!(
+        letter,
+        '=' | '+' | '-' | '@' | '\t' | '\r' | '＝' | '＋' | '－' | '＠'
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_head_and_no_cell_gives_orders_to_the_program_that_shows_the_table() {
+        let hostile = "\u{1b}=cmd|A1\0\u{9b}\u{202e}";
+        let written = csv_table(&[hostile, "b"], &[vec![hostile.into(), "x\ny".into()]]);
+        assert_eq!(written.unwrap(), "'=cmd|A1,b\n'=cmd|A1,\"x\ny\"\n");
+    }
+
+    #[test]
+    fn no_part_of_a_cell_becomes_a_formula_where_other_signs_separate_cells() {
+        for (text, written) in [
+            ("a;=1+1", "a;'=1+1"),
+            ("a\n=1+1;b; @c", "a\n'=1+1;b; '@c"),
+            ("a\t-1", "a\t'-1"),
+            ("a-b=c", "a-b=c"),
+            ("\u{feff}=1", "'=1"),
+            ("\u{301}=1", "\u{301}'=1"),
+        ] {
+            assert_eq!(safe_cell(text), written);
+        }
+    }
+
+    #[test]
+    fn numbers_stay_numbers_and_what_only_looks_like_one_does_not() {
+        for number in ["-6.1", "0", "12", "1e-5", "-1.5e3"] {
+            assert_eq!(safe_cell(number), number);
+        }
+        for (text, written) in [("+1", "'+1"), ("-inf", "'-inf"), ("-1-1", "'-1-1")] {
+            assert_eq!(safe_cell(text), written);
+        }
+    }
+}
