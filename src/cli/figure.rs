@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use super::options::Auto;
 use super::{Failure, GlobalOptions, print, written};
+use crate::files::brief;
 use crate::screens::KeptSettings;
 use crate::screens::learn::draw_figure;
 use crate::widgets::{Charset, Depth, Palette};
@@ -46,7 +47,8 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     }
     let words = shlex::try_join(args.words.iter().map(String::as_str));
     let words = words.map_err(Failure::input)?;
-    let picture = draw_figure(&words, &settings.look()).map_err(Failure::input)?;
+    let picture = draw_figure(&words, &settings.look());
+    let picture = picture.map_err(|error| Failure::input(brief(&error.to_string())))?;
     match &args.svg {
         Some(path) => written::write_beside(path, &[(path.clone(), picture)], args.force)?,
         None => print(picture.as_bytes())?,

@@ -42,7 +42,7 @@ pub use options::GlobalOptions;
 
 use crate::app::{App, Data};
 use crate::class::{DoorCode, team_names};
-use crate::files::{escape_control, escape_control_lines};
+use crate::files::{LONGEST_QUOTE, escape_control, escape_control_lines, quoted, write_json};
 use crate::lessons::ChapterLibrary;
 use crate::quiz::{Code, concepts};
 use crate::screens::{KeptSettings, Place, code_of, host_of};
@@ -352,8 +352,7 @@ fn find_chapter(library: &ChapterLibrary, name: &str) -> Result<usize, String> {
 
 /// What is said of a name that nothing has.
 fn unknown(what: &str, name: &str) -> String {
-    let name = name.escape_debug();
-    format!("expected {what}, found \"{name}\"")
+    format!("expected {what}, found {}", quoted(name))
 }
 
 /// The app as the options have it, at a screen (`None`: the first one).
@@ -474,31 +473,37 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
     done.map(|()| ExitCode::SUCCESS)
 }
 
-/// The most letters of an argument that are quoted.
-const LONGEST_QUOTED: usize = 200;
-
 /// Says what is wrong with the arguments, or the help that was asked for. It is coloured
 /// unless it quotes what would play tricks on the terminal.
 fn say(message: &clap::Error) -> io::Result<()> {
     let words = env::args_os().map(|word| word.to_string_lossy().into_owned());
-    let is_odd = |word: &String| escape_control(word, LONGEST_QUOTED) != *word;
     let odd: Vec<_> = words.filter(is_odd).collect();
     if odd.is_empty() || !message.use_stderr() {
         return message.print();
     }
-    let mut plain = message.to_string();
-    for word in &odd {
+    let plain = quoting_briefly(message.to_string(), &odd);
+    writeln!(io::stderr(), "{}", escape_control_lines(&plain))
+}
+
+/// Whether a word is too long to be quoted whole, or would play tricks on a terminal.
+fn is_odd(word: &String) -> bool {
+    escape_control(word, LONGEST_QUOTE) != *word
+}
+
+/// What is wrong with arguments, with the odd ones among them quoted in part.
+fn quoting_briefly(mut message: String, odd: &[String]) -> String {
+    for word in odd {
         // What stands behind a `=` is quoted alone.
         let value = word
             .split_once('=')
             .map_or(word.as_str(), |(_, value)| value);
-        for quoted in [word, value] {
-            if quoted.len() > LONGEST_QUOTED {
-                plain = plain.replace(quoted, &escape_control(quoted, LONGEST_QUOTED));
+        for long in [word, value] {
+            if long.len() > LONGEST_QUOTE {
+                message = message.replace(long, &escape_control(long, LONGEST_QUOTE));
             }
         }
     }
-    writeln!(io::stderr(), "{}", escape_control_lines(&plain))
+    message
 }
 
 /// The app that `carrom` with these arguments opens (in one string, split into
@@ -515,9 +520,10 @@ pub fn open(arguments: &str) -> Result<App, String> {
 /// options too.
 fn open_within(arguments: &str, outer: &GlobalOptions) -> Result<(App, GlobalOptions), String> {
     let words = shlex::split(arguments).ok_or("expected a closing quote in the arguments")?;
+    let odd: Vec<_> = words.iter().filter(|it| is_odd(it)).cloned().collect();
     let words = std::iter::once("carrom".to_owned()).chain(words);
     let cli = Cli::try_parse_from(words).map_err(|error| {
-        let message = error.to_string();
+        let message = quoting_briefly(error.to_string(), &odd);
         let first = message.lines().next().unwrap_or_default();
         first.strip_prefix("error: ").unwrap_or(first).to_owned()
     })?;
@@ -549,8 +555,8 @@ fn print_text(text: &str, options: &GlobalOptions) -> io::Result<()> {
 }
 
 /// Writes one JSON object on a line of its own.
-fn write_json(out: &mut impl Write, object: &impl Serialize) -> io::Result<()> {
-    serde_json::to_writer(&mut *out, object)?;
+fn write_json_line(out: &mut impl Write, object: &impl Serialize) -> io::Result<()> {
+    write_json(out, object)?;
     out.write_all(b"\n")
 }
 
@@ -558,7 +564,7 @@ fn write_json(out: &mut impl Write, object: &impl Serialize) -> io::Result<()> {
 fn print_report(json: Option<&impl Serialize>, words: impl FnOnce() -> String) -> io::Result<()> {
     let mut report = Vec::new();
     match json {
-        Some(object) => write_json(&mut report, object)?,
+        Some(object) => write_json_line(&mut report, object)?,
         None => report = words().into_bytes(),
     }
     print(&report)

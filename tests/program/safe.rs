@@ -3,7 +3,11 @@
 use std::fs;
 use std::process::{Command, Output, Stdio};
 
+use carrom::messages::{StoreCall, StoreReply, StoreRequest};
+use carrom::store::Store;
+
 use crate::folder::Folder;
+use crate::handed_in::hand_in;
 
 fn carrom(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_carrom"))
@@ -59,6 +63,164 @@ fn no_escape_sequence_reaches_the_terminal() {
         let tricks = |c: char| c.is_control() && c != '\n' || c == '\u{202e}';
         assert!(!said.contains(tricks), "{arguments:?}: {said:?}");
         assert!(!said.is_empty(), "{arguments:?}");
+    }
+}
+
+/// What stands in a database, which anybody can change, gives no orders either.
+#[test]
+fn printed_answers_give_no_orders_to_a_terminal_or_a_spreadsheet() {
+    let folder = Folder::new("safe-answers");
+    let mut store = Store::in_folder(folder.path());
+    let hostile = "=cmd|'/c calc'!A1\u{1b}[2J\u{0}\u{9b}31m\u{202e}\u{2066}";
+    let mut attempt = hand_in(1, "Ada", 1, 1).attempts.remove(0);
+    let figures = serde_json::json!({"round": hostile, hostile: hostile}).to_string();
+    attempt.player = hostile.into();
+    attempt.topic = hostile.into();
+    attempt.family = hostile.into();
+    attempt.misconception = Some(hostile.into());
+    attempt.question = figures;
+    let choice = serde_json::json!({ "choice": hostile }).to_string();
+    (attempt.answer, attempt.truth) = (choice.clone(), choice);
+    let call = StoreCall {
+        ticket: 0,
+        wish: StoreRequest::Record(Box::new(attempt)),
+    };
+    assert_eq!(store.answer(&call).done, StoreReply::Noted(Ok(())));
+    let data = folder.path().to_str().unwrap();
+    for format in ["--csv", "--json"] {
+        let output = carrom(&["progress", format, "--everyone", "--data-dir", data]);
+        assert!(output.status.success(), "{}", said(&output));
+        let text = String::from_utf8(output.stdout).unwrap();
+        let orders = |c: char| {
+            c.is_control() && c != '\n'
+                || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+        };
+        assert!(!text.contains(orders), "{text:?}");
+        if format == "--json" {
+            let read: serde_json::Value = serde_json::from_str(&text).unwrap();
+            assert_eq!(read["attempts"][0]["player"], hostile);
+            continue;
+        }
+        let mut table = csv::Reader::from_reader(text.as_bytes());
+        let row = table.records().next().unwrap().unwrap();
+        let cells: Vec<&str> = row.iter().collect();
+        assert!(cells.iter().filter(|cell| cell.contains("calc")).count() >= 5);
+        for cell in cells {
+            assert!(!cell.trim_start().starts_with(['=', '@', '+']), "{cell:?}");
+        }
+    }
+}
+
+/// A line of a file may be a megabyte of noise; nobody wants to read it in a message.
+#[test]
+fn no_message_quotes_more_than_200_characters_of_a_line() {
+    let folder = Folder::new("safe-quotes");
+    let in_folder = |name: &str, file: &str, text: &str| {
+        let place = folder.path().join(name);
+        fs::create_dir_all(&place).unwrap();
+        fs::write(place.join(file), text).unwrap();
+        place.to_str().unwrap().to_owned()
+    };
+    let long = "Q".repeat(10_000);
+    let filled = |template: &str| template.replace("{}", &long);
+    let longest = |said: &str| {
+        let runs = said.split(|c| c != 'Q').map(str::len);
+        runs.max().unwrap_or_default()
+    };
+    let check = |arguments: &[&str]| {
+        let output = carrom(arguments);
+        let said = said(&output);
+        let shown: Vec<String> = { arguments.iter() }
+            .map(|it| it.chars().take(40).collect())
+            .collect();
+        assert!(!output.status.success() && !said.is_empty(), "{shown:?}");
+        assert!(longest(&said) <= 200, "{shown:?}: {said:.400}");
+    };
+    let data = |name: &str, file: &str, text: &str| in_folder(name, file, &filled(text));
+    for (number, text) in [
+        "{}",
+        "format = {}",
+        "format = \"{}\"",
+        "format = 1\n{} = 1",
+        "format = 1\n[board]\nside_mm = \"{}\"",
+        "format = 1\n[[{}]]\na = 1",
+        "format = 1\n[[disc]]\nkind = \"{}\"\nat_mm = [0, 0]",
+        "format = 1\n[level]\nid = \"{}\"",
+        "format = 1\n[[item]]\nid = \"a\"\nask = \"{ {} }\"",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let place = data(&format!("toml-{number}"), "a.toml", text);
+        let file = format!("{place}/a.toml");
+        check(&["simulate", &file]);
+        check(&["replay", &file]);
+        check(&["level", "check", &file]);
+        check(&["concept", "check", &place]);
+    }
+    for (number, text) in [
+        "{}",
+        "Set {}",
+        "Set Size {}",
+        "Set {} 1",
+        "Type {}",
+        "Screenshot {}",
+        "Screenshot a b {} c",
+        "Click {}",
+        "Right {}",
+        "Sleep {}",
+        "At {}",
+        "Lose \"{}\"",
+        "Expect \"{}\"",
+        "\"{}\"",
+        "Run \"{}\"",
+        "Run \"quiz --code {}\"",
+        "Run \"quiz --{}\"",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let place = data(&format!("tape-{number}"), "a.tape", text);
+        check(&["tape", &format!("{place}/a.tape"), "--out", &place]);
+    }
+    for (number, text) in [
+        "{}",
+        "+++\n{}\n+++\n",
+        "+++\nformat = 1\ntitle = \"{}\"\nabout = \"a\"\n+++\n# P\n\nText.\n",
+        "+++\nformat = 1\ntitle = \"T\"\nabout = \"A\"\n+++\n# {}\n\n:::{}\n",
+        "+++\nformat = 1\ntitle = \"T\"\nabout = \"A\"\n+++\n# P\n\n{{}} ${}$\n",
+        "+++\nformat = 1\ntitle = \"T\"\nabout = \"A\"\n+++\n# P\n\n:::figure lab {}=1\n:::\n",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        check(&[
+            "lesson",
+            "check",
+            &data(&format!("lesson-{number}"), "01-a.md", text),
+        ]);
+    }
+    for (number, text) in [
+        "{}",
+        "{\"{}\": 1}",
+        "{\"carrom\": \"hand-in\", \"format\": 1, \"name\": \"a\", \"answers\": \"{}\"}",
+        "{\"carrom\": \"hand-in\", \"format\": 1, \"name\": \"a\", \"answers\": [{\"seed\": \"{}\"}]}",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let place = data(&format!("hand-in-{number}"), "a.json", text);
+        check(&["gather", &place, "--out", &format!("{place}/a.csv")]);
+    }
+    for arguments in [
+        &["quiz", "--code", &long][..],
+        &["learn", "--plain", &long],
+        &["figure", &long],
+        &["figure", "lab", &format!("{long}=1")],
+        &["guide", &long],
+        &[&long],
+    ] {
+        check(arguments);
     }
 }
 

@@ -2,13 +2,16 @@
 
 use carrom::app::{App, Data};
 use carrom::class::team_names;
-use carrom::files::tidy_name;
+use carrom::files::{LONGEST_QUOTE, escape_control, tidy_name};
 use carrom::game::is_player_name;
 use carrom::quiz::Code;
 use carrom::screens::{KeptSettings, Place, Settings};
 use carrom::widgets::{Charset, Depth, Palette};
 
 use crate::message::Opening;
+
+/// Most faults of a link that are told.
+const MOST_FAULTS: usize = 5;
 
 /// The app that an opening asks for. What it asks for and is not there is told on the first
 /// screen.
@@ -33,10 +36,11 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
     for part in opening.fragment.split('&').filter(|part| !part.is_empty()) {
         let (name, value) = part.split_once('=').unwrap_or((part, ""));
         let (name, value) = (unescaped(name), unescaped(value));
-        if let Err(expected) = wanted.take(&name, &value, &data) {
-            faults.push(format!(
-                "The link says {name}={value}: expected {expected}."
-            ));
+        if let Err(expected) = wanted.take(&name, &value, &data)
+            && faults.len() < MOST_FAULTS
+        {
+            let found = escape_control(&format!("{name}={value}"), LONGEST_QUOTE);
+            faults.push(format!("The link says {found}: expected {expected}."));
         }
     }
     // As on the command line: a seed alone means ten hits.
@@ -190,6 +194,8 @@ pub(crate) fn unescaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use carrom::shells::Headless;
+
     use super::*;
 
     fn opened(fragment: &str) -> App {
@@ -199,6 +205,35 @@ mod tests {
             ..Opening::default()
         };
         app(&opening, Data::default(), KeptSettings::default())
+    }
+
+    /// A link may come from anybody: it opens something and says in a few words what it asks for
+    /// in vain.
+    #[test]
+    fn a_hostile_link_opens_the_first_screen_and_is_quoted_in_part() {
+        // A letter that the screen itself does not show.
+        let long = "Ж".repeat(100_000);
+        for fragment in [
+            "quiz=mixed99999999999999999999-7".to_owned(),
+            "quiz=review-7".into(),
+            "quiz=own-7".into(),
+            "lesson=99999999999999999999".into(),
+            "lesson=-1".into(),
+            "level=..%2f..%2fetc".into(),
+            "code=%00%1b%5b2J".into(),
+            "player=%e2%a0%80".into(),
+            "seed=1e999".into(),
+            "teams=,,,,,,,,,,,,,,,".into(),
+            format!("quiz={long}"),
+            format!("{long}={long}"),
+            "x&".repeat(100_000),
+        ] {
+            let mut game = Headless::from(opened(&fragment));
+            game.resize(120, 40);
+            let screen = game.screen();
+            assert!(screen.contains("The link says"), "{fragment:.40}: {screen}");
+            assert!(screen.matches('Ж').count() <= LONGEST_QUOTE, "{screen}");
+        }
     }
 
     #[test]

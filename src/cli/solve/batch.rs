@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::answer::SolveAnswer;
 use super::lines::{BatchError, InputLine, LONGEST, LineReader};
 use super::problem::Problem;
-use crate::cli::write_json;
+use crate::cli::write_json_line;
 use crate::files::BYTE_ORDER_MARK;
 
 /// The longest error message, in characters: noise is not echoed at length.
@@ -43,11 +43,11 @@ pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> Result<ExitCode,
             InputLine::TooLong => Err(format!("expected a line of at most {LONGEST} bytes")),
         };
         let written = match answer {
-            Ok(answer) => write_json(out, &answer),
+            Ok(answer) => write_json_line(out, &answer),
             Err(error) => {
                 status = ExitCode::FAILURE;
                 let line = number;
-                write_json(out, &Refusal { line, error })
+                write_json_line(out, &Refusal { line, error })
             }
         };
         written.map_err(BatchError::Write)?;

@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-/// A part of a line: a bare word or a text in quotes.
+use crate::files::{LONGEST_QUOTE, escape_control, quoted};
+
+/// A part of a line: a bare word or a text in quotes. Shown as messages quote it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Part {
     /// A run of characters without a blank.
@@ -24,8 +26,8 @@ impl Part {
 impl fmt::Display for Part {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Word(word) => f.write_str(word),
-            Self::Text(text) => write!(f, "{text:?}"),
+            Self::Word(word) => f.write_str(&escape_control(word, LONGEST_QUOTE)),
+            Self::Text(text) => f.write_str(&quoted(text)),
         }
     }
 }

@@ -10,6 +10,7 @@ use thiserror::Error;
 
 use super::line::{Part, parts};
 use super::{Instruction, ScreenSetting, Tape};
+use crate::files::{LONGEST_QUOTE, escape_control};
 use crate::messages::{Key, MouseKind};
 
 /// The most presses or notches in one instruction.
@@ -97,7 +98,7 @@ impl<'a> Arguments<'a> {
         let found: Vec<_> = self.rest.iter().map(ToString::to_string).collect();
         let found = match found.as_slice() {
             [] => "nothing".into(),
-            found => found.join(" "),
+            found => escape_control(&found.join(" "), LONGEST_QUOTE),
         };
         format!("{}: expected {expected}, found {found}", self.of)
     }
@@ -156,8 +157,9 @@ fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
         other => {
             let Some(key) = Key::named(other) else {
                 return Err(format!(
-                    "unknown instruction {other}; expected Run, Set, Type, Click, Drag, Hold, \
-                     Release, Scroll, Sleep, At, Lose, Reach, Screenshot, Expect, Refuse or the name of a key"
+                    "unknown instruction {}; expected Run, Set, Type, Click, Drag, Hold, \
+                     Release, Scroll, Sleep, At, Lose, Reach, Screenshot, Expect, Refuse or the name of a key",
+                    arguments.of
                 ));
             };
             let times = match arguments.rest {
@@ -172,10 +174,10 @@ fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
 
 fn setting(arguments: &Arguments) -> Result<ScreenSetting, String> {
     const EXPECTED: &str = "Size, Charset, Color or Day with a value";
-    let [Part::Word(what), Part::Word(value)] = arguments.rest else {
+    let [Part::Word(what), found @ Part::Word(value)] = arguments.rest else {
         return Err(arguments.not(EXPECTED));
     };
-    let wrong = |expected| format!("Set {what}: expected {expected}, found {value}");
+    let wrong = |expected| format!("Set {what}: expected {expected}, found {found}");
     Ok(match what.as_str() {
         "Size" => {
             let expected = "columns x rows, each up to 1000, such as 80x24";
@@ -219,7 +221,7 @@ fn scroll(arguments: &Arguments) -> Result<Instruction, String> {
 fn quoted(part: &Part, expected: &str) -> Result<String, String> {
     match part {
         Part::Text(text) => Ok(text.clone()),
-        Part::Word(word) => Err(format!("expected {expected}, found {word} without quotes")),
+        Part::Word(_) => Err(format!("expected {expected}, found {part} without quotes")),
     }
 }
 

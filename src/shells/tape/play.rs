@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use super::{Instruction, ScreenSetting, Screenshot, Tape};
 use crate::app::App;
+use crate::files::quoted;
 use crate::messages::{Key, MouseKind};
 use crate::screens::{Place, Settings};
 use crate::shells::classroom::Who;
@@ -22,7 +23,10 @@ pub enum PlayError {
         message: String,
     },
     /// The screen does not show what it must.
-    #[error("{line}: Expect: the screen does not show {text:?}\n\n{screen}")]
+    #[error(
+        "{line}: Expect: the screen does not show {}\n\n{screen}",
+        quoted(text)
+    )]
     Expect {
         /// Number of the line, from 1.
         line: usize,
@@ -32,7 +36,7 @@ pub enum PlayError {
         screen: String,
     },
     /// The screen shows what it must not.
-    #[error("{line}: Refuse: the screen shows {text:?}\n\n{screen}")]
+    #[error("{line}: Refuse: the screen shows {}\n\n{screen}", quoted(text))]
     Refuse {
         /// Number of the line, from 1.
         line: usize,
@@ -85,7 +89,7 @@ pub fn play<G: Into<Headless>>(
             Instruction::Reach(name, reaches) => match class.pupil(name) {
                 Some(pupil) => class.reach(pupil, *reaches),
                 None => {
-                    let message = format!("there is no pupil {name:?}");
+                    let message = format!("there is no pupil {}", quoted(name));
                     return Err(PlayError::Run {
                         line: *line,
                         message,
