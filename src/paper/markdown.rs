@@ -118,11 +118,16 @@ fn escape(text: &str) -> String {
                 .strip_suffix(['.', ')'])
                 .is_some_and(|number| number.bytes().all(|it| it.is_ascii_digit()));
         let address = word.contains("://") || word.contains('@') || starts_with_www(word);
-        for letter in word.chars() {
+        let mut letters = word.chars().peekable();
+        while let Some(letter) = letters.next() {
+            // Many programs mark text by two of these.
+            let is_double = before == Some(letter) || letters.peek() == Some(&letter);
             let special = match letter {
                 '\\' | '`' | '*' | '_' | '[' | ']' | '{' | '}' | '<' | '>' | '&' | '|' | '~'
                 | '$' | '#' | '^' => true,
-                '-' | '+' | '=' => i == 0,
+                '-' => i == 0,
+                '+' | '=' => i == 0 || is_double,
+                '%' => is_double,
                 '.' | ')' if numbered => true,
                 '.' | ':' | '@' => address,
                 _ => false,
@@ -255,6 +260,18 @@ mod tests {
                 "picture my%20report%20%281%29-pictures/a%2520b.svg"
             ]
         );
+    }
+
+    #[test]
+    fn marks_of_other_programs_are_escaped_too() {
+        for (text, escaped) in [
+            ("a ==b== c", r"a \=\=b\=\= c"),
+            ("a ++b++", r"a \+\+b\+\+"),
+            ("a %%b%%", r"a \%\%b\%\%"),
+            ("50 % = 1+1", "50 % = 1+1"),
+        ] {
+            assert_eq!(escape(text), escaped);
+        }
     }
 
     #[test]

@@ -8,7 +8,7 @@ use std::process::{Command, Output, Stdio};
 use carrom::paper::clean;
 use carrom::paper::worksheet::Worksheet;
 use carrom::quiz::{Code, CourseKind, Form, Illustration, Response, Round};
-use pulldown_cmark::{Event, Options, Parser, Tag};
+use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 use scraper::{Html, Selector};
 
 use crate::folder::Folder;
@@ -296,6 +296,47 @@ fn a_code_and_a_title_and_one_document() {
     assert_eq!(select(&page, "h1"), ["-10b- <&>", "Key: -10b- <&>"]);
     assert_eq!(select(&page, ".code strong"), ["speeds-3", "speeds-3"]);
     assert!(!folder.path().join("a/key.html").exists());
+}
+
+/// What a teacher types for a title is the title, in the Markdown of sheet and key too.
+#[test]
+fn a_title_is_escaped_in_markdown() {
+    let folder = Folder::new("title");
+    for (number, title) in [
+        "# 1. *a* _b_ `c` ~~d~~ | e",
+        "<script>alert(1)</script> &lt; <!-- x -->",
+        "[a](http://b.c) ![d](e) [^1] www.f.g h@i.j",
+        "1. $x$ ^y^ {{z}} ==m== ++n++ %%o%%",
+        "- [ ] --- +",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let out = within(&folder, &number.to_string());
+        let arguments = ["--code", "speeds2-3", "--title", title, "--out", &out];
+        let output = worksheet(&arguments);
+        assert!(output.status.success(), "{}", err(&output));
+        for (name, heading) in [
+            ("worksheet.md", title.to_owned()),
+            ("key.md", format!("Key: {title}")),
+        ] {
+            let text = fs::read_to_string(Path::new(&out).join(name)).unwrap();
+            let options = Options::all() - Options::ENABLE_SMART_PUNCTUATION;
+            let mut events = Parser::new_ext(&text, options);
+            let first = events.next();
+            let is_heading = matches!(first, Some(Event::Start(Tag::Heading { .. })));
+            assert!(is_heading, "{title}: {first:?}");
+            let mut read = String::new();
+            for event in events.by_ref() {
+                match event {
+                    Event::Text(text) => read.push_str(&text),
+                    Event::End(TagEnd::Heading(_)) => break,
+                    other => panic!("{title}: {other:?}"),
+                }
+            }
+            assert_eq!(read, heading);
+        }
+    }
 }
 
 #[test]
