@@ -18,30 +18,33 @@ pub struct UnplacedFile(TempPath);
 
 impl UnplacedFile {
     /// Writes a text to a file in `folder` that is not there yet, and brings it to the
-    /// disk.
+    /// disk. Whoever may read other new files may read this one: the umask decides.
     ///
     /// # Errors
     /// If it cannot be written as a whole; then nothing of it is left.
     pub fn write(folder: &Path, text: &str) -> io::Result<Self> {
+        Self::write_with_mode(folder, text, 0o666)
+    }
+
+    /// The same, and at no moment can anybody else on this computer read it, where files have
+    /// such permissions.
+    ///
+    /// # Errors
+    /// As for [`Self::write`].
+    pub fn write_private(folder: &Path, text: &str) -> io::Result<Self> {
+        Self::write_with_mode(folder, text, 0o600)
+    }
+
+    #[cfg_attr(not(unix), allow(unused_variables, reason = "only Unix has modes"))]
+    fn write_with_mode(folder: &Path, text: &str, mode: u32) -> io::Result<Self> {
         let mut builder = Builder::new();
         builder.prefix(UNFINISHED);
-        // Whoever may read other new files may read this one: the umask decides.
         #[cfg(unix)]
-        builder.permissions(fs::Permissions::from_mode(0o666));
+        builder.permissions(fs::Permissions::from_mode(mode));
         let mut file = builder.tempfile_in(folder)?;
         file.write_all(text.as_bytes())?;
         file.as_file().sync_all()?;
         Ok(Self(file.into_temp_path()))
-    }
-
-    /// Lets nobody else on this computer read it, where files have such permissions.
-    ///
-    /// # Errors
-    /// If that cannot be done.
-    pub fn make_private(&self) -> io::Result<()> {
-        #[cfg(unix)]
-        fs::set_permissions(&self.0, fs::Permissions::from_mode(0o600))?;
-        Ok(())
     }
 
     /// Puts it in the place of what is there, if anything is, with the permissions that

@@ -45,11 +45,10 @@ impl Disk {
 
     /// A text beside the place of a file, as whole as that will be.
     fn draft(&self, text: &str) -> io::Result<UnplacedFile> {
-        let draft = UnplacedFile::write(&self.folder, text)?;
-        if self.private {
-            draft.make_private()?;
+        match self.private {
+            true => UnplacedFile::write_private(&self.folder, text),
+            false => UnplacedFile::write(&self.folder, text),
         }
-        Ok(draft)
     }
 
     fn path(&self, name: &str) -> PathBuf {

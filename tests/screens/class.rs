@@ -624,6 +624,13 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
         screen.contains("How many of all votes fitted it") && screen.contains("votes: "),
         "{screen}"
     );
+    // They tell how each pupil did, so they are for the teacher alone.
+    #[cfg(unix)]
+    for table in ["class-items-1.csv", "class-answers-1.csv"] {
+        use std::os::unix::fs::PermissionsExt;
+        let about = fs::metadata(folder.path().join("exports").join(table)).unwrap();
+        assert_eq!(about.permissions().mode() & 0o777, 0o600, "{table}");
+    }
     // Counted hands have no names, and so no rows.
     assert!(records(&exported(folder.path(), "class-answers-1.csv")).is_empty());
     let kept = kept(folder.path());
