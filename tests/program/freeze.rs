@@ -126,3 +126,38 @@ fn a_signal_ends_a_flood_of_keys() {
         128 + 15,
     );
 }
+
+/// A paste whose end is lost, or that is larger than anybody means, held all keys: Ctrl+C was
+/// taken for a part of it.
+#[test]
+fn a_paste_without_an_end_is_left_by_ctrl_c() {
+    let mut pty = Pty::start(carrom(&["quiz", "--code", "hits-7"]));
+    pty.wait_for("question 1 of 10");
+    pty.press("\x1b[200~");
+    for _ in 0..64 {
+        pty.press(&"y\r\n".repeat(1 << 15));
+    }
+    leave(pty, "a paste of 6 MB without an end", ctrl_c, 0);
+}
+
+#[test]
+fn a_paste_beyond_the_limit_is_cut_at_once() {
+    let mut pty = Pty::start(carrom(&["class"]));
+    pty.wait_for("carrom : class");
+    // Its end never comes, and nothing of it is shown until it is cut.
+    pty.press("\x1b[200~Ants\nBees\n");
+    pty.press(&"\n".repeat(1 << 17));
+    pty.wait_for("Bees");
+    leave(pty, "a paste that was cut", ctrl_c, 0);
+}
+
+#[test]
+fn keys_work_again_after_a_paste_whose_end_is_lost() {
+    let mut pty = Pty::start(carrom(&["class"]));
+    pty.wait_for("carrom : class");
+    pty.press("\x1b[200~Ants\nBees");
+    pty.wait_for("Bees");
+    pty.press("\x1bOP");
+    pty.wait_for("help: class");
+    leave(pty, "a paste whose end is lost", ctrl_c, 0);
+}

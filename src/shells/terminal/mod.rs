@@ -1,11 +1,14 @@
 //! The app in a terminal, through crossterm.
 //!
 //! The thread that called [`run`] holds the app and draws. One reads the keyboard and the
-//! mouse, one waits for signals, and one does what is asked of the store; each search has one
-//! for as long as it takes, and so has each line of a class that is served or joined. These
-//! only send messages; while nothing moves, all are blocked.
+//! mouse (on Unix two: one reads bytes, one makes keys of them), one waits for signals, and one
+//! does what is asked of the store; each search has one for as long as it takes, and so has each
+//! line of a class that is served or joined. These only send messages; while nothing moves, all
+//! are blocked.
 
 mod crash;
+#[cfg(unix)]
+mod decoder;
 mod export;
 mod guard;
 mod message;
@@ -17,6 +20,8 @@ mod signals;
 mod sparing;
 mod store_worker;
 mod surroundings;
+#[cfg(unix)]
+mod tty;
 
 use std::io::{self, BufWriter, Stdout, Write};
 use std::mem::ManuallyDrop;

@@ -3,19 +3,26 @@
 use std::io;
 
 use crossterm::event::{
-    self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent,
-    MouseEventKind,
+    Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent, MouseEventKind,
 };
 
 use super::message::{Inbox, Message};
 use super::spawn;
+#[cfg(unix)]
+use super::tty::EventSource;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 
 /// Starts the thread that reads. It ends with the process, or with the terminal.
 pub(super) fn start(inbox: Inbox) -> io::Result<()> {
+    #[cfg(unix)]
+    let mut source = EventSource::open()?;
+    #[cfg(unix)]
+    let mut next = move || source.next();
+    #[cfg(not(unix))]
+    let mut next = crossterm::event::read;
     let read = move || {
         loop {
-            let message = match event::read() {
+            let message = match next() {
                 Ok(event) => message(&event),
                 Err(error) => Some(Message::Lost(error)),
             };
@@ -40,8 +47,7 @@ fn message(event: &Event) -> Option<Message> {
         },
         Event::Mouse(event) => Input::Mouse(mouse(event)?),
         Event::Paste(text) => Input::Paste(text.clone()),
-        // Where there are signals, they tell it: crossterm begins to listen for them
-        // only at the first read, and a window can change before that.
+        // Where there are signals, they tell it.
         Event::Resize(columns, rows) if cfg!(windows) => Input::Resize(*columns, *rows),
         Event::Resize(..) | Event::FocusGained | Event::FocusLost => return None,
     };

@@ -5,6 +5,10 @@ use unicode_segmentation::UnicodeSegmentation;
 
 use crate::messages::Key;
 
+/// Most characters of a letter that is pasted: as many accents, or people of a family, as one can
+/// tell apart, with room to spare.
+const LONGEST_LETTER: usize = 32;
+
 /// Text on its way in, with a cursor.
 #[derive(Debug, Clone, Default)]
 pub struct TextField {
@@ -58,29 +62,37 @@ impl TextField {
             _ => return false,
         };
         match key {
-            Key::Char(c) => self.insert(c.encode_utf8(&mut [0; 4])),
+            Key::Char(c) => {
+                self.insert(c.encode_utf8(&mut [0; 4]));
+            }
             _ => drop(self.line.handle(request)),
         }
         true
     }
 
-    /// Puts a letter in at the cursor, if there is room for it.
-    fn insert(&mut self, letter: &str) {
+    /// Puts a letter in at the cursor; says whether there is room for it.
+    fn insert(&mut self, letter: &str) -> bool {
         let before = self.line.clone();
         for c in letter.chars() {
             self.line.handle(Request::InsertChar(c));
         }
-        if self.text().graphemes(true).count() > self.most {
+        let fits = self.text().graphemes(true).count() <= self.most;
+        if !fits {
             self.line = before;
         }
+        fits
     }
 
-    /// Takes pasted text, as far as there is room for it.
+    /// Takes pasted text, as far as there is room for it. The rest, which may be long, is not
+    /// looked at.
     pub fn paste(&mut self, text: &str) {
-        let letters = text.graphemes(true);
-        for letter in letters.filter(|letter| !letter.contains(char::is_control)) {
-            self.insert(letter);
-        }
+        let is_letter = |letter: &&str| {
+            !letter.contains(char::is_control) && letter.chars().nth(LONGEST_LETTER).is_none()
+        };
+        let mut letters = text.graphemes(true).filter(is_letter);
+        while let Some(letter) = letters.next()
+            && self.insert(letter)
+        {}
     }
 }
 
@@ -122,6 +134,8 @@ mod tests {
     fn it_takes_no_more_than_its_letters() {
         let mut field = TextField::new("e\u{301}e\u{301}e\u{301}e\u{301}", 6);
         field.paste("xyz\u{301}");
+        let pile = format!("e{}", "\u{301}".repeat(1000));
+        field.paste(&pile);
         assert_eq!(field.text(), "e\u{301}e\u{301}e\u{301}e\u{301}xy");
         assert!(!field.update(Key::Enter));
     }

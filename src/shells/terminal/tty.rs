@@ -1,0 +1,85 @@
+//! The events of a terminal on Unix.
+
+use std::collections::VecDeque;
+use std::fs::File;
+use std::io::{self, ErrorKind, Read};
+use std::os::fd::AsFd;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender};
+use std::thread;
+use std::time::Duration;
+
+use crossterm::event::Event;
+
+use super::decoder::Decoder;
+use super::spawn;
+
+/// Most pieces of input that are read ahead of what is decoded.
+const READ_AHEAD: usize = 16;
+
+/// What the terminal sends, as events.
+pub(super) struct EventSource {
+    bytes: Receiver<io::Result<Vec<u8>>>,
+    decoder: Decoder,
+    events: VecDeque<Event>,
+}
+
+impl EventSource {
+    /// Starts to read from standard input, which is a terminal.
+    ///
+    /// A thread does nothing but read: not every system can wait for a terminal for a limited
+    /// time only, as the decoder has to.
+    pub(super) fn open() -> io::Result<Self> {
+        let terminal = File::from(io::stdin().as_fd().try_clone_to_owned()?);
+        let (sender, bytes) = mpsc::sync_channel(READ_AHEAD);
+        spawn("terminal", move || read(terminal, &sender))?;
+        Ok(Self {
+            bytes,
+            decoder: Decoder::default(),
+            events: VecDeque::new(),
+        })
+    }
+
+    /// The next event, once there is one.
+    pub(super) fn next(&mut self) -> io::Result<Event> {
+        let gone = || io::Error::from(ErrorKind::BrokenPipe);
+        loop {
+            if let Some(event) = self.events.pop_front() {
+                return Ok(event);
+            }
+            let bytes = match self.decoder.patience() {
+                None => self.bytes.recv().map_err(|_| gone())?,
+                Some(patience) => match self.bytes.recv_timeout(patience) {
+                    Ok(bytes) => bytes,
+                    Err(RecvTimeoutError::Timeout) => {
+                        self.decoder.pause(&mut self.events);
+                        continue;
+                    }
+                    Err(RecvTimeoutError::Disconnected) => return Err(gone()),
+                },
+            };
+            self.decoder.feed(&bytes?, &mut self.events);
+        }
+    }
+}
+
+/// Reads until the terminal is gone or nobody listens any more.
+fn read(mut terminal: File, sender: &SyncSender<io::Result<Vec<u8>>>) {
+    let mut buffer = [0; 1 << 12];
+    loop {
+        let bytes = match terminal.read(&mut buffer) {
+            Ok(0) => Err(ErrorKind::UnexpectedEof.into()),
+            Ok(count) => Ok(buffer.get(..count).unwrap_or_default().to_vec()),
+            Err(error) if error.kind() == ErrorKind::Interrupted => continue,
+            // Another program may have set the terminal so that reading does not wait.
+            Err(error) if error.kind() == ErrorKind::WouldBlock => {
+                thread::sleep(Duration::from_millis(10));
+                continue;
+            }
+            Err(error) => Err(error),
+        };
+        let is_last = bytes.is_err();
+        if sender.send(bytes).is_err() || is_last {
+            return;
+        }
+    }
+}
