@@ -14,6 +14,7 @@ mod figures;
 mod firefox;
 mod kept;
 mod safe;
+mod soft_keyboard;
 mod tapes;
 mod touch;
 

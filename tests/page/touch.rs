@@ -22,7 +22,12 @@ const UPRIGHT: (u32, u32) = (390, 844);
 
 impl Phone {
     pub(crate) fn open(page: &str, fragment: &str) -> Self {
-        let mut phone = Self(Chromium::start(UPRIGHT, true));
+        Self::sized(UPRIGHT, page, fragment)
+    }
+
+    /// The same with a window of this size.
+    pub(crate) fn sized(size: (u32, u32), page: &str, fragment: &str) -> Self {
+        let mut phone = Self(Chromium::start(size, true));
         phone.go_to(page, fragment);
         phone
     }
@@ -164,6 +169,15 @@ impl Phone {
         self.0.debug("Input.insertText", &inserted);
         self.wait();
         true
+    }
+
+    /// Taps the field of this name.
+    pub(crate) fn tap_field(&mut self, name: &str) {
+        let script = "
+            const all = [...over.querySelectorAll('.field input')].filter(seen);
+            return all.find((it) => text(it.closest('.field')).includes(words));";
+        let place = self.middle(script, name).expect("a field");
+        self.tap(place);
     }
 
     /// The place of the window at a share of the width and the height of the picture.

@@ -12,7 +12,9 @@ const input = (() => {
   const layer = document.getElementById("layer");
   const typing = document.getElementById("typing");
   let say = () => {};
-  let digits = false, shown = "", likely = null, last = [], own = [];
+  // Stands in the field of the menu's keyboard, so that there is something to delete.
+  const FILLER = "\u200b";
+  let digits = false, shown = "", likely = null, last = [], own = [], composed = "";
 
   function start(speak) {
     say = speak;
@@ -26,10 +28,14 @@ const input = (() => {
     screen.addEventListener("pointerup", lifted);
     screen.addEventListener("pointercancel", lifted);
     screen.addEventListener("wheel", wheel, { passive: false });
-    typing.addEventListener("input", () => {
-      for (const letter of typing.value) key(letter);
-      typing.value = "";
+    screen.addEventListener("beforeinput", (event) => {
+      if (!/^insert(LineBreak|Paragraph)$/.test(event.inputType)) return;
+      event.preventDefault();
+      leave("Enter");
     });
+    typing.addEventListener("focus", () => (typing.value = FILLER));
+    typing.addEventListener("input", typed);
+    typing.addEventListener("compositionend", typed);
     panels.start({ key, press });
     layer.addEventListener("cancel", (event) => {
       event.preventDefault();
@@ -38,6 +44,24 @@ const input = (() => {
   }
 
   const key = (name) => say({ do: "key", key: name });
+
+  // Does what a key in a field does that goes on or elsewhere, and follows it there.
+  function leave(name) {
+    panels.follow();
+    key(name);
+  }
+
+  // What comes of a phone's keyboard where there is no field. It deletes only what there is,
+  // and may change a word until it is composed.
+  function typed({ type, isComposing }) {
+    const now = typing.value;
+    if (now.startsWith(FILLER)) panels.retype(composed, now.slice(FILLER.length));
+    else key("Backspace");
+    composed = now.slice(FILLER.length);
+    if (isComposing && type === "input") return;
+    composed = "";
+    typing.value = FILLER;
+  }
 
   // A click on a cell.
   function press([x, y]) {
@@ -64,17 +88,15 @@ const input = (() => {
   };
 
   function pressed(event) {
-    if (event.ctrlKey !== event.altKey || event.metaKey || event.isComposing) return;
+    if (event.ctrlKey !== event.altKey || event.metaKey) return;
+    // The keyboard's own, which composes a word; all but an Enter that it hands on.
+    if (event.keyCode === 229 || (event.isComposing && event.key !== "Enter")) return;
     const letter = [...event.key].length === 1 && event.key !== " " ? event.key : null;
     // In a field the keys are the field's, but for those that go on or elsewhere.
     if (event.target.closest?.("#screen") && isTyped(event.target)) {
       if (!["Enter", "ArrowUp", "ArrowDown"].includes(event.key)) return;
       event.preventDefault();
-      key(NAMED[event.key]);
-      const chosen = screen.querySelector(".field.chosen input");
-      if (chosen) chosen.focus();
-      else event.target.blur();
-      return;
+      return leave(NAMED[event.key]);
     }
     if (!isOurs(event)) return;
     const name = event.key === "Tab" ? (event.shiftKey ? "Shift+Tab" : "Tab") : NAMED[event.key];

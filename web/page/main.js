@@ -189,6 +189,7 @@ const page = (() => {
     if (painted.inks) panels.colour(painted.inks);
     painter.paint(painted);
     if (painted.sheets) panels.show(painted.sheets);
+    panels.settle();
     if (painted.keys || painted.sheets) input.show(painted.keys || undefined);
     seen.frames += 1;
     seen.first ||= performance.now();

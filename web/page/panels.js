@@ -275,8 +275,13 @@ const panels = (() => {
 
   const isNumber = ({ value }) => /^[−-]?[\d.,]*_|^[−-]?\d/.test(value);
 
-  // Chooses a field, unless it is chosen.
-  const choose = (item) => item.chosen === true || !item.press || act.press(item.press);
+  // Chooses a field, unless it is chosen, or was since the last frame.
+  let justChosen = null;
+  function choose(item) {
+    if (item.chosen || !item.press || item === justChosen) return;
+    justChosen = item;
+    act.press(item.press);
+  }
 
   const FIELDS = {
     locked() {
@@ -309,7 +314,7 @@ const panels = (() => {
       const node = make("div", "field number", name, less, input, unit, more);
       Object.assign(input, { inputMode: "decimal", autocomplete: "off", enterKeyHint: "done" });
       // What has been typed of a number, as far as the game knows it.
-      let typed = "", item = null;
+      let typed = "", shown = "", isTyped = false, item = null;
       for (const [way, key] of [[less, "Left"], [more, "Right"]]) {
         way.type = "button";
         repeats(way, () => {
@@ -324,15 +329,19 @@ const panels = (() => {
       input.addEventListener("input", () => {
         const wanted = input.value.replace(/[^\d.,−-]/g, "");
         choose(item);
-        let kept = typed && wanted.startsWith(typed) ? typed.length : 0;
-        if (!kept) for (const _ of typed) act.key("Backspace");
-        for (const letter of wanted.slice(kept)) act.key(letter);
+        retype(typed, wanted);
+        typed = wanted;
       });
+      node.settle = () => {
+        typed = isTyped ? shown : "";
+        // An empty field stays empty: a number will be typed there.
+        if (input.value && input.value !== shown) input.value = shown;
+      };
       node.update = (told) => {
         item = told;
         const [, number, rest] = NUMBER.exec(item.value) || [null, item.value, ""];
-        const isTyped = number.endsWith("_");
-        const shown = isTyped ? number.slice(0, -1) : number;
+        isTyped = number.endsWith("_");
+        shown = isTyped ? number.slice(0, -1) : number;
         typed = isTyped ? shown : "";
         mark(node, "chosen", item.chosen);
         write(name, item.name);
@@ -354,29 +363,67 @@ const panels = (() => {
     const name = make("label", "name");
     const input = make("input");
     const node = make("div", "field typed", name, input);
-    Object.assign(input, { autocomplete: "off", spellcheck: false });
-    input.setAttribute("autocapitalize", "off");
-    let item = null;
+    Object.assign(input, { autocomplete: "off", spellcheck: false, enterKeyHint: "next" });
+    for (const kind of ["autocapitalize", "autocorrect"]) input.setAttribute(kind, "off");
+    // What the game has of it, also before that is shown.
+    let item = null, sent = "", isComposing = false;
+    // A phone's keyboard composes each word, and a tap on a button does not end that: so what
+    // is being composed is sent too.
     const send = () => {
-      const [old, wanted] = [item.value, input.value];
+      if (input.value === sent) return;
       choose(item);
-      let same = 0;
-      while (same < Math.min(old.length, wanted.length) && old[same] === wanted[same]) same += 1;
       act.key("End");
-      for (const _ of [...old.slice(same)]) act.key("Backspace");
-      for (const letter of wanted.slice(same)) act.key(letter === " " ? "Space" : letter);
+      retype(sent, input.value);
+      sent = input.value;
     };
     input.addEventListener("focus", () => choose(item));
-    input.addEventListener("input", (event) => event.isComposing || send());
-    input.addEventListener("compositionend", send);
+    input.addEventListener("input", send);
+    input.addEventListener("compositionstart", () => (isComposing = true));
+    input.addEventListener("compositionend", () => {
+      isComposing = false;
+      send();
+    });
+    node.settle = () => {
+      sent = item.value;
+      // A word that is being composed belongs to the keyboard.
+      if (!isComposing && input.value !== sent) input.value = sent;
+    };
     node.update = (told) => {
       item = told;
       mark(node, "chosen", item.chosen);
       write(name, item.name);
       name.htmlFor = input.id = input.id || `field-${(count += 1)}`;
-      if (input.value !== item.value) input.value = item.value;
+      node.settle();
     };
     return node;
+  }
+
+  // Types what makes one text of another, as far as they differ at the end.
+  function retype(old, wanted) {
+    const [from, to] = [[...old], [...wanted]];
+    let same = 0;
+    while (same < from.length && from[same] === to[same]) same += 1;
+    for (const _ of from.slice(same)) act.key("Backspace");
+    for (const letter of to.slice(same)) act.key(letter === " " ? "Space" : letter);
+  }
+
+  // Shows in the field with the focus what the game has made of it, after each frame: it may
+  // take less than was typed.
+  function settle() {
+    justChosen = null;
+    document.activeElement?.closest(".field")?.settle?.();
+  }
+
+  // Has the focus go with the game to the field that is chosen next, or away where none is.
+  const follow = () => (isFollowing = true);
+  let isFollowing = false;
+
+  function moveFocus() {
+    const focused = document.activeElement;
+    if (!isFollowing || !screen.contains(focused)) return;
+    const next = screen.querySelector(".field.chosen input");
+    if (next) next.focus();
+    else focused.blur();
   }
 
   function drawItems(node, items) {
@@ -433,6 +480,8 @@ const panels = (() => {
     const chosen = screen.querySelector(".field.chosen, .choice.chosen");
     if (chosen && chosen !== lastChosen) chosen.scrollIntoView({ block: "nearest" });
     lastChosen = chosen;
+    moveFocus();
+    isFollowing = false;
     showLayer(over[over.length - 1]);
   }
   let lastChosen = null;
@@ -478,5 +527,7 @@ const panels = (() => {
 
   const start = (acts) => Object.assign(act, acts);
 
-  return { start, show, colour, state, leaveOut, does, pressed, repeats, make, capital };
+  return {
+    start, show, colour, state, leaveOut, does, pressed, repeats, make, capital, retype, settle, follow,
+  };
 })();
