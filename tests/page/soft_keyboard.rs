@@ -1,7 +1,10 @@
-//! A phone's keyboard on the page: it comes up by a tap on a field, and inserts, composes and
-//! deletes texts instead of pressing keys.
+//! The keyboard on a phone's screen: real taps, and the path by which such a keyboard hands text
+//! on. It composes words and may change them, its keys have no names, and it stays open only
+//! while a field has the focus.
 
 use std::fs;
+use std::thread;
+use std::time::Duration;
 
 use serde_json::{Value, json};
 
@@ -10,65 +13,218 @@ use crate::folder::Folder;
 use crate::teacher::{Teacher, kept};
 use crate::touch::Phone;
 
-/// What has the focus: which element, in which field, and what is in it.
-const FOCUS: &str = "
-    const it = document.activeElement;
-    return [it.localName, it.closest('.field')?.querySelector('label').textContent, it.value];";
+/// What a phone with a bar for addresses leaves of its screen.
+const SMALL: (u32, u32) = (390, 664);
 
-/// Puts a word together that is not yet inserted.
-fn compose(phone: &mut Phone, text: &str) {
-    let end = text.len();
-    let word = json!({ "text": text, "selectionStart": end, "selectionEnd": end });
-    phone.0.debug("Input.imeSetComposition", &word);
-    phone.wait();
+/// Draws a frame only every half second, as a slow phone does.
+const SLOW_FRAMES: &str = "
+    const request = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (draw) => setTimeout(() => request(draw), 500);";
+
+impl Phone {
+    /// Taps the field of this name; fails unless the keyboard then stays open for it.
+    fn open_keyboard(&mut self, name: &str) {
+        self.tap_field(name);
+        // A browser sends the events of a mouse after those of a finger.
+        thread::sleep(Duration::from_millis(400));
+        assert_eq!(self.typing_into(), name);
+    }
+
+    /// The name of the field that the keyboard is open for; empty for none.
+    fn typing_into(&mut self) -> String {
+        let script = "
+            const input = document.activeElement;
+            if (input.localName !== 'input' || input.readOnly) return '';
+            return input.id === 'typing' ? '(none)' : input.labels[0].textContent;";
+        let name = self.0.run(script, &[]);
+        name.as_str().unwrap().to_owned()
+    }
+
+    /// What stands in the field that the keyboard is open for.
+    fn typed(&mut self) -> Value {
+        self.0.run("return document.activeElement.value", &[])
+    }
+
+    fn insert(&mut self, text: &str) {
+        self.0.debug("Input.insertText", &json!({ "text": text }));
+    }
+
+    /// Composes a word through these stages; the last one is still open then.
+    fn compose(&mut self, stages: &[&str]) {
+        for text in stages {
+            let end = text.encode_utf16().count();
+            let stage = json!({ "text": text, "selectionStart": end, "selectionEnd": end });
+            self.0.debug("Input.imeSetComposition", &stage);
+            self.wait();
+        }
+    }
+
+    /// Presses a key without a name, which edits.
+    fn edit(&mut self, command: &str) {
+        for kind in ["rawKeyDown", "keyUp"] {
+            let commands = if kind == "keyUp" {
+                vec![]
+            } else {
+                vec![command]
+            };
+            let event = json!({
+                "type": kind, "key": "Unidentified", "windowsVirtualKeyCode": 229,
+                "commands": commands,
+            });
+            self.0.debug("Input.dispatchKeyEvent", &event);
+        }
+        self.wait();
+    }
+
+    /// Presses the key of the keyboard that goes on.
+    fn enter(&mut self) {
+        for kind in ["keyDown", "keyUp"] {
+            let event = json!({
+                "type": kind, "key": "Enter", "code": "", "windowsVirtualKeyCode": 13,
+                "text": "\r",
+            });
+            self.0.debug("Input.dispatchKeyEvent", &event);
+        }
+        self.wait();
+    }
 }
 
-/// Presses one of the keys that such a keyboard does press.
-fn press(phone: &mut Phone, key: &str, number: u32) {
-    for kind in ["rawKeyDown", "keyUp"] {
-        let event = json!({ "type": kind, "key": key, "code": key,
-            "windowsVirtualKeyCode": number, "nativeVirtualKeyCode": number });
-        phone.0.debug("Input.dispatchKeyEvent", &event);
-    }
-    phone.wait();
+/// A teacher whose class gathers, and a phone that has opened the page there by its address.
+fn at_the_door(name: &str) -> (Folder, Teacher, Phone) {
+    let page = page();
+    let page = fs::read_to_string(page.trim_start_matches("file://")).unwrap();
+    let folder = Folder::new(name);
+    let teacher = Teacher::gathering(&folder, &page);
+    let address = format!("http://127.0.0.1:{}/", teacher.port);
+    let mut phone = Phone::sized(SMALL, &address, "");
+    phone.expect("Your class plays a round");
+    (folder, teacher, phone)
 }
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_word_that_is_still_composed_comes_in_once() {
-    let page = fs::read_to_string(page().trim_start_matches("file://")).unwrap();
-    let folder = Folder::new("page-soft-keyboard");
-    let teacher = Teacher::gathering(&folder, &page);
-    let address = format!("http://127.0.0.1:{}/", teacher.port);
-    let mut phone = Phone::sized((390, 664), &address, "");
-    phone.expect("Your class plays a round");
-    phone.tap_field("code");
-    let focus = |phone: &mut Phone| phone.0.run(FOCUS, &[]);
-    let code = Value::from(teacher.code.clone());
-    phone.0.debug("Input.insertText", &json!({ "text": code }));
-    phone.wait();
-    assert_eq!(focus(&mut phone), json!(["input", "code", code]));
-    press(&mut phone, "Enter", 13);
-    assert_eq!(focus(&mut phone), json!(["input", "name", ""]));
-    for text in ["A", "Ad", "Adx", "Ad", "Ada"] {
-        compose(&mut phone, text);
-    }
-    phone.0.debug("Input.insertText", &json!({ "text": "Ada" }));
-    phone.wait();
-    assert_eq!(focus(&mut phone), json!(["input", "name", "Ada"]));
-    press(&mut phone, "Backspace", 8);
-    assert_eq!(focus(&mut phone), json!(["input", "name", "Ad"]));
-    // A tap on a button does not end what is being composed.
-    compose(&mut phone, "a");
+fn a_phone_joins_a_class_and_votes_by_its_soft_keyboard() {
+    let (folder, teacher, mut phone) = at_the_door("page-soft-keyboard");
+    phone.open_keyboard("code");
+    phone.insert(&teacher.code.to_lowercase());
+    phone.enter();
+    assert_eq!(phone.typing_into(), "name");
+    phone.compose(&["A", "As", "A", "Ad", "Ada"]);
+    phone.insert("Ada");
+    phone.edit("deleteBackward");
+    phone.compose(&["é"]);
+    assert_eq!(phone.typed(), "Adé");
     phone.press("Come in");
-    phone.expect("You are in, Ada.");
+    phone.expect("You are in, Adé.");
     teacher.press("<Enter><Enter>", "0 of 1 have voted");
-    for angle in ["60", "30"] {
-        phone.type_in(angle);
-        phone.go_on();
-    }
+    phone.expect("Where will they go?");
+    phone.type_in("6");
+    phone.insert("7");
+    phone.edit("deleteBackward");
+    phone.insert("0");
+    phone.enter();
+    phone.insert("30");
+    phone.edit("insertNewline");
     phone.expect("How sure are you?");
+    assert_eq!(phone.typing_into(), "", "the keyboard makes room");
     phone.go_on();
     phone.expect("Your vote is in.");
-    assert_eq!(kept(&folder).teams(), ["Ada"]);
+    teacher.wait_for("1 of 1 have voted");
+    let said = kept(&folder).ballot(0, 0).first.unwrap().rays().unwrap();
+    let degrees = [said.striker, said.target].map(|ray| ray.unwrap().abs().to_degrees());
+    assert!((degrees[0] - 60.0).abs() < 1e-9, "{degrees:?}");
+    assert!((degrees[1] - 30.0).abs() < 1e-9, "{degrees:?}");
+    assert_eq!(kept(&folder).teams(), ["Adé"]);
+}
+
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn enter_leads_from_field_to_field_and_the_keyboard_stays_open() {
+    let (_folder, teacher, mut phone) = at_the_door("page-soft-enter");
+    phone.open_keyboard("code");
+    phone.insert(&teacher.code);
+    phone.edit("insertNewline");
+    assert_eq!(phone.typing_into(), "name");
+    phone.insert("Bo");
+    phone.enter();
+    assert_eq!(phone.typing_into(), "", "the keyboard makes room");
+    phone.press("Come in");
+    phone.expect("You are in, Bo.");
+}
+
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn a_word_that_is_still_being_composed_is_sent_with_the_form() {
+    let (_folder, teacher, mut phone) = at_the_door("page-soft-composed");
+    phone.open_keyboard("code");
+    phone.compose(&[&teacher.code]);
+    phone.open_keyboard("name");
+    phone.compose(&["C", "Ca", "Cem", "Cem "]);
+    phone.press("Come in");
+    phone.expect("You are in, Cem.");
+}
+
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn what_is_typed_faster_than_it_is_drawn_arrives_once() {
+    let (_folder, teacher, mut phone) = at_the_door("page-soft-slow");
+    phone.open_keyboard("code");
+    phone.insert(&teacher.code);
+    phone.open_keyboard("name");
+    phone.0.run(SLOW_FRAMES, &[]);
+    for letter in ["D", "o", "r", "a"] {
+        phone.insert(letter);
+    }
+    phone.press("Come in");
+    phone.expect("You are in, Dora.");
+    teacher.press("<Enter><Enter>", "0 of 1 have voted");
+    phone.expect("Where will they go?");
+    phone.type_in("4");
+    phone.insert("5");
+    phone.expect("45");
+    assert!(!phone.shows("445"));
+}
+
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn a_field_shows_what_the_game_has_taken() {
+    let (_folder, _teacher, mut phone) = at_the_door("page-soft-long");
+    phone.open_keyboard("name");
+    phone.insert(&"x".repeat(500));
+    phone.wait();
+    let taken = phone.typed().as_str().unwrap().len();
+    assert!(taken < 500, "{taken} letters");
+    phone.insert("y");
+    phone.wait();
+    assert_eq!(phone.typed(), Value::from("x".repeat(taken)));
+    phone.edit("deleteBackward");
+    phone.insert("z");
+    phone.wait();
+    let expected = format!("{}z", "x".repeat(taken - 1));
+    assert_eq!(phone.typed(), Value::from(expected));
+}
+
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn the_keyboard_of_the_menu_stays_open_and_each_letter_counts_once() {
+    let mut phone = Phone::sized(SMALL, &page(), "lab");
+    phone.press("☰");
+    phone.press("A keyboard for letters");
+    thread::sleep(Duration::from_millis(400));
+    assert_eq!(phone.typing_into(), "(none)");
+    let keys = "
+        window.pressed = [];
+        const call = program.call;
+        program.call = (command, bytes) => {
+          if (command.do === 'key') window.pressed.push(command.key);
+          return call(command, bytes);
+        };";
+    phone.0.run(keys, &[]);
+    phone.compose(&["a", "ab"]);
+    phone.insert("ab");
+    phone.edit("deleteBackward");
+    phone.insert("c");
+    phone.wait();
+    let pressed = phone.0.run("return window.pressed", &[]);
+    assert_eq!(pressed, json!(["a", "b", "Backspace", "c"]));
 }

@@ -4,22 +4,35 @@
 // takes the other's files in first.
 
 const keeper = (() => {
+  // The number of changes that the program knows of; of none for certain before it has
+  // been told the files.
+  const UNKNOWN = -1;
   let base = null;
-  let known = 0;
+  let known = UNKNOWN;
   let busy = false, safe = 0;
+  let opened = connect();
 
-  const opened = new Promise((resolve) => {
-    let opening;
-    try {
-      opening = indexedDB.open("carrom", 1);
-    } catch {
-      return resolve(null);
-    }
-    opening.onupgradeneeded = () => opening.result.createObjectStore("files");
-    opening.onsuccess = () => resolve(opening.result);
-    opening.onerror = opening.onblocked = () => resolve(null);
-    setTimeout(() => resolve(null), 3000);
-  });
+  // Opens the browser's database; there is none then if it keeps nothing for this page.
+  function connect() {
+    return new Promise((resolve) => {
+      let opening;
+      try {
+        opening = indexedDB.open("carrom", 1);
+      } catch {
+        return resolve();
+      }
+      opening.onupgradeneeded = () => opening.result.createObjectStore("files");
+      opening.onsuccess = () => {
+        const found = opening.result;
+        base = found;
+        // The browser closes it when its user clears what pages keep, or its disk fails.
+        found.onclose = () => base === found && (base = null);
+        resolve();
+      };
+      opening.onerror = opening.onblocked = () => resolve();
+      setTimeout(resolve, 3000);
+    });
+  }
 
   // Reads everything in a transaction, then goes on with it: [path, bytes] and the number.
   function read(transaction, then) {
@@ -51,78 +64,81 @@ const keeper = (() => {
 
   // The files there are, once all that is being kept is.
   async function files() {
-    base = await opened;
+    await opened;
     while (busy) await new Promise((later) => setTimeout(later, 10));
-    if (!base) return [];
-    return new Promise((resolve) => {
-      try {
-        const transaction = base.transaction("files", "readonly");
-        transaction.onabort = transaction.onerror = () => resolve([]);
+    // If they cannot be read now, the next change is made upon them, not in their place.
+    known = UNKNOWN;
+    try {
+      const transaction = base.transaction("files", "readonly");
+      return await new Promise((resolve, reject) => {
+        transaction.onabort = reject;
         read(transaction, (all, number) => {
           known = number;
           resolve(all);
         });
-      } catch {
-        base = null;
-        resolve([]);
-      }
-    });
+      });
+    } catch {
+      return [];
+    }
   }
 
   // Brings what has changed into the browser's database; calls `slow` if that takes long, and
   // `done` with the reason if it could not be kept. When it is tried again is the program's.
-  function keep(done, slow = () => {}) {
+  async function keep(done, slow = () => {}) {
     if (busy) return;
     busy = true;
     const patience = setTimeout(slow, 500);
-    const end = (failed) => {
-      clearTimeout(patience);
-      busy = false;
-      done(failed);
-    };
-    // Never before this is left: who is told at once would ask for the same again.
-    const refuse = (failed) => void setTimeout(end, 0, failed);
-    if (!base) return refuse("this browser keeps nothing for this page");
-    let transaction;
+    let failed = null;
     try {
-      transaction = base.transaction("files", "readwrite", { durability: "strict" });
-    } catch (error) {
-      return refuse(reason(error));
-    }
-    let ended = false;
-    const once = (failed) => ended || ((ended = true), end(failed));
-    transaction.oncomplete = () => {
+      await opened;
+      if (!base) await (opened = connect());
+      if (!base) throw "this browser keeps nothing for this page";
+      await write();
       known += 1;
       safe += 1;
-      once(null);
-    };
-    let fault = null;
-    transaction.onabort = () => once(fault || reason(transaction.error));
-    // What goes wrong in here ends the transaction, and nothing of it is kept.
-    const guarded = (step) => {
-      try {
-        step();
-      } catch (error) {
-        fault = error instanceof DOMException ? reason(error) : error.message;
-        transaction.abort();
-      }
-    };
-    const number = transaction.objectStore("files").get("");
-    number.onsuccess = () => guarded(() => {
-      if ((number.result || 0) === known) return put(transaction);
-      read(transaction, (all, other) => guarded(() => {
-        const { files, bytes } = packed(all);
-        program.call({ do: "files", files }, bytes);
-        known = other;
-        put(transaction);
-      }));
+    } catch (error) {
+      failed = reason(error);
+      // Never before this is left: who is told at once would ask for the same again.
+      await new Promise((later) => setTimeout(later, 0));
+    }
+    clearTimeout(patience);
+    busy = false;
+    done(failed);
+  }
+
+  // One transaction with all that has changed; what goes wrong in it ends it, and nothing of
+  // it is kept.
+  function write() {
+    return new Promise((resolve, reject) => {
+      const transaction = base.transaction("files", "readwrite", { durability: "strict" });
+      let fault = null;
+      transaction.oncomplete = resolve;
+      transaction.onabort = () => reject(fault || transaction.error);
+      const guarded = (step) => {
+        try {
+          step();
+        } catch (error) {
+          fault = error;
+          transaction.abort();
+        }
+      };
+      const number = transaction.objectStore("files").get("");
+      number.onsuccess = () => guarded(() => {
+        if ((number.result || 0) === known) return put(transaction);
+        read(transaction, (all, other) => guarded(() => {
+          const { files, bytes } = packed(all);
+          program.call({ do: "files", files }, bytes);
+          known = other;
+          put(transaction);
+        }));
+      });
     });
   }
 
   function put(transaction) {
     const files = transaction.objectStore("files");
     const changed = program.call({ do: "changed" });
-    if (changed.fault) throw new Error(changed.fault);
+    if (changed.fault) throw changed.fault;
     let at = 0;
     for (const { path, bytes } of changed.files) {
       files.put(changed.bytes.slice(at, at + bytes), path);
@@ -132,9 +148,14 @@ const keeper = (() => {
     files.put(known + 1, "");
   }
 
+  // Why something is not kept, in words; a text says so itself.
   function reason(error) {
-    if (error && error.name === "QuotaExceededError") return "this browser has no more room for it";
-    return `this browser does not keep it (${(error && error.name) || "no reason given"})`;
+    if (typeof error === "string") return error;
+    const name = error?.name;
+    // The browser has closed it without a word.
+    if (name === "InvalidStateError") base = null;
+    if (name === "QuotaExceededError") return "this browser has no more room for it";
+    return `this browser does not keep it (${name || "no reason given"})`;
   }
 
   return { opened, files, keep, packed, kept: () => safe };

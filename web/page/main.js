@@ -7,7 +7,10 @@ const page = (() => {
   const menu = document.getElementById("menu");
   const chooser = document.getElementById("file");
   const typing = document.getElementById("typing");
-  let colours = "", drawn = 0, ready = false, lived = 0, frame = 0, timer = 0, outdated = true, failedOnce = false;
+  let colours = "", drawn = 0, ready = false, lived = 0, frame = 0, timer = 0, outdated = true, isPlain = false, failedOnce = false;
+
+  // The most bytes of a file that is opened. A progress.db has about 200 for each answer.
+  const LARGEST = 64 * 2 ** 20;
 
   // For tests: when the first frame was there, frames drawn, and how often the page woke.
   const seen = { first: 0, frames: 0, wakes: 0 };
@@ -37,6 +40,12 @@ const page = (() => {
       chooser.value = "";
     });
     menu.addEventListener("click", chosen);
+    // What could not be kept is lost with the page.
+    addEventListener("beforeunload", (event) => {
+      if (!last.owed) return;
+      event.preventDefault();
+      event.returnValue = true;
+    });
   }
 
   // What this browser would need and has not, in words.
@@ -72,13 +81,13 @@ const page = (() => {
     program.tellTime();
     program.call({ do: "files", files: all.files }, all.bytes);
     say("");
-    const isPlain = /(^|[#&])plain/.test(location.hash);
+    isPlain = /(^|[#&])plain/.test(location.hash);
     game.hidden = isPlain;
     document.getElementById("plain").hidden = !isPlain;
     body.style.overflow = isPlain ? "auto" : "";
-    if (isPlain) return plain.begin();
     outdated = true;
     heed(reply);
+    if (isPlain) return plain.begin(speak);
     draw();
     // Now that head and foot are there it is known what they take.
     fit();
@@ -109,16 +118,20 @@ const page = (() => {
     speak({ do: "resize", ...now });
   }
 
-  // Says something to the program, and does what follows.
-  function speak(command) {
+  // Says something to the program, and does what follows; gives what it has told, unless it
+  // stopped.
+  function speak(command, bytes) {
     try {
       pass();
       program.tellTime();
-      heed(program.call(command));
+      const reply = program.call(command, bytes);
+      heed(reply);
       outdated = true;
       schedule();
+      return reply;
     } catch (error) {
       fail(error);
+      return null;
     }
   }
 
@@ -130,13 +143,18 @@ const page = (() => {
     for (const { name, content } of reply.downloads) give(name, content);
     for (const call of reply.calls) classroom.does(call);
     if (reply.keep) {
-      keeper.keep((failed) => speak({ do: "kept", failed }), () => speak({ do: "slow" }));
+      keeper.keep(kept, () => speak({ do: "slow" }));
     }
     // A page is not left: it begins again.
     if (reply.quit) {
       if (location.hash) location.hash = "";
       else reopen();
     }
+  }
+
+  function kept(failed) {
+    const reply = speak({ do: "kept", failed });
+    if (reply && isPlain) plain.kept(failed, reply.keep);
   }
 
   // Lets the time pass that has passed, while something moves.
@@ -178,6 +196,7 @@ const page = (() => {
 
   function draw() {
     outdated = false;
+    if (game.hidden) return schedule();
     const { painted } = program.call({ do: "paint", since: drawn });
     drawn = painted.number;
     if (String(painted.colours) !== colours) {
@@ -197,15 +216,21 @@ const page = (() => {
     schedule();
   }
 
-  function take(file) {
-    file.arrayBuffer().then(
-      (content) => {
-        heed(program.call({ do: "file", name: file.name }, new Uint8Array(content)));
-        outdated = true;
-        schedule();
-      },
-      () => speak({ do: "tell", words: `${file.name} cannot be read.` }),
-    ).catch(fail);
+  const tell = (words) => void speak({ do: "tell", words });
+
+  async function take(file) {
+    if (file.size > LARGEST) {
+      const size = Math.ceil(file.size / 2 ** 20);
+      const most = LARGEST / 2 ** 20;
+      return tell(`${file.name} cannot be opened: it has ${size} MiB, and carrom opens files of up to ${most} MiB.`);
+    }
+    let content;
+    try {
+      content = new Uint8Array(await file.arrayBuffer());
+    } catch {
+      return tell(`${file.name} cannot be read.`);
+    }
+    speak({ do: "file", name: file.name }, content);
   }
 
   function give(name, content) {
@@ -225,9 +250,10 @@ const page = (() => {
     if (does === "type") typing.focus();
     if (does === "plain") location.hash = "plain";
     if (does === "take") {
-      const { files, bytes } = program.call({ do: "progress" });
-      if (files.length) give("progress.db", bytes);
-      else speak({ do: "tell", words: "Nothing is kept yet: answer a question first." });
+      const { fault, files, bytes } = program.call({ do: "progress" });
+      if (fault) tell(`Your progress cannot be read: ${fault}.`);
+      else if (files.length) give("progress.db", bytes);
+      else tell("Nothing is kept yet: answer a question first.");
     }
   }
 
@@ -252,7 +278,7 @@ const page = (() => {
 
 // For tests, which drive a carrom of their own with these.
 window.carrom = {
-  program, call: program.call, cells: program.cells, isReady: page.isReady, seen: page.seen,
+  call: program.call, cells: program.cells, isReady: page.isReady, seen: page.seen,
   step: page.step,
   told: () => keeper.kept(),
 };

@@ -39,7 +39,10 @@ pub extern "C" fn carrom_call() -> usize {
         let said = std::mem::take(&mut shared.said);
         shared.told = match message::read(&said) {
             Ok((Command::Open(opening), bytes)) => {
-                let (shell, reply) = Shell::open(&opening, bytes);
+                let (shell, reply) = match shared.shell.take() {
+                    Some(before) => before.reopen(&opening, bytes),
+                    None => Shell::open(&opening, bytes),
+                };
                 shared.shell = Some(shell);
                 message::write(&reply)
             }

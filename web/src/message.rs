@@ -200,6 +200,8 @@ pub struct Reply {
     pub wake_ms: Option<f64>,
     /// Whether something is to be kept.
     pub keep: bool,
+    /// How many things could not be kept so far.
+    pub owed: usize,
     /// Whether a search waits.
     pub think: bool,
     /// Whether carrom was left.

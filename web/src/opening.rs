@@ -49,6 +49,10 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
             code: Some(Code::hits(wanted.seed)),
         };
     }
+    // A talk in lines goes on without the screens: below it none is to move.
+    if opening.fragment.split('&').any(|part| part == "plain") {
+        wanted.place = Place::Home;
+    }
     let mut app = App::with_data(data, wanted.place, wanted.settings, wanted.seed);
     app.set_kept(Some(kept));
     if !faults.is_empty() {

@@ -9,7 +9,7 @@ use carrom::quiz::concepts::Library;
 use carrom::screens::KeptSettings;
 use carrom::store::FileBytes;
 
-use crate::keeping::{Keeping, OWN};
+use crate::keeping::{Change, Keeping, OWN};
 
 /// The path of the database.
 pub(crate) const PROGRESS: &str = "progress.db";
@@ -82,7 +82,8 @@ pub(crate) fn path(name: &str, bytes: &[u8]) -> Option<String> {
 pub(crate) fn take_in(keeping: &mut Keeping, name: &str, bytes: &[u8]) -> Result<String, String> {
     let wrong = |error: String| format!("{name} cannot be opened: {error}");
     if bytes.starts_with(DATABASE) || name.ends_with(".db") {
-        keeping.take_in_progress(bytes).map_err(wrong)?;
+        let progress = Change::Progress(bytes.to_vec());
+        keeping.take_in(progress).map_err(wrong)?;
         return Ok(format!(
             "What was done in {name} now belongs to what you did here."
         ));
@@ -97,22 +98,21 @@ pub(crate) fn take_in(keeping: &mut Keeping, name: &str, bytes: &[u8]) -> Result
         if !problems.is_empty() {
             return Err(wrong(problems.join(" ")));
         }
-        keeping.add_own(format!("{OWN}{path}"), bytes);
+        let file = (format!("{OWN}{path}"), bytes.to_vec());
+        keeping.take_in(Change::Own(file)).map_err(wrong)?;
         return Ok(format!(
             "{name} is kept. It is there when you open this page again."
         ));
     }
     if name.ends_with(".toml") {
         let is_class = String::from_utf8_lossy(bytes).contains("\nteams");
-        return match is_class {
-            true => keeping
-                .take_in_class(name, bytes)
-                .map(|()| format!("{name} is now among the earlier rounds of a class.")),
-            false => keeping
-                .take_in_game(name, bytes)
-                .map(|()| format!("{name} is now among the saved games.")),
-        }
-        .map_err(wrong);
+        let file = (name.to_owned(), bytes.to_vec());
+        let (change, place) = match is_class {
+            true => (Change::Class(file), "the earlier rounds of a class"),
+            false => (Change::Game(file), "the saved games"),
+        };
+        let taken = keeping.take_in(change).map_err(wrong);
+        return taken.map(|()| format!("{name} is now among {place}."));
     }
     Err(format!(
         "{name} is nothing that carrom can open. It opens progress.db, a saved game, a round of a \

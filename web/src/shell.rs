@@ -19,7 +19,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Modifier;
 
-use crate::keeping::Keeping;
+use crate::keeping::{Change, Keeping};
 use crate::message::{
     Call, Command, Download, FileLength, Keys, News, Opening, Painted, Picture, Reply, split,
 };
@@ -54,12 +54,27 @@ impl Shell {
     /// Opens carrom as the page asks.
     #[must_use]
     pub fn open(opening: &Opening, bytes: &[u8]) -> (Self, Reply) {
+        Self::open_with(opening, bytes, Vec::new())
+    }
+
+    /// Opens carrom anew in the place of this one, of which nothing is lost that the browser
+    /// has not kept yet.
+    #[must_use]
+    pub fn reopen(self, opening: &Opening, bytes: &[u8]) -> (Self, Reply) {
+        let left = match opening.simulated {
+            true => Vec::new(),
+            false => self.keeping.left(),
+        };
+        Self::open_with(opening, bytes, left)
+    }
+
+    fn open_with(opening: &Opening, bytes: &[u8], left: Vec<Change>) -> (Self, Reply) {
         let files = split(&opening.own, bytes);
         let mut data = own::data(&files);
         if opening.simulated {
             data.folder = None;
         }
-        let keeping = Keeping::new(&data.own, opening.simulated);
+        let keeping = Keeping::new(&data.own, opening.simulated).taking_over(left);
         let app = opening::app(opening, data, own::settings(&files));
         let Ok(screen) = Terminal::new(TestBackend::new(opening.columns, opening.rows));
         let mut shell = Self {
@@ -283,6 +298,7 @@ impl Shell {
         Reply {
             wake_ms: self.app.wake().map(|wake| wake.as_secs_f64() * 1e3),
             keep: self.keeping.is_to_keep(),
+            owed: self.keeping.owed(),
             think: !self.searches.is_empty(),
             quit: self.quit,
             calls: self.calls.drain(..).map(call).collect(),

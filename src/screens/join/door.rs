@@ -135,7 +135,7 @@ impl DoorForm {
         let rows = self.rows();
         let outcome = match (action, self.list.act(action, rows.len())) {
             // One click is enough to come in.
-            (ListAction::Point(at), Outcome::Used) if rows.get(at) == Some(&DoorRow::Enter) => {
+            (ListAction::Point(at), _) if rows.get(at) == Some(&DoorRow::Enter) => {
                 Outcome::Done(at)
             }
             (ListAction::Point(_), _) => Outcome::Used,
@@ -245,6 +245,21 @@ pub(crate) fn code_of(address: &str) -> Option<DoorCode> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn one_click_comes_in_wherever_the_mark_is() {
+        let code = "BCDFGH".parse().ok();
+        let mut form = DoorForm::new(None, code, "Ada");
+        for at in [2, 1] {
+            form.list.choose(at);
+            let entry = form.act(ListAction::Point(2));
+            assert_eq!(
+                entry.map(|it| it.name).as_deref(),
+                Some("Ada"),
+                "from row {at}"
+            );
+        }
+    }
 
     #[test]
     fn an_address_is_read_as_people_write_it() {
