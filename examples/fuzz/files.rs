@@ -21,25 +21,8 @@ use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
+use crate::damage::change;
 use crate::{Fault, watched};
-
-/// Values that a number may be replaced by.
-const NUMBERS: [&str; 14] = [
-    "0",
-    "-0.0",
-    "-1",
-    "1e300",
-    "-1e300",
-    "1e-300",
-    "NaN",
-    "inf",
-    "-inf",
-    "9999999999999999999",
-    "0.1",
-    "true",
-    "\"x\"",
-    "[]",
-];
 
 /// A kind of files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,7 +33,16 @@ enum Kind {
     Saved,
     Tape,
     HandIn,
+    Settings,
+    Keys,
 }
+
+/// What a player may have set.
+const SETTINGS: &str =
+    "format = 1\nplayer = \"Ada\"\ncolours = \"256\"\nmotion = \"reduced\"\nforetold = \"2\"\n";
+/// Keys of a player's own.
+const KEYS: &str =
+    "format = 1\n[keys]\n\"lab.next-set\" = [\"z\"]\n\"everywhere.help\" = [\"F9\"]\n";
 
 /// A sound file.
 #[derive(Debug)]
@@ -84,6 +76,10 @@ pub(crate) fn models(home: &Path) -> Result<Vec<Vec<Model>>, Box<dyn Error>> {
         })
     });
     models.push(hand_ins.into_iter().collect::<Result<_, String>>()?);
+    for (kind, text) in [(Kind::Settings, SETTINGS), (Kind::Keys, KEYS)] {
+        let bytes = text.as_bytes().to_vec();
+        models.push(vec![Model { kind, bytes }]);
+    }
     Ok(models)
 }
 
@@ -178,6 +174,18 @@ fn read(kind: Kind, bytes: &[u8], folder: &Path) {
                 assert!(table.is_ok(), "{table:?}");
             }
         }
+        Kind::Settings => open_with("settings.toml", bytes, folder),
+        Kind::Keys => open_with("keys.toml", bytes, folder),
+    }
+}
+
+/// Opens the game with this file in its folder for data.
+fn open_with(name: &str, bytes: &[u8], folder: &Path) {
+    let folder = folder.join("data");
+    let path = folder.join(name);
+    if fs::create_dir_all(&folder).is_ok() && fs::write(&path, bytes).is_ok() {
+        let _ = carrom::cli::open(&format!("--data-dir '{}'", folder.display()));
+        let _ = fs::remove_file(path);
     }
 }
 
@@ -225,38 +233,4 @@ fn database(chance: &mut Pcg64Mcg, folder: &Path) -> Result<(), Fault> {
         }
         Ok(())
     })
-}
-
-/// Damages a file at one place.
-fn change(bytes: &mut Vec<u8>, chance: &mut Pcg64Mcg) {
-    if bytes.is_empty() {
-        return bytes.push(chance.random());
-    }
-    let at = chance.random_range(0..bytes.len());
-    let end = (at + chance.random_range(1..64)).min(bytes.len());
-    match chance.random_range(0..8) {
-        0 => bytes[at] ^= 1 << chance.random_range(0..8),
-        1 => bytes[at] = chance.random(),
-        2 => drop(bytes.drain(at..end)),
-        3 => {
-            let again = bytes[at..end].to_vec();
-            bytes.splice(at..at, again);
-        }
-        4 => bytes.truncate(at),
-        5 => {
-            let noise: Vec<u8> = (at..end).map(|_| chance.random()).collect();
-            bytes.splice(at..end, noise);
-        }
-        _ => {
-            // From here the next number, which is most often what matters.
-            let is_part = |b: &u8| b.is_ascii_digit() || *b == b'.' || *b == b'-';
-            let Some(start) = bytes[at..].iter().position(u8::is_ascii_digit) else {
-                return;
-            };
-            let start = at + start;
-            let length = bytes[start..].iter().take_while(|b| is_part(b)).count();
-            let number = NUMBERS.choose(chance).copied().unwrap_or_default();
-            bytes.splice(start..start + length, number.bytes());
-        }
-    }
 }

@@ -15,6 +15,8 @@
 //! How far it has come is kept in FOLDER (`target/fuzz` unless another is given), so that
 //! runs add up; a fault is noted there with the number that plays it again.
 
+#[path = "../../tests/common/damage.rs"]
+mod damage;
 mod files;
 mod sessions;
 

@@ -11,6 +11,7 @@ mod child;
 mod cli;
 #[cfg(target_os = "linux")]
 mod crowd;
+mod damaged_files;
 #[cfg(unix)]
 mod freeze;
 #[cfg(target_os = "linux")]
@@ -51,6 +52,8 @@ mod browser;
 #[allow(dead_code, reason = "the tests of the page use the rest")]
 #[path = "../page/chromium.rs"]
 mod chromium;
+#[path = "../common/damage.rs"]
+mod damage;
 #[path = "../common/folder.rs"]
 mod folder;
 #[path = "../common/handed_in.rs"]
