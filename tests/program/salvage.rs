@@ -194,11 +194,14 @@ fn campaign(
         let wish = StoreRequest::Recall(None);
         let answer = store.answer(&StoreCall { ticket: 0, wish });
         match (&answer.done, &answer.notice) {
+            (StoreReply::Recalled(Ok(_)), Some(notice)) if !notice.contains("is mended") => {
+                // Every page is sound, but a flipped bit has made an answer impossible.
+                assert!(notice.contains("left out"), "{notice}");
+            }
             (StoreReply::Recalled(Ok(_)), Some(notice)) => {
                 figures.mended += 1;
                 let kept = fs::read(folder.path().join("progress-damaged-1.db"));
                 assert!(kept.unwrap() == damaged, "the damaged file is kept");
-                assert!(notice.contains("is mended"), "{notice}");
                 if !name.contains("bit") {
                     assert_counted(notice, &path);
                 }
