@@ -146,8 +146,8 @@ impl Refusal {
                  you in again."
             }
             Self::Later => {
-                "Many are joining from your network at once, or with wrong codes. carrom tries \
-                 again by itself."
+                "Too many devices on your network are joining at once or typing wrong codes. carrom \
+                 tries again by itself."
             }
         }
     }

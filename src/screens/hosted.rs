@@ -134,10 +134,15 @@ impl<S: Screen> Hosted<S> {
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<Pressed<S::Action>> {
+        self.keys_beside(self.screen.view(cx).is_some(), cx)
+    }
+
+    /// The keys, of a screen that has a view or not.
+    fn keys_beside(&self, has_view: bool, cx: &Context) -> KeyTable<Pressed<S::Action>> {
         let own = self.screen.keys(cx).map(Pressed::Own);
-        let own = match self.screen.view(cx) {
-            Some(_) => own.with(view_keys(), Pressed::Shared),
-            None => own,
+        let own = match has_view {
+            true => own.with(view_keys(), Pressed::Shared),
+            false => own,
         };
         // Whatever Escape does here is to go back.
         own.with(shared_keys(), Pressed::Shared)
@@ -162,7 +167,7 @@ impl<S: Screen> Hosted<S> {
         cx: &Context,
         take: impl FnOnce(&SplitLayout, &[Shown<S::Action>], &Writing<S::Action>) -> T,
     ) -> T {
-        let keys = self.keys(cx);
+        let keys = self.keys_beside(true, cx);
         let key = |action: &S::Action| Some(keys.key_of(&Pressed::Own(*action))?.to_string());
         let look = cx.settings.look();
         let page = |rows| keys.key_of(&Pressed::Shared(SharedAction::Scroll(rows)));

@@ -155,7 +155,7 @@ impl Unfinished {
                 panel.gap();
             }
             panel.paragraph(
-                "Taken up, it keeps its address and its code: devices that are still on the page \
+                "If you take it up, it keeps its address and its code: devices that are still on the page \
                  come back by themselves, with every vote. Otherwise it stays in the list of \
                  earlier rounds.",
                 Role::Dim,
@@ -165,7 +165,7 @@ impl Unfinished {
                 beside.fact("code", code.to_string());
             }
             if let Some(address) = round.address() {
-                beside.fact("at", address.to_string());
+                beside.fact("address", address.to_string());
             }
             if let (Some(day), Some(age)) = (kept.day, kept.age) {
                 beside.fact("saved on", long_day(day));

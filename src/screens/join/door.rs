@@ -203,8 +203,10 @@ impl DoorForm {
             };
             let (chosen, point) = (row == at, ListAction::Point(i));
             match self.field_of(row) {
-                Some(field) if chosen => panel.text_field(name, field.around_cursor(), true, point),
-                Some(field) => panel.text_field(name, (field.text(), ""), false, point),
+                Some(field) if chosen => {
+                    panel.text_field(name, field.around_cursor(), true, Some(point));
+                }
+                Some(field) => panel.text_field(name, (field.text(), ""), false, Some(point)),
                 None => panel.row((name, Role::Text), ("", Role::Text), chosen, point),
             }
             panel.gap();

@@ -7,7 +7,7 @@ use super::JoinAction;
 use super::desk::{Desk, Doing};
 use super::link::Link;
 use crate::class::ClassStep;
-use crate::class::protocol::PupilStep;
+use crate::class::protocol::{PupilState, PupilStep};
 use crate::numbers;
 use crate::quiz::{Form, Illustration, Question, Response, letter};
 use crate::screens::View;
@@ -29,7 +29,7 @@ pub(super) fn view<'s>(desk: &'s Desk, link: &Link, answers: usize) -> View<'s, 
         _ => (kind.to_owned(), step_name(desk.state.step)),
     };
     let mut panel = Panel::new(name);
-    panel.subject = desk.state.q;
+    panel.subject = subject(&desk.state);
     write(desk, link, answers, &mut panel);
     match &desk.question {
         Some(question) if !matches!(question.picture, Illustration::Nothing) => View::picture(
@@ -54,6 +54,16 @@ fn draw(desk: &Desk, question: &Question, area: Rect, buf: &mut Buffer, look: &L
         Doing::Vote(asking) => draw_question(area, buf, look, question, Some(asking.input())),
         Doing::Look => draw_question(area, buf, look, question, None),
     }
+}
+
+/// A number for each step of each question: what is read at another one begins at its top.
+fn subject(state: &PupilState) -> usize {
+    let step = match state.step {
+        PupilStep::Asked(step) => 2 + step as usize,
+        PupilStep::Lobby => 0,
+        PupilStep::End => 1,
+    };
+    16 * state.q + step
 }
 
 /// What a step is called.
@@ -218,7 +228,7 @@ fn standing(desk: &Desk, input: &AnswerInput, link: &Link) -> Option<(&'static s
             "Your vote is in. You may change it until all go on.",
             Role::Good,
         ),
-        (false, true) => ("Your earlier vote is in, until you vote again.", Role::Text),
+        (false, true) => ("Your earlier vote counts until you vote again.", Role::Text),
         (false, false) if desk.state.step == PupilStep::Asked(ClassStep::SecondVote) => {
             ("Your first vote counts unless you vote again.", Role::Text)
         }
@@ -266,7 +276,7 @@ fn write_sure(question: &Question, asking: &Asking, panel: &mut Panel<JoinAction
     });
     panel.gap();
     panel.line("You say", Role::Dim);
-    asking.write_said(&question.form, "", panel);
+    asking.write_said(&question.form, panel);
     panel.gap();
     panel.prompt("that is my vote", JoinAction::Ask(AskingAction::Take));
     panel.paragraph("How sure you are changes no points here.", Role::Dim);

@@ -43,7 +43,7 @@ pub(super) fn confidence(asked: &OpenQuestion, told_at_end: bool, panel: &mut Pa
     });
     panel.gap();
     panel.line("You said", Role::Dim);
-    asked.asking.write_said(&asked.question.form, "", panel);
+    asked.asking.write_said(&asked.question.form, panel);
     panel.worth(2, |panel| {
         panel.gap();
         let advice = "Be honest with yourself: that is what brings most points.";

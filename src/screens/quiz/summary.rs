@@ -39,7 +39,7 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
     }
     leads::write(summary.passage(), book, QuizAction::ReadUp, &mut panel);
     if quiz.found().is_some() {
-        let check = "then check with two questions what became of it";
+        let check = "check with two questions whether you still believe it";
         panel.prompt(check, QuizAction::Check);
     }
     if let Some(command) = for_a_friend(quiz.round.code()) {

@@ -13,7 +13,7 @@ pub(super) fn view<'s>(screen: &SettingsScreen, cx: &'s Context) -> View<'s, Set
     });
     if let Some(typed) = &screen.typed {
         form.gap();
-        form.typed("name", typed.text(), typed.shown());
+        form.text_field("name", typed.around_cursor(), true, None);
     }
     let mut about = Panel::new("this setting");
     screen.form.write_about(&cx.settings, &mut about);

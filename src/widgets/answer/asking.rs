@@ -125,13 +125,13 @@ impl Asking {
         }
     }
 
-    /// Writes what is said; `mark` stands before an answer in words.
-    pub(crate) fn write_said<A>(&self, form: &Form, mark: &str, panel: &mut Panel<A>) {
+    /// Writes what is said so far.
+    pub(crate) fn write_said<A>(&self, form: &Form, panel: &mut Panel<A>) {
         if let (AnswerInput::Rays(rays), Form::Rays { target, .. }) = (&self.input, form) {
             return rays.write_said(target, panel);
         }
         if let Some(said) = self.input.said() {
-            panel.marked(mark, lettered(form, &said), Role::Predicted);
+            panel.paragraph(lettered(form, &said), Role::Predicted);
         }
     }
 }

@@ -271,12 +271,6 @@ fn write<A: Copy + PartialEq>(
                 action,
             }));
         }
-        Content::Typed { name, text, shown } => {
-            let words = |_| Words::text_field(name, text);
-            lines.clicked_as(words, Some(true), |lines| {
-                lines.line(&format!("  {name}: {shown}"), Role::Selected);
-            });
-        }
         Content::Marked { mark, text, role } => lines.hanging(mark, text, *role),
         Content::Meter { name, share, value } => {
             let beside = text::width(name) + text::width(value).max(SHARE) + 4;
@@ -335,11 +329,11 @@ fn write<A: Copy + PartialEq>(
                 let row = format!("{mark} {label:LABEL$}{before}{cursor}{after} ");
                 lines.line(&row, role);
             });
-            targets.push(Target {
+            targets.extend(action.map(|action| Target {
                 rows: from..lines.written(),
                 columns: 0..text_width,
-                action: *action,
-            });
+                action,
+            }));
         }
         Content::Table { columns, rows } => write_table(columns, rows, lines, targets),
         Content::Prompts(prompts) => write_prompts(prompts, lines, writing, targets),

@@ -81,12 +81,6 @@ pub(crate) enum Content<A> {
         /// What a click on it does.
         action: Option<A>,
     },
-    /// A text that is being typed: what it is, it so far, and the same with its cursor.
-    Typed {
-        name: String,
-        text: String,
-        shown: String,
-    },
     /// A text behind a mark, under which nothing else stands.
     Marked {
         mark: String,
@@ -121,7 +115,7 @@ pub(crate) enum Content<A> {
         typed: [String; 2],
         chosen: bool,
         /// What a click on it does.
-        action: A,
+        action: Option<A>,
     },
     /// Rows of cells under heads, each of which can be chosen.
     Table {
@@ -320,16 +314,6 @@ impl<A> Panel<A> {
         });
     }
 
-    /// A text that is being typed: what it is called, and what has been typed so far, with
-    /// and without a mark for the cursor.
-    pub(crate) fn typed(&mut self, name: &str, text: &str, shown: String) {
-        self.push(Content::Typed {
-            name: name.to_owned(),
-            text: text.to_owned(),
-            shown,
-        });
-    }
-
     /// A text behind a mark, under which nothing else stands.
     pub(crate) fn marked(&mut self, mark: &str, text: impl Into<String>, role: Role) {
         self.push(Content::Marked {
@@ -380,7 +364,7 @@ impl<A> Panel<A> {
         label: impl Into<String>,
         (before, after): (&str, &str),
         chosen: bool,
-        action: A,
+        action: Option<A>,
     ) {
         self.push(Content::TextField {
             label: label.into(),
@@ -456,7 +440,6 @@ impl<A> Content<A> {
                 locked,
                 action: action.map(wrap),
             },
-            Self::Typed { name, text, shown } => Content::Typed { name, text, shown },
             Self::Marked { mark, text, role } => Content::Marked { mark, text, role },
             Self::Meter { name, share, value } => Content::Meter { name, share, value },
             Self::Choice {
@@ -490,7 +473,7 @@ impl<A> Content<A> {
                 label,
                 typed,
                 chosen,
-                action: wrap(action),
+                action: action.map(wrap),
             },
             Self::Table { columns, rows } => {
                 let rows = rows.into_iter().map(|row| TableRow {
