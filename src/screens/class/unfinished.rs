@@ -165,7 +165,7 @@ impl Unfinished {
                 beside.fact("code", code.to_string());
             }
             if let Some(address) = round.address() {
-                beside.fact("address", address.to_string());
+                beside.fact("at", address.to_string());
             }
             if let (Some(day), Some(age)) = (kept.day, kept.age) {
                 beside.fact("saved on", long_day(day));
