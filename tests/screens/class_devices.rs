@@ -207,11 +207,13 @@ fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
             class.settle();
             let screen = class.game(ada).screen();
             assert_eq!(screen.contains("Trying"), !is_in, "{screen}");
+            let mut tapped = 0;
             for (letter, _) in choices(&screen) {
                 // What was chosen before may have scrolled it elsewhere.
                 let screen = class.game(ada).screen();
                 let drawn = choices(&screen).into_iter().find(|(it, _)| *it == letter);
                 let Some((_, at)) = drawn else { continue };
+                tapped += 1;
                 tap(&mut class, ada, at);
                 let chosen = class.game(ada).screen();
                 assert!(chosen.contains("How sure"), "{letter} {at:?}:\n{screen}");
@@ -225,6 +227,7 @@ fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
                 assert!(same.contains("How sure"), "a heading votes:\n{same}");
                 press(&mut class, ada, "<Escape>", "A ");
             }
+            assert!(tapped >= 2, "{tapped}:\n{screen}");
         }
         // The confidence that is seen is the one that is voted.
         let seen = choices(&class.game(ada).screen());
