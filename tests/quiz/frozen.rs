@@ -1,11 +1,14 @@
-//! Every question that a seed brings, held by a hash of all that makes it: figures, truth,
-//! choices, what misconceptions answer, and every word.
+//! Two kinds of snapshots of the questions that seeds and codes bring.
 //!
-//! Questions are a format: a code is to bring the same round in every version. A change of
-//! one of these hashes has to be a change of wording on purpose. With `CARROM_QUESTIONS` set
-//! to a folder the questions are written there, one JSON object a line and one file a
-//! family, so that two versions can be compared.
+//! The draws are a format: a code must bring the same round in every version. One hash a family
+//! holds all of them but the words: figures, truth, the order of the choices, what misconceptions
+//! answer. None of these hashes may ever change. With `CARROM_QUESTIONS` set to a folder, what is
+//! hashed is written there, one JSON object a line and one file a family, so that two versions can
+//! be compared.
+//!
+//! The words may change; each change is seen in one text file a family.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -79,7 +82,7 @@ fn form(form: &Form) -> Value {
         Form::Number { quantity, truth } => {
             json!({ "number": number(*truth), "quantity": quantity.id() })
         }
-        Form::Choice { options, right } => json!({ "options": options, "right": right }),
+        Form::Choice { options, right } => json!({ "options": options.len(), "right": right }),
         Form::Shot(aim) => json!({
             "shot": number(aim.offset),
             "ray": format!("{:?}", aim.ray),
@@ -89,8 +92,8 @@ fn form(form: &Form) -> Value {
     }
 }
 
-/// All of a question.
-fn written(question: &Question) -> Value {
+/// All of a question but its words.
+fn drawn(question: &Question) -> Value {
     let beliefs: Vec<Value> = question
         .beliefs
         .iter()
@@ -99,7 +102,6 @@ fn written(question: &Question) -> Value {
                 "id": it.misconception.id(),
                 "said": said(&it.said),
                 "telltale": it.telltale.map(|ray| format!("{ray:?}")),
-                "says": it.says,
             })
         })
         .collect();
@@ -107,12 +109,10 @@ fn written(question: &Question) -> Value {
         "family": question.family.id(),
         "difficulty": question.difficulty.id(),
         "topic": question.topic.id(),
-        "text": question.text,
         "picture": picture(&question.picture),
         "form": form(&question.form),
         "beliefs": beliefs,
-        "replies": question.replies,
-        "why": question.why,
+        "replies": question.replies.keys().collect::<Vec<_>>(),
         "figures": question.figures,
     })
 }
@@ -131,7 +131,7 @@ fn lines(family: Family, seeds: u64) -> String {
             "seed": seed,
             "draws": draws,
             "next": dice.below(1_000_000),
-            "question": written(&question),
+            "question": drawn(&question),
         });
         let _ = writeln!(text, "{line}");
     }
@@ -195,7 +195,7 @@ fn rounds(codes: &[&str]) -> String {
     let mut text = String::new();
     for code in codes {
         let round = Round::of(Code::parse(code).unwrap());
-        let questions: Vec<Value> = round.questions().iter().map(written).collect();
+        let questions: Vec<Value> = round.questions().iter().map(drawn).collect();
         let _ = writeln!(text, "{}", json!({ "code": code, "questions": questions }));
     }
     text
@@ -231,4 +231,57 @@ fn a_code_of_what_was_read_brings_the_same_round_for_ever() {
 fn a_code_of_the_even_course_brings_the_same_round_for_ever() {
     let text = rounds(&["even-7", "even-1234", "even20-42"]);
     insta::assert_snapshot!("codes-even", kept("codes-even", &text));
+}
+
+/// The words of a question, each with what they are for.
+fn words(question: &Question) -> Vec<(String, &str)> {
+    let mut words = vec![
+        ("asks".to_owned(), question.text.as_str()),
+        ("why".to_owned(), &question.why),
+    ];
+    if let Form::Choice { options, .. } = &question.form {
+        words.extend(options.iter().map(|it| ("choice".to_owned(), it.as_str())));
+    }
+    let replies = question.replies.values();
+    words.extend(replies.map(|it| ("reply".to_owned(), it.as_str())));
+    let beliefs = question.beliefs.iter();
+    words.extend(beliefs.map(|it| (it.misconception.id().to_owned(), it.says.as_str())));
+    words
+}
+
+/// A text with every number as its form: "18.0°" and "7.5°" are both "#.0°", so that what
+/// differs in figures alone is the same text.
+fn without_figures(text: &str) -> String {
+    let mut result = String::new();
+    let mut decimals = false;
+    for c in text.chars() {
+        match c {
+            '0'..='9' if decimals => result.push('0'),
+            '0'..='9' if result.ends_with('#') => {}
+            '0'..='9' => result.push('#'),
+            c => {
+                decimals = c == '.' && result.ends_with('#');
+                result.push(c);
+            }
+        }
+    }
+    result
+}
+
+/// Those of the written questions stand in `assets/concepts`.
+#[test]
+fn the_words_of_each_family() {
+    let families = Family::ALL.iter().filter(|it| **it != Family::Concept);
+    for family in families {
+        let mut all = BTreeSet::new();
+        for difficulty in Difficulty::ALL {
+            for seed in 0..20 {
+                let (question, _) = family.ask(difficulty, &mut Dice::new(seed)).unwrap();
+                let words = words(&question).into_iter();
+                all.extend(words.map(|(of, text)| format!("{of}: {}", without_figures(text))));
+            }
+        }
+        let lines: Vec<String> = all.into_iter().collect();
+        insta::assert_snapshot!(format!("words-{}", family.id()), lines.join("\n"));
+    }
 }
