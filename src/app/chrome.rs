@@ -5,14 +5,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 use ratatui::widgets::{Clear, Widget};
 
-use super::layer::AppLayer;
+use super::layer::{AppLayer, LayerAction};
 use super::{App, SMALLEST};
 use crate::screens::AnyScreen;
-use crate::widgets::flow::Run;
+use crate::widgets::panel::{Panel, Writing};
 use crate::widgets::panels::draw_panel;
-use crate::widgets::{
-    Charset, Lines, Look, Role, SheetKind, Words, areas, keys, overflow, sheet, text,
-};
+use crate::widgets::{Charset, Look, Role, SheetKind, areas, keys, sheet, text};
 
 /// The part of a screen of this size that belongs to the screen on top.
 pub(super) fn body(size: Rect) -> Rect {
@@ -45,23 +43,7 @@ pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
     let help = help.map(|row| (row.shown(), "help"));
     key_line(rows.chain(help), area, buf, look);
     for layer in &app.layers {
-        match layer {
-            AppLayer::Help { scrolled } => {
-                let title = format!("help: {}", screen.title());
-                sheet::begin(SheetKind::Help, &title, "");
-                // All of the body: what looks out beside the page would only be cut words.
-                let page = framed(&title, (centred(body), body), buf, look);
-                write_help(app, screen.as_ref(), &mut page.scrolled(*scrolled));
-            }
-            AppLayer::Notice(words) => {
-                sheet::begin(SheetKind::Notice, "please note", "");
-                show_note("please note", words, body, buf, look);
-            }
-            AppLayer::Confirm(question) | AppLayer::Leave(question) => {
-                sheet::begin(SheetKind::Question, "please say", "");
-                show_note("please say", &question.text, body, buf, look);
-            }
-        }
+        draw_layer(app, layer, body, buf);
     }
     if let Some(layer) = app.layers.last() {
         let close = match layer {
@@ -131,11 +113,27 @@ fn key_line(
     buf.set_line(row.x, row.y, &line, row.width);
 }
 
-/// Writes the help page of a screen.
-fn write_help(app: &App, screen: &dyn AnyScreen, lines: &mut Lines) {
+/// What a layer says.
+fn panel_of(app: &App, layer: &AppLayer) -> Panel<LayerAction> {
+    let (title, words) = match layer {
+        AppLayer::Help { .. } => return help(app),
+        AppLayer::Notice(words) => ("please note", words),
+        AppLayer::Confirm(question) | AppLayer::Leave(question) => ("please say", &question.text),
+    };
+    let mut panel = Panel::new(title);
+    panel.paragraph(words, Role::Text);
+    panel
+}
+
+/// The help page of the screen on top.
+fn help(app: &App) -> Panel<LayerAction> {
+    let Some(screen) = app.stack.last() else {
+        return Panel::new("help");
+    };
+    let mut panel = Panel::new(format!("help: {}", screen.title()));
     for paragraph in screen.about(&app.context) {
-        lines.paragraph(paragraph, Role::Text);
-        lines.gap();
+        panel.paragraph(paragraph, Role::Text);
+        panel.gap();
     }
     let table = screen.table(&app.context);
     let rows = table.rows().iter().map(|row| (row.shown(), row.help));
@@ -143,18 +141,54 @@ fn write_help(app: &App, screen: &dyn AnyScreen, lines: &mut Lines) {
     let widest = all.iter().map(|(keys, _)| text::width(keys)).max();
     let column = widest.unwrap_or(0) + 2;
     for (keys, does) in &all {
-        lines.hanging(&format!("{keys:column$}"), does, Role::Dim);
+        panel.marked(&format!("{keys:column$}"), *does, Role::Dim);
     }
+    panel
 }
 
 /// How far the help page can be scrolled.
 pub(super) fn help_overflow(app: &App) -> u16 {
-    let Some(screen) = app.stack.last() else {
-        return 0;
-    };
     let inside = centred(app.context.body).inner(Margin::new(1, 1));
-    let write = |lines: &mut Lines| write_help(app, screen.as_ref(), lines);
-    overflow(inside, app.settings().look(), write)
+    let writing = Writing::without_keys(app.settings().look());
+    help(app).placed(inside, &writing).overflow()
+}
+
+/// Draws a layer: a help page in all of the body, as what looks out beside it would only be
+/// cut words; anything else at its foot, where something of the screen can still be seen.
+fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
+    let writing = Writing::without_keys(app.settings().look());
+    let panel = panel_of(app, layer);
+    let columns = centred(body);
+    let (kind, scrolled, frame) = match layer {
+        AppLayer::Help { scrolled } => (SheetKind::Help, *scrolled, columns),
+        layer => {
+            let kind = match layer {
+                AppLayer::Notice(_) => SheetKind::Notice,
+                _ => SheetKind::Question,
+            };
+            let rows = panel.placed(columns.inner(Margin::new(1, 1)), &writing);
+            let height = (rows.rows() + 2).min(body.height / 2);
+            let y = body.bottom().saturating_sub(height);
+            (
+                kind,
+                0,
+                Rect {
+                    y,
+                    height,
+                    ..columns
+                },
+            )
+        }
+    };
+    sheet::begin(kind, &panel.title, "");
+    let look = writing.look;
+    clear(
+        if kind == SheetKind::Help { body } else { frame },
+        buf,
+        look,
+    );
+    let inside = draw_panel(buf, frame, &panel.title, look.charset, &look.theme);
+    panel.placed(inside, &writing).draw(scrolled, buf, &writing);
 }
 
 /// The columns of the body in which something lies over it.
@@ -165,42 +199,6 @@ fn centred(body: Rect) -> Rect {
 fn clear(area: Rect, buf: &mut Buffer, look: Look) {
     Clear.render(area, buf);
     buf.set_style(area, look.theme.base());
-}
-
-/// Clears an area and draws an empty frame there, to be written into.
-fn framed<'a>(
-    title: &str,
-    (frame, cleared): (Rect, Rect),
-    buf: &'a mut Buffer,
-    look: Look,
-) -> Lines<'a> {
-    clear(cleared, buf, look);
-    let inside = draw_panel(buf, frame, title, look.charset, &look.theme);
-    Lines::new(inside, buf, look)
-}
-
-/// Shows what the player is told or asked, at the foot of the body.
-fn show_note(title: &str, words: &str, body: Rect, buf: &mut Buffer, look: Look) {
-    let columns = centred(body);
-    let words = look.charset.text(words);
-    // Whatever it says, it leaves something of the screen to be seen.
-    let mut lines = text::wrap(&words, columns.width.saturating_sub(4).into());
-    lines.truncate(usize::from(body.height / 2).saturating_sub(2));
-    let height = lines.len() as u16 + 2;
-    let y = body.bottom().saturating_sub(height);
-    let frame = Rect {
-        y,
-        height,
-        ..columns
-    };
-    let mut note = framed(title, (frame, frame), buf, look);
-    let all = Run::new(words.clone(), Role::Text);
-    note.written_as(
-        |_| Words::text(all),
-        |note| {
-            lines.iter().for_each(|line| note.line(line, Role::Text));
-        },
-    );
 }
 
 /// The last word on the promise that an ASCII screen holds nothing else: names and

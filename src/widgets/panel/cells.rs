@@ -21,6 +21,17 @@ pub(crate) struct Writing<'w, A> {
     pub pages: Option<[String; 2]>,
 }
 
+impl<A> Writing<'_, A> {
+    /// Without the names of keys.
+    pub(crate) fn without_keys(look: Look) -> Self {
+        Self {
+            look,
+            key: &|_| None,
+            pages: None,
+        }
+    }
+}
+
 /// A panel laid out: the blocks that have room, and where each stands.
 pub(crate) struct Placed<'p, A> {
     /// Where what stays in sight stands, and where the rest is.
@@ -127,6 +138,11 @@ impl<A: Copy + PartialEq> Panel<A> {
 }
 
 impl<A: Copy + PartialEq> Placed<'_, A> {
+    /// Rows of all that can be scrolled.
+    pub(crate) fn rows(&self) -> u16 {
+        self.rows
+    }
+
     /// Rows that the area has no room for.
     pub(crate) fn overflow(&self) -> u16 {
         self.rows.saturating_sub(self.area.height)
@@ -191,11 +207,7 @@ pub(crate) fn written<A: Copy + PartialEq>(
 ) {
     let mut panel = Panel::new("");
     write_into(&mut panel);
-    let writing = Writing {
-        look: lines.look(),
-        key: &|_| None,
-        pages: None,
-    };
+    let writing = Writing::without_keys(lines.look());
     for block in &panel.blocks {
         write(&block.content, lines, &writing, &mut Vec::new());
     }
