@@ -19,6 +19,8 @@
 mod damage;
 mod files;
 mod sessions;
+#[path = "../../tests/common/tour.rs"]
+mod tour;
 
 use std::any::Any;
 use std::error::Error;

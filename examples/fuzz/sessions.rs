@@ -7,7 +7,6 @@ use carrom::class::{SeatToken, Vote};
 use carrom::messages::{HostNews, Input, JoinNews, Key, Mouse, MouseKind};
 use carrom::screens::Settings;
 use carrom::shells::Headless;
-use carrom::shells::tour::TOUR;
 use carrom::widgets::input::KeyRow;
 use carrom::widgets::{Charset, Depth, Palette};
 use rand::seq::IndexedRandom;
@@ -15,6 +14,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use ratatui::buffer::Cell;
 
+use crate::tour::TOUR;
 use crate::{Fault, watched};
 
 /// The most inputs of a session.

@@ -1,44 +1,35 @@
 //! `carrom keys`: all keys, as a file in which they can be changed.
 
-use std::fmt::Write;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::{Failure, GlobalOptions};
 use crate::files::{self, Fields, FileErrors, Source};
 use crate::messages::Key;
-use crate::shells::tour::{AllKeys, all_keys};
 use crate::widgets::input::Rebound;
 
 /// Name of the file in the folder for data.
 pub(super) const FILE: &str = "keys.toml";
 /// Format of the file.
 const FORMAT: u32 = 1;
+/// The keys that do something unless they are rebound, and what. The tests of the screens compare it
+/// with the tables of all screens, and write it when snapshots are accepted.
+const USUAL: &str = include_str!("../../assets/keys.toml");
 /// Largest file that is read, in bytes.
 const LARGEST: usize = 64 * 1024;
 
 pub(super) fn run(options: &GlobalOptions) -> Result<(), Failure> {
     let place = options.data_dir().map(|folder| folder.join(FILE));
     let place = place.map_or(FILE.into(), |place| place.display().to_string());
-    let mut text = format!(
+    let text = format!(
         "# Keys of carrom. To change some, put their lines, with the two below, into\n\
          # {place}\n\
          # A key is a character, or one of Up Down Left Right Enter Escape Tab Shift+Tab\n\
          # Backspace Delete Space PageUp PageDown Home End F1 to F12 Ctrl+A to Ctrl+Z. Give as\n\
          # many as the line has, in the same order.\n\
-         format = {FORMAT}\n\n[keys]\n"
+         format = {FORMAT}\n\n[keys]\n{USUAL}"
     );
-    for (id, (keys, help)) in all_keys() {
-        let keys: Vec<_> = keys
-            .into_iter()
-            .map(|key| quoted(&key.to_string()))
-            .collect();
-        let _ = writeln!(text, "\"{id}\" = [{}]  # {help}", keys.join(", "));
-    }
     Ok(super::print(text.as_bytes())?)
-}
-
-fn quoted(text: &str) -> String {
-    toml::Value::from(text).to_string()
 }
 
 /// The keys that the player has chosen in a file; none where there is no such file.
@@ -55,7 +46,7 @@ pub(super) fn read(path: &Path) -> Result<Rebound, FileErrors> {
     let known = ["format", "keys"];
     source.document("keys of carrom", FORMAT, &known, |fields| {
         let table = fields.table("keys", &[])?;
-        let all = all_keys();
+        let all: BTreeMap<String, Vec<String>> = toml::from_str(USUAL).unwrap_or_default();
         let rows = table
             .names()
             .map(|id| Some((present(id).to_owned(), row(&table, id, &all)?)));
@@ -72,8 +63,8 @@ fn present(id: &str) -> &str {
 }
 
 /// The keys that a line of the file gives.
-fn row(table: &Fields, id: &str, all: &AllKeys) -> Option<Vec<Key>> {
-    let Some((usual, _)) = all.get(present(id)) else {
+fn row(table: &Fields, id: &str, all: &BTreeMap<String, Vec<String>>) -> Option<Vec<Key>> {
+    let Some(usual) = all.get(present(id)) else {
         return table.refuse(id, "there is no such action; carrom keys lists them all");
     };
     let keys = table.texts(id, 1..=usual.len(), 9)?;

@@ -19,7 +19,6 @@ pub mod search;
 pub mod tape;
 #[cfg(not(target_family = "wasm"))]
 pub mod terminal;
-pub mod tour;
 
 pub use classroom::Classroom;
 pub use headless::Headless;

@@ -8,13 +8,14 @@ use carrom::game::SavedGame;
 use carrom::messages::{Key, MouseKind, StoreCall, StoreRequest};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
-use carrom::shells::tour::{TOUR, all_keys};
 use carrom::store::Store;
 use carrom::widgets::input::{KeyRow, Rebound};
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use ratatui::buffer::Buffer;
+
+use crate::tour::TOUR;
 
 /// A moment of the tour, or one that only this test can reach.
 pub(crate) struct Moment {
@@ -69,8 +70,12 @@ fn end_of_a_board() -> Headless {
 
 /// The computer's turn, while what it will do is not found yet.
 fn the_computer_thinks() -> Headless {
+    the_computers_turn(Headless::without_searches)
+}
+
+fn the_computers_turn(of: impl Fn(Headless) -> Headless) -> Headless {
     let app = App::new(Place::Table, Settings::default(), 7);
-    let mut game = Headless::from(app).without_searches();
+    let mut game = of(app.into());
     game.press("<Enter><Space><End><Space>");
     game.pass(Duration::from_secs(1));
     game
@@ -346,9 +351,51 @@ fn a_rebound_key_works_wherever_its_row_is_and_its_help_says_so() {
     }
 }
 
+/// All keys there are, a line each as in `keys.toml`.
+fn all_keys() -> String {
+    let mut all = BTreeMap::new();
+    let computer_aims = the_computers_turn(|game| game);
+    for game in moments().map(|it| it.game()).chain([computer_aims]) {
+        for row in game.app().keys().rows() {
+            let keys: Vec<String> = row.keys().map(|key| quoted(&key.to_string())).collect();
+            let known = all
+                .entry(quoted(&row.id))
+                .or_insert((keys.clone(), row.help));
+            if keys.len() > known.0.len() {
+                known.0 = keys;
+            }
+        }
+    }
+    let line = |(id, (keys, help)): (_, (Vec<String>, _))| {
+        format!("{id} = [{}]  # {help}\n", keys.join(", "))
+    };
+    all.into_iter().map(line).collect()
+}
+
+fn quoted(text: &str) -> String {
+    toml::Value::from(text).to_string()
+}
+
+#[test]
+fn carrom_keys_prints_the_keys_of_all_tables() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/keys.toml");
+    let all = all_keys();
+    if std::env::var("INSTA_UPDATE").is_ok_and(|it| it == "always") {
+        std::fs::write(path, &all).unwrap();
+    }
+    let kept = std::fs::read_to_string(path).unwrap();
+    let lines = |text: &str| text.lines().map(str::to_owned).collect::<BTreeSet<_>>();
+    let (kept, all) = (lines(&kept), lines(&all));
+    let differing: Vec<_> = kept.symmetric_difference(&all).collect();
+    assert!(
+        differing.is_empty(),
+        "accept with INSTA_UPDATE=always: {differing:#?}"
+    );
+}
+
 #[test]
 fn every_row_met_on_a_walk_can_be_rebound() {
-    let known = all_keys();
+    let known: toml::Table = all_keys().parse().unwrap();
     let mut unknown = BTreeMap::new();
     let mut random = Pcg64::seed_from_u64(1);
     for moment in moments() {

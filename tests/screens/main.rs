@@ -28,3 +28,5 @@ mod targets;
 mod folder;
 #[path = "../common/keys.rs"]
 mod keys;
+#[path = "../common/tour.rs"]
+mod tour;

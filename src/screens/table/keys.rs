@@ -176,7 +176,7 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
 }
 
 /// The keys while the computer's aim is seen.
-pub(crate) fn computer_aims() -> KeyTable<TableAction> {
+fn computer_aims() -> KeyTable<TableAction> {
     KeyTable::new("table")
         .on(' ', Do::StrikeShown, "strike")
         .or([(Key::Enter, Do::StrikeShown)])
@@ -185,7 +185,7 @@ pub(crate) fn computer_aims() -> KeyTable<TableAction> {
 }
 
 /// The keys with which the next board is begun.
-pub(crate) fn end_of_board() -> KeyTable<TableAction> {
+fn end_of_board() -> KeyTable<TableAction> {
     KeyTable::new("table")
         .on(Key::Enter, Do::NextBoard, "next")
         .or([(' ', Do::NextBoard)])

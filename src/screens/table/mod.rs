@@ -30,7 +30,6 @@ use crate::messages::Input;
 use crate::widgets::input::KeyTable;
 use active_game::ActiveGame;
 use keys::TableAction;
-pub(crate) use keys::{computer_aims, end_of_board};
 use new_game::NewGame;
 pub use options::{Aids, Options, Player};
 use saved_games::SavedGames;

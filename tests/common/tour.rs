@@ -1,28 +1,23 @@
-//! A tour of moments in which keys mean something: for the table of all keys, and
-//! for the test that walks through them.
+//! A tour of the moments in which keys mean something.
 
-use std::collections::BTreeMap;
-
-use super::classroom::Who;
-use super::{Classroom, Headless};
-use crate::app::App;
-use crate::messages::Key;
-use crate::quiz::Code;
-use crate::screens::{Place, Settings};
-use crate::widgets::input::KeyTable;
+use carrom::app::App;
+use carrom::quiz::Code;
+use carrom::screens::{Place, Settings};
+use carrom::shells::classroom::Who;
+use carrom::shells::{Classroom, Headless};
 
 /// One moment: where the game is opened, and the keys that lead there from that place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct TourStop {
+pub(crate) struct TourStop {
     /// What it is called.
-    pub name: &'static str,
+    pub(crate) name: &'static str,
     /// The place, as in the command line: "quiz mixed-7".
     place: &'static str,
     /// The keys that lead there, as [`Headless::press`] takes them.
     keys: &'static str,
     /// Whether keys beside those of the table mean something there: letters that are typed, or
     /// any key at all, which closes the help.
-    pub takes_any: bool,
+    pub(crate) takes_any: bool,
 }
 
 const fn moment(name: &'static str, place: &'static str, keys: &'static str) -> TourStop {
@@ -67,7 +62,7 @@ const TO_THE_END: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><E
 const THREE_RIGHT: &str = "<Enter>60<Enter>30<Enter><Escape><Enter>60<Enter>30<Enter><Escape><Enter>60<Enter>30<Enter><Escape>v";
 
 /// A moment of every phase of every screen.
-pub const TOUR: &[TourStop] = &[
+pub(crate) const TOUR: &[TourStop] = &[
     moment("home", "home", ""),
     moment("contents of Learn", "learn", ""),
     moment("contents, a chapter begun", "learn", "<Enter>n<Escape>"),
@@ -239,7 +234,7 @@ pub const TOUR: &[TourStop] = &[
 
 impl TourStop {
     /// The game at this moment, on a screen of 80 by 24.
-    pub fn game(&self, settings: Settings) -> Headless {
+    pub(crate) fn game(&self, settings: Settings) -> Headless {
         let (place, rest) = self.place.split_once(' ').unwrap_or((self.place, ""));
         let number = || rest.parse::<usize>().unwrap_or(1).saturating_sub(1);
         let (place, code) = place.split_once(':').unwrap_or((place, ON_DEVICES));
@@ -284,11 +279,6 @@ impl TourStop {
         game.press(self.keys);
         game
     }
-
-    /// The keys that mean something at this moment, as the player has them.
-    pub fn keys(&self, settings: Settings) -> KeyTable<()> {
-        self.game(settings).app().keys()
-    }
 }
 
 /// A class of two on devices of their own, after the teacher has pressed these keys; the
@@ -323,29 +313,4 @@ fn devices(
     class.game(Who::Host).press(teachers);
     class.settle();
     class.into_game(choose(ada))
-}
-
-/// Keys by their rows' names, each row with what it does.
-pub type AllKeys = BTreeMap<String, (Vec<Key>, &'static str)>;
-
-/// All keys there are, by their names in `keys.toml`: the keys that do it unless they are
-/// rebound, and what it is.
-pub fn all_keys() -> AllKeys {
-    let mut all = BTreeMap::new();
-    let tour = TOUR.iter().map(|moment| moment.keys(Settings::default()));
-    // A whole board would have to be played for the one, a stroke searched for the other.
-    let end = crate::screens::table::end_of_board().map(|_| ());
-    let aim = crate::screens::table::computer_aims().map(|_| ());
-    for table in tour.chain([end, aim]) {
-        for row in table.rows() {
-            let keys: Vec<Key> = row.keys().collect();
-            let known = all
-                .entry(row.id.clone())
-                .or_insert((keys.clone(), row.help));
-            if keys.len() > known.0.len() {
-                known.0 = keys;
-            }
-        }
-    }
-    all
 }
