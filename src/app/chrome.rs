@@ -146,17 +146,25 @@ fn help(app: &App) -> Panel<LayerAction> {
     panel
 }
 
+/// How a layer is written.
+fn writing(app: &App) -> Writing {
+    Writing {
+        look: app.settings().look(),
+        pages: None,
+    }
+}
+
 /// How far the help page can be scrolled.
 pub(super) fn help_overflow(app: &App) -> u16 {
     let inside = centred(app.context.body).inner(Margin::new(1, 1));
-    let writing = Writing::without_keys(app.settings().look());
-    help(app).placed(inside, &writing).overflow()
+    let writing = writing(app);
+    help(app).placed(inside, &writing, &|_| None).overflow()
 }
 
 /// Draws a layer: a help page in all of the body, as what looks out beside it would only be
 /// cut words; anything else at its foot, where something of the screen can still be seen.
 fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
-    let writing = Writing::without_keys(app.settings().look());
+    let writing = writing(app);
     let panel = panel_of(app, layer);
     let columns = centred(body);
     let (kind, scrolled, frame) = match layer {
@@ -166,7 +174,7 @@ fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
                 AppLayer::Notice(_) => SheetKind::Notice,
                 _ => SheetKind::Question,
             };
-            let rows = panel.placed(columns.inner(Margin::new(1, 1)), &writing);
+            let rows = panel.placed(columns.inner(Margin::new(1, 1)), &writing, &|_| None);
             let height = (rows.rows() + 2).min(body.height / 2);
             let y = body.bottom().saturating_sub(height);
             (
@@ -188,7 +196,9 @@ fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
         look,
     );
     let inside = draw_panel(buf, frame, &panel.title, look.charset, &look.theme);
-    panel.placed(inside, &writing).draw(scrolled, buf, &writing);
+    panel
+        .placed(inside, &writing, &|_| None)
+        .draw(scrolled, buf, &writing);
 }
 
 /// The columns of the body in which something lies over it.

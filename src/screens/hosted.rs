@@ -110,9 +110,9 @@ struct Scrolled {
 }
 
 /// A panel laid out, scrolled as far as it is.
-struct Shown<'p, A> {
+struct Shown<'p> {
     of: (&'p str, usize),
-    placed: Placed<'p, A>,
+    placed: Placed<'p>,
     area: Rect,
     rows: u16,
 }
@@ -165,7 +165,7 @@ impl<S: Screen> Hosted<S> {
         &self,
         view: &View<S::Action>,
         cx: &Context,
-        take: impl FnOnce(&SplitLayout, &[Shown<S::Action>], &Writing<S::Action>) -> T,
+        take: impl FnOnce(&SplitLayout, &[(&Panel<S::Action>, Shown)], &Writing) -> T,
     ) -> T {
         let keys = self.keys_beside(true, cx);
         let key = |action: &S::Action| Some(keys.key_of(&Pressed::Own(*action))?.to_string());
@@ -175,8 +175,7 @@ impl<S: Screen> Hosted<S> {
             (Some(back), Some(on)) => Some([back.to_string(), on.to_string()]),
             _ => None,
         };
-        let key = &key;
-        let writing = Writing { look, key, pages };
+        let writing = Writing { look, pages };
         // Only pictures have sizes of their own.
         let room = match view.first {
             Part::Picture(..) | Part::Nothing => cx.room(),
@@ -185,19 +184,16 @@ impl<S: Screen> Hosted<S> {
         let layout = (view.layout)(room);
         let places = view.places(&layout).into_iter();
         let panels: Vec<_> = places
-            .map(|(panel, area)| self.shown(panel, area, &writing))
+            .map(|(panel, area)| {
+                let placed = panel.placed(area, &writing, &key);
+                let of = (panel.title.as_str(), panel.subject);
+                (panel, self.shown(of, placed, area))
+            })
             .collect();
         take(&layout, &panels, &writing)
     }
 
-    fn shown<'p>(
-        &self,
-        panel: &'p Panel<S::Action>,
-        area: Rect,
-        writing: &Writing<S::Action>,
-    ) -> Shown<'p, S::Action> {
-        let placed = panel.placed(area, writing);
-        let of = (panel.title.as_str(), panel.subject);
+    fn shown<'p>(&self, of: (&'p str, usize), placed: Placed<'p>, area: Rect) -> Shown<'p> {
         let scrolled = { self.scrolled.iter() }.find(|it| (it.of.0.as_str(), it.of.1) == of);
         let rows = match scrolled {
             Some(it) if it.chosen == placed.chosen() => it.rows.min(placed.overflow()),
@@ -217,11 +213,12 @@ impl<S: Screen> Hosted<S> {
             return Next::Ignored;
         };
         let scrolled = self.with_panels(&view, cx, |_, panels, _| {
-            let is_meant = |shown: &&Shown<_>| match cell {
+            let is_meant = |shown: &&Shown| match cell {
                 Some(cell) => shown.area.contains(cell.into()),
                 None => shown.placed.overflow() > 0,
             };
-            let shown = panels.iter().rev().find(is_meant)?;
+            let mut shown = panels.iter().rev().map(|(_, shown)| shown);
+            let shown = shown.find(is_meant)?;
             let rows = shown.rows.saturating_add_signed(by);
             Some(Scrolled {
                 of: (shown.of.0.to_owned(), shown.of.1),
@@ -258,8 +255,12 @@ impl<S: Screen> Hosted<S> {
             return Vec::new();
         };
         self.with_panels(&view, cx, |_, panels, _| {
-            let targets = panels.iter().flat_map(|it| it.placed.targets(it.rows));
-            targets.collect()
+            let of = |(panel, shown): &(&Panel<S::Action>, Shown)| -> Vec<_> {
+                let targets = shown.placed.targets(shown.rows);
+                let action = |(cells, at)| Some((cells, panel.action(at)?));
+                targets.filter_map(action).collect()
+            };
+            panels.iter().flat_map(of).collect()
         })
     }
 
@@ -270,12 +271,16 @@ impl<S: Screen> Hosted<S> {
         };
         let cell = mouse.cell();
         let (picture, hit, is_long) = self.with_panels(&view, cx, |layout, panels, _| {
-            let under = panels.iter().find(|it| it.area.contains(cell.into()));
-            let is_long = |it: &Shown<_>| it.placed.overflow() > 0 && it.placed.chosen().is_none();
-            let mut targets = under.into_iter().flat_map(|it| it.placed.targets(it.rows));
-            let hit = targets.find(|(cells, _)| cells.contains(cell.into()));
-            let hit = hit.map(|(_, action)| action);
-            (layout.picture, hit, under.is_some_and(is_long))
+            let mut panels = panels.iter();
+            let under = panels.find(|(_, it)| it.area.contains(cell.into()));
+            let hit = under.and_then(|(panel, it)| {
+                let mut targets = it.placed.targets(it.rows);
+                let (_, at) = targets.find(|(cells, _)| cells.contains(cell.into()))?;
+                panel.action(at)
+            });
+            let is_long = under
+                .is_some_and(|(_, it)| it.placed.overflow() > 0 && it.placed.chosen().is_none());
+            (layout.picture, hit, is_long)
         });
         let has_picture = matches!(view.first, Part::Picture(..));
         drop(view);
@@ -378,7 +383,7 @@ impl<S: Screen> AnyScreen for Hosted<S> {
             if let Part::Picture(_, draw) = &view.first {
                 draw(layout.picture, buf, &writing.look);
             }
-            for shown in panels {
+            for (_, shown) in panels {
                 shown.placed.draw(shown.rows, buf, writing);
             }
         });

@@ -11,133 +11,163 @@ use crate::widgets::bar::bar;
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Lines, Look, Role, Words, areas, text};
 
-/// How a panel is written: in which glyphs and colours, and what its keys are called.
-pub(crate) struct Writing<'w, A> {
+/// How a panel is written: in which glyphs and colours, and how its pages are turned.
+#[derive(Debug, Clone)]
+pub(crate) struct Writing {
     /// The glyphs and colours.
     pub look: Look,
-    /// What the key is called that does something; `None` where none does.
-    pub key: &'w dyn Fn(&A) -> Option<String>,
     /// What the keys are called that go a page back and on in a text, if they do.
     pub pages: Option<[String; 2]>,
 }
 
-impl<A> Writing<'_, A> {
-    /// Without the names of keys.
-    pub(crate) fn without_keys(look: Look) -> Self {
-        Self {
-            look,
-            key: &|_| None,
-            pages: None,
-        }
-    }
-}
-
 /// A panel laid out: the blocks that have room, and where each stands.
-pub(crate) struct Placed<'p, A> {
+pub(crate) struct Placed<'p> {
     /// Where what stays in sight stands, and where the rest is.
     head: Rect,
     area: Rect,
-    pinned: Vec<&'p Block<A>>,
+    pinned: Vec<Piece<'p>>,
     /// The first row of each block, counted from the top of the whole.
-    blocks: Vec<(u16, &'p Block<A>)>,
+    blocks: Vec<(u16, Piece<'p>)>,
     /// Rows of the whole.
     rows: u16,
-    targets: Vec<Target<A>>,
+    targets: Vec<Target>,
     /// The rows of what is chosen.
     chosen: Option<Range<u16>>,
 }
 
+/// A block, whatever its actions are.
+struct Piece<'p> {
+    content: &'p Content,
+    worth: Option<u8>,
+    /// For each of its actions what its key is called; `None` where no key does it, or its
+    /// name is not written.
+    keys: Vec<Option<String>>,
+}
+
 /// Cells that do something, in rows from the top of the whole and columns from the left.
-#[derive(Debug, Clone, PartialEq)]
-struct Target<A> {
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Target {
     rows: Range<u16>,
     columns: Range<u16>,
-    action: A,
+    action: ActionAt,
 }
 
-impl<A: Copy + PartialEq> Panel<A> {
-    /// Lays it out in `area`, which it may be longer than: then it can be scrolled.
-    pub(crate) fn placed(&self, area: Rect, writing: &Writing<A>) -> Placed<'_, A> {
-        let mut scratch = Buffer::empty(area);
-        let mut lines = Lines::unseen(area, &mut scratch, writing.look);
-        let mut targets = Vec::new();
-        let mut lengths = Vec::new();
-        for block in &self.blocks {
-            let from = lines.written();
-            let before = targets.len();
-            write(&block.content, &mut lines, writing, &mut targets);
-            let rows = lines.written() - from;
-            lengths.push((rows, from, before..targets.len()));
-        }
-        let is_shown = self.with_room(area.height, lengths.iter().map(|(rows, ..)| *rows));
-        let head: u16 = lengths[..self.pinned].iter().map(|(rows, ..)| rows).sum();
-        // Where there is hardly room for more, it is scrolled too.
-        let (head, pinned) = match head + LEAST <= area.height {
-            true => (head, self.pinned),
-            false => (0, 0),
-        };
-        let [head, area] = areas::upper(area, head);
-        let mut placed = Placed {
-            head,
-            area,
-            pinned: Vec::new(),
-            blocks: Vec::new(),
-            rows: 0,
-            targets: Vec::new(),
-            chosen: None,
-        };
-        let mut after_gap = true;
-        placed.pinned.extend(self.blocks.iter().take(pinned));
-        let blocks = self.blocks.iter().zip(is_shown).zip(lengths);
-        for ((block, shown), (rows, from, own)) in blocks.skip(pinned) {
-            let is_gap = matches!(block.content, Content::Gap);
-            // Of gaps that meet, and of one above all, none is left.
-            if !shown || is_gap && after_gap {
-                continue;
-            }
-            after_gap = is_gap;
-            placed.blocks.push((placed.rows, block));
-            if block.content.is_chosen() {
-                placed.chosen = Some(placed.rows..placed.rows + rows);
-            }
-            let down = |row: u16| row - from + placed.rows;
-            placed
-                .targets
-                .extend(targets[own].iter().map(|target| Target {
-                    rows: down(target.rows.start)..down(target.rows.end),
-                    ..target.clone()
-                }));
-            placed.rows += rows;
-        }
-        placed
-    }
+/// Which action of a panel: the number of its block, and its own in the block.
+pub(super) type ActionAt = (usize, usize);
 
-    /// Which blocks have room in so many rows.
-    fn with_room(&self, height: u16, rows: impl Iterator<Item = u16>) -> Vec<bool> {
-        let rows: Vec<u16> = rows.collect();
-        let of = |worth: Option<u8>| -> u16 {
-            let blocks = self.blocks.iter().zip(&rows);
-            blocks
-                .filter(|(block, _)| block.worth == worth)
-                .map(|(_, rows)| rows)
-                .sum()
+impl<A: Copy> Panel<A> {
+    /// Lays it out in `area`, which it may be longer than: then it can be scrolled. `key` says
+    /// what the key is called that does something.
+    pub(crate) fn placed(
+        &self,
+        area: Rect,
+        writing: &Writing,
+        key: &dyn Fn(&A) -> Option<String>,
+    ) -> Placed<'_> {
+        let piece = |block: &'_ Block<A>| -> Vec<Option<String>> {
+            match block.content {
+                Content::Prompts(_) => block.actions.iter().map(key).collect(),
+                _ => vec![None; block.actions.len()],
+            }
         };
-        let mut worths: Vec<_> = self.blocks.iter().filter_map(|block| block.worth).collect();
-        worths.sort_unstable_by(|a, b| b.cmp(a));
-        worths.dedup();
-        let mut spare = height.saturating_sub(of(None));
-        worths.retain(|worth| {
-            let needed = of(Some(*worth));
-            let fits = needed <= spare;
-            spare -= if fits { needed } else { 0 };
-            fits
+        let pieces = self.blocks.iter().map(|block| Piece {
+            content: &block.content,
+            worth: block.worth,
+            keys: piece(block),
         });
-        let shown = |block: &Block<A>| block.worth.is_none_or(|worth| worths.contains(&worth));
-        self.blocks.iter().map(shown).collect()
+        placed(pieces.collect(), self.pinned, area, writing)
+    }
+
+    /// What is done by a click on one of its targets.
+    pub(crate) fn action(&self, (block, own): ActionAt) -> Option<A> {
+        self.blocks.get(block)?.actions.get(own).copied()
     }
 }
 
-impl<A: Copy + PartialEq> Placed<'_, A> {
+/// Lays blocks out, of which the first stay in sight.
+fn placed<'p>(pieces: Vec<Piece<'p>>, pinned: usize, area: Rect, writing: &Writing) -> Placed<'p> {
+    let mut scratch = Buffer::empty(area);
+    let mut lines = Lines::unseen(area, &mut scratch, writing.look);
+    let mut lengths = Vec::new();
+    for (number, piece) in pieces.iter().enumerate() {
+        let from = lines.written();
+        let mut targets = Vec::new();
+        piece.write(&mut lines, &mut |rows, columns, own| {
+            targets.push(Target {
+                rows: rows.start - from..rows.end - from,
+                columns,
+                action: (number, own),
+            });
+        });
+        lengths.push((lines.written() - from, targets));
+    }
+    let is_shown = with_room(&pieces, area.height, lengths.iter().map(|(rows, _)| *rows));
+    let head: u16 = lengths[..pinned].iter().map(|(rows, _)| rows).sum();
+    // Where there is hardly room for more, it is scrolled too.
+    let (head, pinned) = match head + LEAST <= area.height {
+        true => (head, pinned),
+        false => (0, 0),
+    };
+    let [head, area] = areas::upper(area, head);
+    let mut placed = Placed {
+        head,
+        area,
+        pinned: Vec::new(),
+        blocks: Vec::new(),
+        rows: 0,
+        targets: Vec::new(),
+        chosen: None,
+    };
+    let mut after_gap = true;
+    let mut blocks = pieces.into_iter().zip(is_shown).zip(lengths);
+    let first = blocks.by_ref().take(pinned);
+    placed.pinned.extend(first.map(|((piece, _), _)| piece));
+    for ((piece, shown), (rows, targets)) in blocks {
+        let is_gap = matches!(piece.content, Content::Gap);
+        // Of gaps that meet, and of one above all, none is left.
+        if !shown || is_gap && after_gap {
+            continue;
+        }
+        after_gap = is_gap;
+        let top = placed.rows;
+        if piece.content.is_chosen() {
+            placed.chosen = Some(top..top + rows);
+        }
+        placed.targets.extend(targets.into_iter().map(|it| Target {
+            rows: top + it.rows.start..top + it.rows.end,
+            ..it
+        }));
+        placed.blocks.push((top, piece));
+        placed.rows += rows;
+    }
+    placed
+}
+
+/// Which blocks have room in so many rows.
+fn with_room(pieces: &[Piece], height: u16, rows: impl Iterator<Item = u16>) -> Vec<bool> {
+    let rows: Vec<u16> = rows.collect();
+    let of = |worth: Option<u8>| -> u16 {
+        let blocks = pieces.iter().zip(&rows);
+        blocks
+            .filter(|(block, _)| block.worth == worth)
+            .map(|(_, rows)| rows)
+            .sum()
+    };
+    let mut worths: Vec<_> = pieces.iter().filter_map(|block| block.worth).collect();
+    worths.sort_unstable_by(|a, b| b.cmp(a));
+    worths.dedup();
+    let mut spare = height.saturating_sub(of(None));
+    worths.retain(|worth| {
+        let needed = of(Some(*worth));
+        let fits = needed <= spare;
+        spare -= if fits { needed } else { 0 };
+        fits
+    });
+    let shown = |block: &Piece| block.worth.is_none_or(|worth| worths.contains(&worth));
+    pieces.iter().map(shown).collect()
+}
+
+impl Placed<'_> {
     /// Rows of all that can be scrolled.
     pub(crate) fn rows(&self) -> u16 {
         self.rows
@@ -162,7 +192,7 @@ impl<A: Copy + PartialEq> Placed<'_, A> {
     }
 
     /// The cells that do something, with what they do, once it is scrolled by so many rows.
-    pub(crate) fn targets(&self, scrolled: u16) -> impl Iterator<Item = (Rect, A)> + '_ {
+    pub(crate) fn targets(&self, scrolled: u16) -> impl Iterator<Item = (Rect, ActionAt)> + '_ {
         let area = self.area;
         self.targets.iter().filter_map(move |target| {
             let top = area.y + target.rows.start.saturating_sub(scrolled);
@@ -180,15 +210,15 @@ impl<A: Copy + PartialEq> Placed<'_, A> {
 
     /// Draws it, scrolled by so many rows. Where it does not fit, the frame below says which
     /// key brings the rest.
-    pub(crate) fn draw(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing<A>) {
+    pub(crate) fn draw(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing) {
         let mut lines = Lines::new(self.head, buf, writing.look);
-        for block in &self.pinned {
-            write(&block.content, &mut lines, writing, &mut Vec::new());
+        for piece in &self.pinned {
+            piece.write(&mut lines, &mut |_, _, _| ());
         }
         let mut lines = Lines::new(self.area, buf, writing.look).scrolled(scrolled);
-        for (row, block) in &self.blocks {
+        for (row, piece) in &self.blocks {
             debug_assert_eq!(lines.written(), *row);
-            write(&block.content, &mut lines, writing, &mut Vec::new());
+            piece.write(&mut lines, &mut |_, _, _| ());
         }
         if let (Some([back, on]), 1..) = (&writing.pages, self.overflow()) {
             let hint = match scrolled < self.overflow() {
@@ -201,27 +231,40 @@ impl<A: Copy + PartialEq> Placed<'_, A> {
 }
 
 /// Writes a panel below what has been written; nothing in it can be clicked.
-pub(crate) fn written<A: Copy + PartialEq>(
-    lines: &mut Lines,
-    write_into: impl FnOnce(&mut Panel<A>),
-) {
+pub(crate) fn written<A: Copy>(lines: &mut Lines, write_into: impl FnOnce(&mut Panel<A>)) {
     let mut panel = Panel::new("");
     write_into(&mut panel);
-    let writing = Writing::without_keys(lines.look());
     for block in &panel.blocks {
-        write(&block.content, lines, &writing, &mut Vec::new());
+        let piece = Piece {
+            content: &block.content,
+            worth: None,
+            keys: vec![None; block.actions.len()],
+        };
+        piece.write(lines, &mut |_, _, _| ());
     }
 }
 
-/// Writes one block, and notes which cells do what.
-fn write<A: Copy + PartialEq>(
-    content: &Content<A>,
-    lines: &mut Lines,
-    writing: &Writing<A>,
-    targets: &mut Vec<Target<A>>,
-) {
-    let from = lines.written();
-    let text_width = lines.width() + 1;
+/// Takes cells that do something: rows as they are written, columns, and the number of the
+/// action in its block.
+type TakeTarget<'t> = dyn FnMut(Range<u16>, Range<u16>, usize) + 't;
+
+impl Piece<'_> {
+    /// Writes it, and tells which cells do what.
+    fn write(&self, lines: &mut Lines, take: &mut TakeTarget) {
+        let from = lines.written();
+        match self.content {
+            Content::Table { columns, rows } => return write_table(columns, rows, lines, take),
+            Content::Prompts(prompts) => return write_prompts(prompts, &self.keys, lines, take),
+            content => write(content, lines),
+        }
+        if !self.keys.is_empty() {
+            take(from..lines.written(), 0..lines.width() + 1, 0);
+        }
+    }
+}
+
+/// Writes what a click on anything of does one thing, or nothing.
+fn write(content: &Content, lines: &mut Lines) {
     match content {
         Content::Gap => lines.gap(),
         Content::Heading(text) => lines.line(text, Role::Title),
@@ -240,16 +283,10 @@ fn write<A: Copy + PartialEq>(
             side,
             roles,
             chosen,
-            action,
         } => {
             let (_, side_role) = roles[1].of_choice(*chosen);
             lines.choice(*chosen, roles[0], |lines, mark, role| {
                 lines.pair(&format!("{mark} {name}"), side, role, side_role);
-            });
-            targets.push(Target {
-                rows: from..lines.written(),
-                columns: 0..text_width,
-                action: *action,
             });
         }
         Content::Item(text, role) => {
@@ -261,7 +298,6 @@ fn write<A: Copy + PartialEq>(
             role,
             chosen,
             locked,
-            action,
         } => {
             let (mark, name_role) = role.of_choice(*chosen);
             let (value, value_role) = match (locked, name_role) {
@@ -277,11 +313,6 @@ fn write<A: Copy + PartialEq>(
             lines.clicked_as(words, Some(*chosen), |lines| {
                 lines.pair(&format!("{mark} {name}"), &value, name_role, value_role);
             });
-            targets.extend(action.map(|action| Target {
-                rows: from..lines.written(),
-                columns: 0..text_width,
-                action,
-            }));
         }
         Content::Marked { mark, text, role } => lines.hanging(mark, text, *role),
         Content::Meter { name, share, value } => {
@@ -297,7 +328,6 @@ fn write<A: Copy + PartialEq>(
             letter,
             text,
             chosen,
-            action,
         } => {
             lines.choice(*chosen, Role::Text, |lines, mark, role| {
                 let mark = format!("{mark} {letter} ");
@@ -306,33 +336,21 @@ fn write<A: Copy + PartialEq>(
                     runs => lines.flowing(&mark, 4, runs),
                 }
             });
-            targets.extend(action.map(|action| Target {
-                rows: from..lines.written(),
-                columns: 0..text_width,
-                action,
-            }));
         }
         Content::ChoiceColumns {
             name,
             values,
             chosen,
-            action,
         } => {
             let values: Vec<_> = values.iter().map(|it| (it.as_str(), Role::Text)).collect();
             lines.choice(*chosen, Role::Text, |lines, mark, role| {
                 lines.columns((&format!("{mark} {name}"), role), &values);
-            });
-            targets.push(Target {
-                rows: from..lines.written(),
-                columns: 0..text_width,
-                action: *action,
             });
         }
         Content::TextField {
             label,
             typed: [before, after],
             chosen,
-            action,
         } => {
             let (mark, role) = Role::Text.of_choice(*chosen);
             let cursor = if *chosen { "_" } else { "" };
@@ -341,14 +359,8 @@ fn write<A: Copy + PartialEq>(
                 let row = format!("{mark} {label:LABEL$}{before}{cursor}{after} ");
                 lines.line(&row, role);
             });
-            targets.extend(action.map(|action| Target {
-                rows: from..lines.written(),
-                columns: 0..text_width,
-                action,
-            }));
         }
-        Content::Table { columns, rows } => write_table(columns, rows, lines, targets),
-        Content::Prompts(prompts) => write_prompts(prompts, lines, writing, targets),
+        Content::Table { .. } | Content::Prompts(_) => {}
     }
 }
 
@@ -366,11 +378,11 @@ const WIDE_TABLE: u16 = 72;
 
 /// Writes a table: its heads, and a line for each row. Numbers stand apart where there is
 /// room, and words from the numbers before them.
-fn write_table<A: Copy + PartialEq>(
+fn write_table(
     columns: &[TableColumn],
-    rows: &[TableRow<A>],
+    rows: &[TableRow<()>],
     lines: &mut Lines,
-    targets: &mut Vec<Target<A>>,
+    take: &mut TakeTarget,
 ) {
     let width = lines.width();
     let gap = if width >= WIDE_TABLE { "   " } else { "" };
@@ -408,7 +420,7 @@ fn write_table<A: Copy + PartialEq>(
         |charset| recorded(&heads, Role::Dim, charset),
         |lines| lines.line(&head, Role::Dim),
     );
-    for row in rows {
+    for (own, row) in rows.iter().enumerate() {
         let (mark, role) = row.role.of_choice(row.chosen);
         let from = lines.written();
         let cells: Vec<_> = row.cells.iter().map(String::as_str).collect();
@@ -418,44 +430,41 @@ fn write_table<A: Copy + PartialEq>(
             Some(row.chosen),
             |lines| lines.line(&line, role),
         );
-        targets.push(Target {
-            rows: from..lines.written(),
-            columns: 0..width + 1,
-            action: row.action,
-        });
+        take(from..lines.written(), 0..width + 1, own);
     }
 }
 
 /// Writes what can be done next as a text: the key of each, and its words.
-fn write_prompts<A: Copy + PartialEq>(
-    prompts: &[(String, A)],
+fn write_prompts(
+    prompts: &[String],
+    keys: &[Option<String>],
     lines: &mut Lines,
-    writing: &Writing<A>,
-    targets: &mut Vec<Target<A>>,
+    take: &mut TakeTarget,
 ) {
-    let sentence = |(words, action): &(String, A)| {
+    let charset = lines.charset();
+    let sentence = |(words, key): (&String, &Option<String>)| {
         let stop = if words.ends_with(['.', '!', '?']) {
             ""
         } else {
             "."
         };
-        let words = match (writing.key)(action) {
+        let words = match key {
             Some(key) => format!("{key}: {words}{stop}"),
             None => format!("{words}{stop}"),
         };
-        writing.look.charset.text(&words).into_owned()
+        charset.text(&words).into_owned()
     };
-    let sentences: Vec<String> = prompts.iter().map(sentence).collect();
+    let sentences: Vec<String> = prompts.iter().zip(keys).map(sentence).collect();
     let from = lines.written();
     let rows = lines.wrapped(&sentences.join(" "));
-    let before_prompts = targets.len();
     // Rows differ from the text in blanks alone: so many other letters are before each.
     let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).count();
     let mut end = 0;
-    for (sentence, (_, action)) in sentences.iter().zip(prompts) {
+    for (number, sentence) in sentences.iter().enumerate() {
         let own = end..end + letters(sentence);
         end = own.end;
         let mut before = 0;
+        let mut first = None;
         for (row, text) in (from..).zip(&rows) {
             let mut columns: Option<Range<u16>> = None;
             // A panel's first column is its margin.
@@ -470,19 +479,12 @@ fn write_prompts<A: Copy + PartialEq>(
                 }
                 column = next;
             }
-            targets.extend(columns.map(|columns| Target {
-                rows: row..row + 1,
-                columns,
-                action: *action,
-            }));
+            if let Some(columns) = columns {
+                first.get_or_insert((columns.start - 1, row));
+                take(row..row + 1, columns, number);
+            }
         }
-    }
-    for (words, action) in prompts {
-        let own = targets[before_prompts..]
-            .iter()
-            .find(|it| it.action == *action);
-        let cell = own.map(|target| (target.columns.start - 1, target.rows.start));
-        lines.record_prompt(words, (writing.key)(action), cell);
+        lines.record_prompt(&prompts[number], keys[number].clone(), first);
     }
     lines.unrecorded(|lines| lines.paragraph(&sentences.join(" "), Role::Key));
 }

@@ -27,17 +27,19 @@ pub(crate) struct Panel<A> {
 
 /// One block of a panel.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Block<A> {
-    /// What it is.
-    pub content: Content<A>,
+struct Block<A> {
+    content: Content,
+    /// What a click on it does: nothing or one thing; of the rows of a table and of prompts,
+    /// one each.
+    actions: Vec<A>,
     /// Where there is room for some only, blocks of the greatest worth come first, all of
     /// one worth together or none; a block without a worth is always there.
-    pub worth: Option<u8>,
+    worth: Option<u8>,
 }
 
 /// What a block is.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Content<A> {
+enum Content {
     /// A distance to what is above.
     Gap,
     /// What the next blocks are about, in one row.
@@ -65,8 +67,6 @@ pub(crate) enum Content<A> {
         /// How it is written while another one is chosen.
         roles: [Role; 2],
         chosen: bool,
-        /// What a click on it does.
-        action: A,
     },
     /// One of several texts, behind a mark.
     Item(String, Role),
@@ -78,8 +78,6 @@ pub(crate) enum Content<A> {
         role: Role,
         chosen: bool,
         locked: bool,
-        /// What a click on it does.
-        action: Option<A>,
     },
     /// A text behind a mark, under which nothing else stands.
     Marked {
@@ -98,15 +96,12 @@ pub(crate) enum Content<A> {
         letter: char,
         text: Vec<Run>,
         chosen: bool,
-        /// What a click on it does.
-        action: Option<A>,
     },
     /// One of several things to choose from, with a value in each of some columns.
     ChoiceColumns {
         name: String,
         values: Vec<String>,
         chosen: bool,
-        action: A,
     },
     /// A text that can be typed: what is before the cursor and what is behind it, while it is
     /// chosen.
@@ -114,16 +109,14 @@ pub(crate) enum Content<A> {
         label: String,
         typed: [String; 2],
         chosen: bool,
-        /// What a click on it does.
-        action: Option<A>,
     },
     /// Rows of cells under heads, each of which can be chosen.
     Table {
         columns: Vec<TableColumn>,
-        rows: Vec<TableRow<A>>,
+        rows: Vec<TableRow<()>>,
     },
-    /// What can be done next, the likeliest first: in words, and what it is.
-    Prompts(Vec<(String, A)>),
+    /// What can be done next in words, the likeliest first.
+    Prompts(Vec<String>),
 }
 
 /// A column of a [`Content::Table`].
@@ -152,6 +145,19 @@ pub(crate) struct TableRow<A> {
     pub action: A,
 }
 
+impl<A> TableRow<A> {
+    /// What it shows, and what a click on it does.
+    fn apart(self) -> (TableRow<()>, A) {
+        let row = TableRow {
+            cells: self.cells,
+            role: self.role,
+            chosen: self.chosen,
+            action: (),
+        };
+        (row, self.action)
+    }
+}
+
 impl<A> Panel<A> {
     /// An empty panel.
     pub(crate) fn new(title: impl Into<String>) -> Self {
@@ -164,9 +170,16 @@ impl<A> Panel<A> {
         }
     }
 
-    fn push(&mut self, content: Content<A>) {
-        let worth = self.worth;
-        self.blocks.push(Block { content, worth });
+    fn push(&mut self, content: Content) {
+        self.push_with(content, []);
+    }
+
+    fn push_with(&mut self, content: Content, actions: impl IntoIterator<Item = A>) {
+        self.blocks.push(Block {
+            content,
+            actions: actions.into_iter().collect(),
+            worth: self.worth,
+        });
     }
 
     /// Writes blocks that are left out where there is no room for all of this worth.
@@ -187,7 +200,8 @@ impl<A> Panel<A> {
         write(&mut part);
         let worth = self.worth;
         let blocks = part.blocks.into_iter().map(|block| Block {
-            content: block.content.map(&wrap),
+            content: block.content,
+            actions: block.actions.into_iter().map(&wrap).collect(),
             worth: block.worth.or(worth),
         });
         self.blocks.extend(blocks);
@@ -263,13 +277,13 @@ impl<A> Panel<A> {
         chosen: bool,
         action: A,
     ) {
-        self.push(Content::Row {
+        let content = Content::Row {
             name: name.into(),
             side: side.into(),
             roles: [role, side_role],
             chosen,
-            action,
-        });
+        };
+        self.push_with(content, [action]);
     }
 
     /// One of several texts.
@@ -286,14 +300,14 @@ impl<A> Panel<A> {
         (role, chosen): (Role, bool),
         action: Option<A>,
     ) {
-        self.push(Content::Field {
+        let content = Content::Field {
             name: name.into(),
             value: value.into(),
             role,
             chosen,
             locked: false,
-            action,
-        });
+        };
+        self.push_with(content, action);
     }
 
     /// The same of something that cannot be changed just now.
@@ -304,14 +318,14 @@ impl<A> Panel<A> {
         (role, chosen): (Role, bool),
         action: Option<A>,
     ) {
-        self.push(Content::Field {
+        let content = Content::Field {
             name: name.into(),
             value: value.into(),
             role,
             chosen,
             locked: true,
-            action,
-        });
+        };
+        self.push_with(content, action);
     }
 
     /// A text behind a mark, under which nothing else stands.
@@ -334,12 +348,12 @@ impl<A> Panel<A> {
 
     /// One of several answers, with its letter and what a click on it does.
     pub(crate) fn choice(&mut self, letter: char, text: Vec<Run>, chosen: bool, action: Option<A>) {
-        self.push(Content::Choice {
+        let content = Content::Choice {
             letter,
             text,
             chosen,
-            action,
-        });
+        };
+        self.push_with(content, action);
     }
 
     /// One of several things to choose from, a value in each column beside it.
@@ -350,12 +364,12 @@ impl<A> Panel<A> {
         chosen: bool,
         action: A,
     ) {
-        self.push(Content::ChoiceColumns {
+        let content = Content::ChoiceColumns {
             name: name.into(),
             values: values.into_iter().collect(),
             chosen,
-            action,
-        });
+        };
+        self.push_with(content, [action]);
     }
 
     /// A text that can be typed, and what a click on it does.
@@ -366,17 +380,18 @@ impl<A> Panel<A> {
         chosen: bool,
         action: Option<A>,
     ) {
-        self.push(Content::TextField {
+        let content = Content::TextField {
             label: label.into(),
             typed: [before.into(), after.into()],
             chosen,
-            action,
-        });
+        };
+        self.push_with(content, action);
     }
 
     /// Rows under heads, one of which can be chosen.
     pub(crate) fn table(&mut self, columns: Vec<TableColumn>, rows: Vec<TableRow<A>>) {
-        self.push(Content::Table { columns, rows });
+        let (rows, actions): (_, Vec<A>) = rows.into_iter().map(TableRow::apart).unzip();
+        self.push_with(Content::Table { columns, rows }, actions);
     }
 
     /// What can be done next, in a few words without a key, and what it is.
@@ -386,11 +401,12 @@ impl<A> Panel<A> {
 
     /// The same with several things, the likeliest first.
     pub(crate) fn prompts(&mut self, prompts: impl IntoIterator<Item = (String, A)>) {
-        self.push(Content::Prompts(prompts.into_iter().collect()));
+        let (words, actions): (_, Vec<A>) = prompts.into_iter().unzip();
+        self.push_with(Content::Prompts(words), actions);
     }
 }
 
-impl<A> Content<A> {
+impl Content {
     /// Whether it is the one that is chosen.
     fn is_chosen(&self) -> bool {
         match self {
@@ -400,99 +416,6 @@ impl<A> Content<A> {
             | Self::ChoiceColumns { chosen, .. }
             | Self::TextField { chosen, .. } => *chosen,
             _ => false,
-        }
-    }
-
-    fn map<B>(self, wrap: impl Fn(A) -> B) -> Content<B> {
-        match self {
-            Self::Gap => Content::Gap,
-            Self::Heading(text) => Content::Heading(text),
-            Self::Line(text, role) => Content::Line(text, role),
-            Self::Paragraph(text, role) => Content::Paragraph(text, role),
-            Self::Fact { name, value, roles } => Content::Fact { name, value, roles },
-            Self::Columns { name, values } => Content::Columns { name, values },
-            Self::Row {
-                name,
-                side,
-                roles,
-                chosen,
-                action,
-            } => Content::Row {
-                name,
-                side,
-                roles,
-                chosen,
-                action: wrap(action),
-            },
-            Self::Item(text, role) => Content::Item(text, role),
-            Self::Field {
-                name,
-                value,
-                role,
-                chosen,
-                locked,
-                action,
-            } => Content::Field {
-                name,
-                value,
-                role,
-                chosen,
-                locked,
-                action: action.map(wrap),
-            },
-            Self::Marked { mark, text, role } => Content::Marked { mark, text, role },
-            Self::Meter { name, share, value } => Content::Meter { name, share, value },
-            Self::Choice {
-                letter,
-                text,
-                chosen,
-                action,
-            } => Content::Choice {
-                letter,
-                text,
-                chosen,
-                action: action.map(wrap),
-            },
-            Self::ChoiceColumns {
-                name,
-                values,
-                chosen,
-                action,
-            } => Content::ChoiceColumns {
-                name,
-                values,
-                chosen,
-                action: wrap(action),
-            },
-            Self::TextField {
-                label,
-                typed,
-                chosen,
-                action,
-            } => Content::TextField {
-                label,
-                typed,
-                chosen,
-                action: action.map(wrap),
-            },
-            Self::Table { columns, rows } => {
-                let rows = rows.into_iter().map(|row| TableRow {
-                    cells: row.cells,
-                    role: row.role,
-                    chosen: row.chosen,
-                    action: wrap(row.action),
-                });
-                Content::Table {
-                    columns,
-                    rows: rows.collect(),
-                }
-            }
-            Self::Prompts(prompts) => {
-                let wrapped = prompts
-                    .into_iter()
-                    .map(|(words, action)| (words, wrap(action)));
-                Content::Prompts(wrapped.collect())
-            }
         }
     }
 }

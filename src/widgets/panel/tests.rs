@@ -14,9 +14,8 @@ fn key(action: &char) -> Option<String> {
     action.is_lowercase().then(|| action.to_string())
 }
 
-const WRITING: Writing<char> = Writing {
+const WRITING: Writing = Writing {
     look: LOOK,
-    key: &key,
     pages: None,
 };
 
@@ -27,7 +26,7 @@ fn place(rows: u16) -> Rect {
 
 fn drawn(panel: &Panel<char>, rows: u16, scrolled: u16) -> Vec<String> {
     let mut buf = Buffer::empty(Rect::new(0, 0, 28, rows + 2));
-    let placed = panel.placed(place(rows), &WRITING);
+    let placed = panel.placed(place(rows), &WRITING, &key);
     placed.draw(scrolled, &mut buf, &WRITING);
     text(&buf)
         .lines()
@@ -83,10 +82,14 @@ fn a_click_on_a_field_or_on_the_words_of_a_prompt_does_what_stands_there() {
         drawn(&panel, 4, 0)[1..4],
         ["> mass         5.5 g", "w: weigh it. l:", "leave it alone."]
     );
-    let placed = panel.placed(place(4), &WRITING);
+    let placed = panel.placed(place(4), &WRITING, &key);
     let at = |x, y| {
         let mut targets = placed.targets(0);
-        targets.find_map(|(cells, action)| cells.contains((x, y).into()).then_some(action))
+        targets.find_map(|(cells, action)| {
+            cells
+                .contains((x, y).into())
+                .then(|| panel.action(action))?
+        })
     };
     assert_eq!(
         [at(4, 1), at(24, 1), at(25, 1)],
@@ -110,9 +113,12 @@ fn what_is_chosen_is_kept_in_sight_and_what_is_scrolled_away_cannot_be_clicked()
         let chosen = c == 'e';
         panel.row((c.to_string(), Role::Text), ("", Role::Text), chosen, c);
     }
-    let placed = panel.placed(place(3), &WRITING);
+    let placed = panel.placed(place(3), &WRITING, &key);
     assert_eq!((placed.overflow(), placed.following()), (3, 3));
-    let seen: String = placed.targets(2).map(|(_, action)| action).collect();
+    let seen: String = placed
+        .targets(2)
+        .filter_map(|(_, action)| panel.action(action))
+        .collect();
     assert_eq!(seen, "cde");
 }
 
@@ -127,7 +133,7 @@ fn a_long_text_says_which_key_brings_the_rest() {
     };
     for (scrolled, hint) in [(0, "n: more"), (1, "b: back")] {
         panel
-            .placed(place(1), &writing)
+            .placed(place(1), &writing, &key)
             .draw(scrolled, &mut buf, &writing);
         assert!(text(&buf).contains(hint), "{}", text(&buf));
     }

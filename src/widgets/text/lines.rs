@@ -93,11 +93,6 @@ impl<'a> Lines<'a> {
         self.look.charset
     }
 
-    /// The glyphs and colours it is written in.
-    pub(crate) fn look(&self) -> Look {
-        self.look
-    }
-
     /// The rows that a [`Lines::paragraph`] of this text would be.
     pub(crate) fn wrapped(&self, text: &str) -> Vec<String> {
         self.hung("", text).1
