@@ -28,18 +28,20 @@ fn written(question: &Question) -> String {
 /// mended; figures, families, order and choices may not.)
 #[test]
 fn a_code_is_the_same_round_for_ever() {
-    for code in [
+    let rounds = [
         "quick-7",
         "mixed-7",
         "mixed-1234",
         "mixed12-42",
         "exam-3",
         "speeds3-5",
-    ] {
+    ]
+    .map(|code| {
         let round = Round::of(Code::parse(code).unwrap());
         let text: Vec<String> = round.questions().iter().map(written).collect();
-        insta::assert_snapshot!(format!("code_{code}"), text.join("\n"));
-    }
+        format!("== {code} ==\n{}\n", text.join("\n"))
+    });
+    insta::assert_snapshot!("codes", rounds.join("\n"));
 }
 
 #[test]

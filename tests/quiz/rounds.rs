@@ -219,18 +219,15 @@ fn a_round_is_ten_different_questions() {
 
 #[test]
 fn a_code_is_the_same_round_for_ever() {
-    for seed in [0, 1, 7, 42, 999_999, u64::MAX] {
+    let rounds = [0, 1, 7, 42, 999_999, u64::MAX].map(|seed| {
         let round = Round::hits(seed);
-        let text: Vec<String> = round
-            .questions()
-            .iter()
-            .map(|question| {
-                let direction_deg = question.figures["direction_deg"].as_f64();
-                format!("[{}°] {}", direction_deg.unwrap(), question.text)
-            })
-            .collect();
-        insta::assert_snapshot!(format!("round_{seed}"), text.join("\n"));
-    }
+        let questions = round.questions().iter().map(|question| {
+            let direction_deg = question.figures["direction_deg"].as_f64();
+            format!("[{}°] {}\n", direction_deg.unwrap(), question.text)
+        });
+        format!("== {seed} ==\n{}", questions.collect::<String>())
+    });
+    insta::assert_snapshot!("rounds", rounds.join("\n"));
 }
 
 #[test]
