@@ -30,7 +30,7 @@
 //!   widgets/       the drawn things: pictures as lists of marks (picture) with two
 //!                  renderers (ink, svg), the hit, plots, prompts; theme
 //!   ─────────────────────────────────────────────────────────────
-//!   messages/      what goes into the app and what comes out: keys, searches, effects
+//!   messages/      what goes into the app and what comes out: keys, effects
 //!   ─────────────────────────────────────────────────────────────
 //!   class/         a round for a class: who votes and how, two votes, scores, what each
 //!                  question showed; what devices and the host say to each other

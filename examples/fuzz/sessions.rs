@@ -53,9 +53,6 @@ fn watched_steps(number: u64, told: bool, inputs: &mut u64) -> Result<(), Fault>
         println!("{}, {settings:?}", stop.name);
     }
     let mut game = watched(|| Ok(stop.game(settings)))?;
-    if chance.random_bool(0.98) {
-        game = game.without_searches();
-    }
     let mut moment = Moment::of(&game);
     for step in 0..chance.random_range(10..=LONGEST) {
         if game.has_quit() {

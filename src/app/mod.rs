@@ -195,7 +195,7 @@ impl App {
             }
             Input::Key(Key::Ctrl('c')) => return self.leave(),
             // Waited for by the screen that asked, whatever lies over it.
-            Input::Searched(_) | Input::Exported(_) | Input::Hosted(_) | Input::Joined(_) => {
+            Input::Exported(_) | Input::Hosted(_) | Input::Joined(_) => {
                 return self.pass_on(input);
             }
             Input::Saving(ticket) => {

@@ -1,14 +1,12 @@
 //! What the app asks of the shell that drives it.
 
-use super::{HostCall, JoinCall, SearchTask, StoreCall};
+use super::{HostCall, JoinCall, StoreCall};
 
 /// A thing only the world outside can do.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
     /// Leave the program.
     Quit,
-    /// Search, and hand the [`SearchResult`](super::SearchResult) back as an input.
-    Search(Box<SearchTask>),
     /// Do something with what is kept, and hand the
     /// [`StoreAnswer`](super::StoreAnswer) back as an input.
     Keep(StoreCall),

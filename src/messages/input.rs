@@ -2,7 +2,7 @@
 
 use glam::{DVec2, dvec2};
 
-use super::{HostNews, JoinNews, Key, SearchResult, StoreAnswer};
+use super::{HostNews, JoinNews, Key, StoreAnswer};
 
 /// One thing that happened outside.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,8 +15,6 @@ pub enum Input {
     Paste(String),
     /// The screen now has this many columns and rows.
     Resize(u16, u16),
-    /// What came of an [`Effect::Search`](super::Effect::Search).
-    Searched(Box<SearchResult>),
     /// The [`Effect::Keep`](super::Effect::Keep) of this ticket takes long; what comes of
     /// it is still to come.
     Saving(u64),

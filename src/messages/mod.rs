@@ -8,12 +8,10 @@ mod class;
 mod effect;
 mod input;
 mod key;
-mod search;
 mod store;
 
 pub use class::{HostCall, HostNews, JoinCall, JoinNews, LineId, OpenDoor};
 pub use effect::Effect;
 pub use input::{Input, Mouse, MouseKind};
 pub use key::Key;
-pub use search::{Found, SearchResult, SearchTask, Wanted};
 pub use store::{History, Kept, KeptGame, StoreAnswer, StoreCall, StoreReply, StoreRequest};

@@ -9,10 +9,9 @@ use ratatui::layout::Rect;
 use super::lab::LabSettings;
 use super::place::Place;
 use super::settings::KeptSettings;
-use crate::game::Game;
 use crate::lessons::{Book, Bookmark, Forget};
 use crate::levels::{Shelf, Win};
-use crate::messages::{Effect, HostCall, JoinCall, SearchTask, StoreCall, StoreRequest, Wanted};
+use crate::messages::{Effect, HostCall, JoinCall, StoreCall, StoreRequest};
 use crate::progress::Attempt;
 use crate::quiz::concepts::Library;
 use crate::widgets::hit::HitPace;
@@ -146,19 +145,6 @@ impl Context {
             area: self.body,
             pictures: self.pictures,
         }
-    }
-
-    /// Asks for something to be thought about and gives the ticket by which the
-    /// [`SearchResult`](crate::messages::SearchResult) will be known.
-    pub fn think(&mut self, game: Game, seed: u64, wanted: Wanted) -> u64 {
-        let ticket = self.ticket();
-        self.asked.push(Effect::Search(Box::new(SearchTask {
-            ticket,
-            game,
-            seed,
-            wanted,
-        })));
-        ticket
     }
 
     /// Asks for something to be done with what is kept. The

@@ -7,7 +7,6 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 
 use super::FRAME;
-use super::search::search;
 use crate::app::App;
 use crate::messages::{
     Effect, HostCall, Input, JoinCall, Key, Mouse, MouseKind, StoreCall, StoreReply, StoreRequest,
@@ -34,7 +33,6 @@ pub struct Headless {
     store: Store,
     quit: bool,
     exports: Vec<(String, String)>,
-    searches: bool,
     host_calls: Vec<HostCall>,
     join_calls: Vec<JoinCall>,
 }
@@ -55,19 +53,11 @@ impl Headless {
             store,
             quit: false,
             exports: Vec::new(),
-            searches: true,
             host_calls: Vec::new(),
             join_calls: Vec::new(),
         };
         headless.input(&Input::Resize(columns, rows));
         headless
-    }
-
-    /// The same, but whoever searches for a stroke never comes to an end.
-    #[must_use]
-    pub fn without_searches(mut self) -> Self {
-        self.searches = false;
-        self
     }
 
     /// The app as it stands.
@@ -215,9 +205,6 @@ impl Headless {
         for effect in effects {
             match effect {
                 Effect::Quit => self.quit = true,
-                // On the spot, so that it is the same every time.
-                Effect::Search(_) if !self.searches => {}
-                Effect::Search(task) => self.input(&Input::Searched(Box::new(search(task)))),
                 Effect::Keep(request) => {
                     let answer = self.store.answer(request);
                     self.input(&Input::Kept(Box::new(answer)));

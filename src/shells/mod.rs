@@ -15,7 +15,6 @@ pub mod headless;
 #[cfg(not(target_family = "wasm"))]
 pub mod host;
 pub mod plain;
-pub mod search;
 pub mod tape;
 #[cfg(not(target_family = "wasm"))]
 pub mod terminal;

@@ -37,15 +37,12 @@ pub(crate) fn moments() -> impl Iterator<Item = Moment> {
         takes_any: stop.takes_any,
         game: Box::new(|| stop.game(Settings::default())),
     });
-    let more: [(_, fn() -> Headless); 2] = [
-        ("table, the end of a board", end_of_a_board),
-        ("table, the computer thinks", the_computer_thinks),
-    ];
-    tour.chain(more.map(|(name, game)| Moment {
-        name,
+    let more = Moment {
+        name: "table, the end of a board",
         takes_any: false,
-        game: Box::new(game),
-    }))
+        game: Box::new(end_of_a_board),
+    };
+    tour.chain([more])
 }
 
 /// What a search for a stroke found, told whole.
@@ -68,14 +65,10 @@ fn end_of_a_board() -> Headless {
     game
 }
 
-/// The computer's turn, while what it will do is not found yet.
-fn the_computer_thinks() -> Headless {
-    the_computers_turn(Headless::without_searches)
-}
-
-fn the_computers_turn(of: impl Fn(Headless) -> Headless) -> Headless {
+/// The computer's stroke, before it is struck.
+fn the_computer_aims() -> Headless {
     let app = App::new(Place::Table, Settings::default(), 7);
-    let mut game = of(app.into());
+    let mut game = Headless::from(app);
     game.press("<Enter><Space><End><Space>");
     game.pass(Duration::from_secs(1));
     game
@@ -354,7 +347,7 @@ fn a_rebound_key_works_wherever_its_row_is_and_its_help_says_so() {
 /// All keys there are, a line each as in `keys.toml`.
 fn all_keys() -> String {
     let mut all = BTreeMap::new();
-    let computer_aims = the_computers_turn(|game| game);
+    let computer_aims = the_computer_aims();
     for game in moments().map(|it| it.game()).chain([computer_aims]) {
         for row in game.app().keys().rows() {
             let keys: Vec<String> = row.keys().map(|key| quoted(&key.to_string())).collect();

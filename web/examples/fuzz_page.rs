@@ -112,8 +112,7 @@ fn said(meant: &[String], chance: &mut impl Rng) -> (Value, Vec<u8>) {
             Some("Ctrl+C") if chance.random_bool(0.95) => json!({ "do": "key", "key": "Escape" }),
             key => json!({ "do": "key", "key": key.unwrap_or("Enter") }),
         },
-        38 => json!({ "do": "think" }),
-        39 => json!({ "do": "joined", "news": news(chance) }),
+        38..40 => json!({ "do": "joined", "news": news(chance) }),
         40..60 => json!({ "do": "key", "key": chance.random_range(' '..='~').to_string() }),
         60 => json!({ "do": "tell", "words": text(chance, 90) }),
         61 => json!({

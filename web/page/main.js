@@ -186,8 +186,6 @@ const page = (() => {
     try {
       pass();
       if (outdated) draw();
-      // A search waits until what has led to it is seen.
-      if (last.think) return void setTimeout(() => speak({ do: "think" }), 20);
       schedule();
     } catch (error) {
       fail(error);

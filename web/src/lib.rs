@@ -6,7 +6,7 @@
 //! ```text
 //!   exports    what the page calls by name, and the memory that both use
 //!   message    what the page says, and what it is told
-//!   shell      the app with its screen, its searches and what is kept
+//!   shell      the app with its screen and what is kept
 //!   opening    what a link opens: #quiz=mixed-7&player=Ana
 //!   keeping    the store, whose files the browser keeps
 //!   own        a teacher's own levels, chapters and questions, and other files

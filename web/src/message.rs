@@ -63,8 +63,6 @@ pub enum Command {
         #[serde(default)]
         since: u64,
     },
-    /// Do one search that waits.
-    Think,
     /// The files that the browser keeps, whose bytes follow.
     Files {
         /// The files.
@@ -178,7 +176,7 @@ pub struct Opening {
     pub light: bool,
     /// Whether the player does not like things to move.
     pub still: bool,
-    /// For tests: no clock, everything kept at once, searches on the spot.
+    /// For tests: no clock, everything kept at once.
     pub simulated: bool,
     /// A teacher's own files, whose bytes follow.
     pub own: Vec<FileLength>,
@@ -202,8 +200,6 @@ pub struct Reply {
     pub keep: bool,
     /// How many things could not be kept so far.
     pub owed: usize,
-    /// Whether a search waits.
-    pub think: bool,
     /// Whether carrom was left.
     pub quit: bool,
     /// What is to be done for a pupil of a class, in order.

@@ -1,15 +1,14 @@
-//! The app with its screen, its searches and what is kept.
+//! The app with its screen and what is kept.
 
-use std::collections::VecDeque;
 use std::mem;
 use std::sync::Arc;
 use std::time::Duration;
 
 use carrom::app::App;
 use carrom::messages::{
-    Effect, HostCall, HostNews, Input, JoinCall, JoinNews, Key, Mouse, MouseKind, SearchTask,
+    Effect, HostCall, HostNews, Input, JoinCall, JoinNews, Key, Mouse, MouseKind,
 };
-use carrom::shells::{FRAME, search::search};
+use carrom::shells::FRAME;
 use carrom::widgets::{
     PaintedCell, PaintedPicture, Role, Section, Sheet, gather, glyph_shape, inks, painted, recorded,
 };
@@ -42,7 +41,6 @@ pub struct Shell {
     told_inks: Vec<(Role, u32)>,
     told_pictures: Vec<String>,
     keeping: Keeping,
-    searches: VecDeque<SearchTask>,
     downloads: Vec<Download>,
     calls: Vec<JoinCall>,
     quit: bool,
@@ -88,7 +86,6 @@ impl Shell {
             told_inks: Vec::new(),
             told_pictures: Vec::new(),
             keeping,
-            searches: VecDeque::new(),
             downloads: Vec::new(),
             calls: Vec::new(),
             quit: false,
@@ -138,11 +135,6 @@ impl Shell {
                 settings.depth = depth.unwrap_or(settings.depth);
             }
             Command::Paint { since } => told.painted = Some(self.paint(since)),
-            Command::Think => {
-                if let Some(task) = self.searches.pop_front() {
-                    self.input(&Input::Searched(Box::new(search(&task))));
-                }
-            }
             Command::Files { files } => {
                 for answer in self.keeping.take_files(&split(&files, bytes)) {
                     self.input(&Input::Kept(Box::new(answer)));
@@ -259,10 +251,6 @@ impl Shell {
         for effect in effects {
             match effect {
                 Effect::Quit => self.quit = true,
-                Effect::Search(task) if self.opening.simulated => {
-                    self.input(&Input::Searched(Box::new(search(&task))));
-                }
-                Effect::Search(task) => self.searches.push_back(*task),
                 Effect::Keep(call) => {
                     if let Some(answer) = self.keeping.ask(&call) {
                         self.input(&Input::Kept(Box::new(answer)));
@@ -299,7 +287,6 @@ impl Shell {
             wake_ms: self.app.wake().map(|wake| wake.as_secs_f64() * 1e3),
             keep: self.keeping.is_to_keep(),
             owed: self.keeping.owed(),
-            think: !self.searches.is_empty(),
             quit: self.quit,
             calls: self.calls.drain(..).map(call).collect(),
             downloads: self.downloads.drain(..).chain(exports).collect(),

@@ -130,7 +130,6 @@ pub(super) fn keys(game: &ActiveGame) -> KeyTable<TableAction> {
     let table = KeyTable::new("table");
     let table = match &game.phase {
         TablePhase::Aim => return aiming(game, table),
-        TablePhase::Think { .. } => table.on(Key::Escape, Do::Back, "leave"),
         TablePhase::Show(_) => computer_aims(),
         TablePhase::Call(calling) => {
             let rays = calling.rays.keys("next, then strike");

@@ -3,7 +3,7 @@
 use glam::DVec2;
 use ratatui::layout::Rect;
 
-use super::active_game::{ActiveGame, Grip, Hinted, ShownStroke};
+use super::active_game::{ActiveGame, Grip, ShownStroke};
 use super::arrange::Arrange;
 use super::computer_stroke::ComputerStroke;
 use super::pointer::Pointer;
@@ -62,10 +62,7 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     if !active.is_practice() {
         own_side(&mut picture, seat);
     }
-    let pointer = match &active.hint {
-        Some(Hinted::Told { pointer, .. }) => pointer.as_ref(),
-        _ => None,
-    };
+    let pointer = active.hint.as_ref().and_then(|it| it.pointer.as_ref());
     if let Some(pointer) = pointer {
         point_out(&mut picture, pointer);
     }

@@ -44,9 +44,7 @@ pub(super) fn draw(active: &ActiveGame, buf: &mut Buffer, cx: &Context) {
             None => picture::of_replay(active, replay, area),
         },
         TablePhase::Arrange(arrange) => picture::of_arrange(active, arrange, area),
-        TablePhase::Think { .. } | TablePhase::Over => {
-            picture::of_pack(active.game().coins(), active.set(), area)
-        }
+        TablePhase::Over => picture::of_pack(active.game().coins(), active.set(), area),
     };
     picture.draw(buf, &look);
     trays::draw(active, board::square(layout.picture), buf, &look);
@@ -77,9 +75,7 @@ fn titles(active: &ActiveGame) -> (String, String) {
             };
             (time, name)
         }
-        TablePhase::Aim | TablePhase::Think { .. } | TablePhase::Show(_) => {
-            (board_title(active), turn())
-        }
+        TablePhase::Aim | TablePhase::Show(_) => (board_title(active), turn()),
         TablePhase::Over => (board_title(active), "the end of the board".into()),
     }
 }

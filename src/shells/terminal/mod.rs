@@ -2,9 +2,8 @@
 //!
 //! The thread that called [`run`] holds the app and draws. One reads the keyboard and the
 //! mouse (on Unix two: one reads bytes, one makes keys of them), one waits for signals, and one
-//! does what is asked of the store; each search has one for as long as it takes, and so has each
-//! line of a class that is served or joined. These only send messages; while nothing moves, all
-//! are blocked.
+//! does what is asked of the store; each line of a class that is served or joined has one of its
+//! own. These only send messages; while nothing moves, all are blocked.
 
 mod crash;
 #[cfg(unix)]
@@ -14,7 +13,6 @@ mod guard;
 mod message;
 mod pace;
 mod reader;
-mod search_worker;
 #[cfg(unix)]
 mod signals;
 mod sparing;
@@ -145,7 +143,7 @@ struct TerminalRun {
     guard: Guard,
     messages: Receiver<Message>,
     inbox: Inbox,
-    /// For the searches and the store.
+    /// For the store.
     sender: Sender<Message>,
     store_worker: StoreWorker,
     /// Serves a class.
@@ -273,7 +271,6 @@ impl TerminalRun {
         for effect in effects {
             match effect {
                 Effect::Quit => flow = Flow::Break(Ending::Quit),
-                Effect::Search(task) => search_worker::start(task, &self.sender),
                 Effect::Keep(request) => {
                     if self.store_worker.ask(request, &self.sender) {
                         // It asks for nothing itself.

@@ -24,7 +24,7 @@ const DIRECTION_STEP: f64 = 1.0 / STEPS_PER_DEGREE;
 impl ActiveGame {
     /// Aims, or does what can be done beside it. A number that was typed is a direction,
     /// unless the key after it says that it is a place or a speed.
-    pub(super) fn act_on_aim(&mut self, action: TableAction, cx: &mut Context) {
+    pub(super) fn act_on_aim(&mut self, action: TableAction, cx: &Context) {
         if let Some(number) = self.entry.take() {
             match action {
                 TableAction::Strength(1) => self.aim.set_speed(number),
@@ -52,7 +52,7 @@ impl ActiveGame {
             TableAction::Call => self.options.call ^= true,
             TableAction::LayOut => self.phase = TablePhase::Arrange(Arrange::default()),
             TableAction::Undo => self.take_back(),
-            TableAction::Hint => self.ask_for_hint(cx),
+            TableAction::Hint => self.hint(),
             TableAction::Strike => self.strike(cx),
             _ => {}
         }

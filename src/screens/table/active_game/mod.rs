@@ -68,11 +68,6 @@ pub(super) struct ActiveGame {
 pub(super) enum TablePhase {
     /// Aiming the next stroke.
     Aim,
-    /// Waiting for the computer's stroke.
-    Think {
-        /// By which the answer is known.
-        ticket: u64,
-    },
     /// Seeing the computer's stroke before it is struck.
     Show(Box<ShownStroke>),
     /// Saying where the two of the first impact will go.
@@ -85,22 +80,14 @@ pub(super) enum TablePhase {
     Over,
 }
 
-/// A hint on its way, or there.
+/// A hint that was asked for.
 #[derive(Debug, Clone)]
-pub(super) enum Hinted {
-    /// Asked for.
-    Asked {
-        /// By which the answer is known.
-        ticket: u64,
-    },
-    /// There.
-    Told {
-        hint: Box<StrokeHint>,
-        /// What it speaks of on the board, if it speaks of a coin.
-        pointer: Option<Pointer>,
-        /// Whether all of it is told, or only where to look.
-        whole: bool,
-    },
+pub(super) struct Hinted {
+    pub(super) hint: StrokeHint,
+    /// What it speaks of on the board, if it speaks of a coin.
+    pub(super) pointer: Option<Pointer>,
+    /// Whether all of it is told, or only where to look.
+    pub(super) whole: bool,
 }
 
 /// A call in the making.
@@ -138,7 +125,7 @@ impl ActiveGame {
 
     /// Whether there is a long hint to read, for which the page keys are needed.
     pub(super) fn reads_hint(&self) -> bool {
-        matches!(self.hint, Some(Hinted::Told { whole: true, .. }))
+        self.hint.as_ref().is_some_and(|hinted| hinted.whole)
     }
 
     /// The game as it stands.
@@ -255,10 +242,6 @@ impl ActiveGame {
         self.hand_over(cx);
         let used = match input {
             Input::Mouse(mouse) => self.mouse(mouse, cx),
-            Input::Searched(result) => {
-                self.take_result(result, cx);
-                true
-            }
             Input::Kept(answer) => {
                 self.take_answer(answer);
                 true
@@ -290,7 +273,6 @@ impl ActiveGame {
             TablePhase::Watch(_) => self.watching_mouse(mouse, cx),
             TablePhase::Arrange(_) => self.arranging_mouse(mouse, cx),
             TablePhase::Over => self.over_mouse(mouse, cx),
-            TablePhase::Think { .. } => false,
         }
     }
 
@@ -416,8 +398,7 @@ impl ActiveGame {
 mod tests {
     use super::*;
     use crate::game::SavedGame;
-    use crate::game::opponent;
-    use crate::messages::{Effect, Found, Key, SearchResult, SearchTask, Wanted};
+    use crate::messages::Key;
     use crate::screens::Settings;
 
     fn context() -> Context {
@@ -441,16 +422,6 @@ mod tests {
                 active.act(action, cx);
             }
         }
-    }
-
-    fn asked(cx: &mut Context) -> Vec<SearchTask> {
-        let effects = cx.take_asked().into_iter();
-        effects
-            .filter_map(|effect| match effect {
-                Effect::Search(task) => Some(*task),
-                _ => None,
-            })
-            .collect()
     }
 
     /// What was written down leads to what is on the table, to the last bit, also by
@@ -486,7 +457,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_result_that_is_waited_for_is_taken_in() {
+    fn the_computer_shows_its_stroke_and_then_plays_it() {
         let mut cx = context();
         let options = Options {
             players: [super::super::options::Player::Computer; 4],
@@ -496,58 +467,14 @@ mod tests {
         // Nobody has to press a key for it.
         assert!(active.wake(HitPace::Still).is_some());
         active.advance(Duration::ZERO, &mut cx);
-        assert_eq!(active.wake(HitPace::Still), None);
-        let tasks = asked(&mut cx);
-        assert_eq!(tasks.len(), 1);
-        let SearchTask {
-            ticket,
-            game,
-            seed,
-            wanted: Wanted::Stroke(strength),
-        } = &tasks[0]
-        else {
-            panic!("a stroke was wanted");
-        };
-        let decision = opponent::think(game, *strength, *seed);
-        let result = SearchResult {
-            ticket: *ticket,
-            found: Found::Stroke(decision),
-        };
-        let stale = SearchResult {
-            ticket: result.ticket + 1,
-            ..result
-        };
-        for unwanted in [
-            stale,
-            SearchResult {
-                found: Found::Hint(None),
-                ..result
-            },
-        ] {
-            active.input(&Input::Searched(Box::new(unwanted)), &mut cx);
-            assert!(matches!(active.phase, TablePhase::Think { .. }));
-        }
-        let mut failing = active.clone();
-        active.input(&Input::Searched(Box::new(result)), &mut cx);
         assert!(matches!(active.phase, TablePhase::Show(_)));
         assert_eq!(active.history.len(), 0);
         active.advance(Duration::from_secs(2), &mut cx);
         assert!(matches!(active.phase, TablePhase::Watch(_)));
         assert!(active.history.past(0).unwrap().meant.is_some());
-        // The same result again comes too late.
-        active.input(&Input::Searched(Box::new(result)), &mut cx);
-        assert_eq!(active.history.len(), 1);
         assert_recorded(&active, &cx);
-        assert_eq!(asked(&mut cx), vec![]);
         press(&mut active, "\n", &mut cx);
-        assert_eq!(asked(&mut cx).len(), 1);
-        // Where the computer fails a person plays on, and is told so.
-        failing.input(&Input::Searched(Box::new(tasks[0].failed())), &mut cx);
-        assert!(matches!(failing.phase, TablePhase::Aim));
-        assert!(failing.notice.is_some() && !failing.is_computers_turn());
-        assert_eq!(asked(&mut cx), vec![]);
-        press(&mut failing, " ", &mut cx);
-        assert_eq!(failing.history.len(), 1);
+        assert!(matches!(active.phase, TablePhase::Show(_)));
     }
 
     #[test]
@@ -567,29 +494,13 @@ mod tests {
             active.advance(wake.unwrap(), &mut cx);
             passed += 1;
         }
-        assert!(matches!(
-            active.phase,
-            TablePhase::Aim | TablePhase::Think { .. }
-        ));
+        assert!(matches!(active.phase, TablePhase::Aim));
         // Whoever wants to press a key for each step is waited for here, too.
         cx.settings.wait_at_beats = true;
         waits.advance(Duration::from_secs(60), &mut cx);
         waits.advance(Duration::from_secs(60), &mut cx);
         assert!(matches!(waits.phase, TablePhase::Watch(_)));
         assert_eq!(waits.wake(HitPace::Waiting), None);
-    }
-
-    #[test]
-    fn a_hint_that_fails_is_told_and_can_be_asked_for_again() {
-        let mut cx = context();
-        let mut active = ActiveGame::new(Options::two_people(), 4);
-        for _ in 0..2 {
-            active.ask_for_hint(&mut cx);
-            let tasks = asked(&mut cx);
-            assert_eq!(tasks.len(), 1);
-            active.input(&Input::Searched(Box::new(tasks[0].failed())), &mut cx);
-            assert!(active.hint.is_none() && active.notice.is_some());
-        }
     }
 
     #[test]

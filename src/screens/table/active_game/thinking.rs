@@ -1,8 +1,10 @@
-//! The computer's strokes and the player's hints: asked for, and what comes back.
+//! The computer's strokes and the player's hints.
+//!
+//! Both are searched for on the spot: while the computer decides nothing moves on the board,
+//! and a search takes less time than anyone would notice as a wait (`docs/performance.md`).
 
 use super::{ActiveGame, Hinted, TablePhase};
-use crate::game::opponent::StrokeHint;
-use crate::messages::{Found, SearchResult, Wanted};
+use crate::game::opponent;
 use crate::screens::Context;
 use crate::screens::table::aim::Aim;
 use crate::screens::table::computer_stroke::{ComputerStroke, strike};
@@ -10,37 +12,47 @@ use crate::screens::table::options::Player;
 use crate::screens::table::pointer::Pointer;
 
 impl ActiveGame {
-    /// Whether the computer is to play and has not been asked yet.
+    /// Whether the computer is to decide on its stroke.
     pub(super) fn is_computers_turn(&self) -> bool {
         matches!(self.phase, TablePhase::Aim)
             && self.options.player(self.seat()) == Player::Computer
     }
 
-    /// Asks the computer for its stroke, if it is to play.
-    pub(super) fn hand_over(&mut self, cx: &mut Context) {
+    /// Lets the computer decide on its stroke, if it is to play.
+    pub(super) fn hand_over(&mut self, cx: &Context) {
         if self.is_computers_turn() {
-            let wanted = Wanted::Stroke(self.options.strength(self.seat()));
-            let ticket = cx.think(self.game().clone(), self.next_seed(), wanted);
-            self.phase = TablePhase::Think { ticket };
+            let strength = self.options.strength(self.seat());
+            match opponent::think(self.game(), strength, self.next_seed()) {
+                Some(decision) => self.show(ComputerStroke::new(decision, self.game()), cx),
+                None => self.pass(),
+            }
         }
     }
 
-    /// Asks for a hint; once it is there, tells more of it; at last sets it.
-    pub(super) fn ask_for_hint(&mut self, cx: &mut Context) {
+    /// Gives a hint; then all of it; at last sets it.
+    pub(super) fn hint(&mut self) {
         match &mut self.hint {
-            Some(Hinted::Told { hint, whole, .. }) if *whole => {
-                let stroke = hint.stroke;
+            Some(hinted) if hinted.whole => {
+                let stroke = hinted.hint.stroke;
                 self.aim = Aim::of(&strike(stroke), self.seat());
                 self.look_ahead();
             }
-            Some(Hinted::Told { whole, .. }) => *whole = true,
-            Some(Hinted::Asked { .. }) => {}
-            None => {
-                let ticket = cx.think(self.game().clone(), self.next_seed(), Wanted::Hint);
-                self.history.take_hint();
-                self.hint = Some(Hinted::Asked { ticket });
-            }
+            Some(hinted) => hinted.whole = true,
+            None => self.find_hint(),
         }
+    }
+
+    fn find_hint(&mut self) {
+        self.history.take_hint();
+        let found = opponent::hint(self.game(), self.next_seed());
+        if found.is_none() {
+            self.notice = Some("There is no stroke to be found here.".into());
+        }
+        self.hint = found.map(|hint| Hinted {
+            pointer: Pointer::of(&hint.reason.story, &strike(hint.stroke), self.game()),
+            hint,
+            whole: false,
+        });
     }
 
     /// What is left to chance in the next stroke: another each time, and the same
@@ -50,50 +62,9 @@ impl ActiveGame {
         seed.rotate_left(32) ^ self.history.len() as u64
     }
 
-    /// Takes the result of a search in, if it is still waited for.
-    pub(super) fn take_result(&mut self, result: &SearchResult, cx: &Context) {
-        let is_it = |ticket: u64| ticket == result.ticket;
-        let thinks = matches!(self.phase, TablePhase::Think { ticket } if is_it(ticket));
-        let hints = matches!(self.hint, Some(Hinted::Asked { ticket }) if is_it(ticket));
-        match result.found {
-            Found::Stroke(Some(decision)) if thinks => {
-                self.show(ComputerStroke::new(decision, self.game()), cx);
-            }
-            Found::Stroke(None) if thinks => self.pass(),
-            Found::Hint(hint) if hints => self.take_hint(hint),
-            Found::Failed if thinks => {
-                self.phase = TablePhase::Aim;
-                self.hand_to_person();
-                let notice =
-                    "The computer has come upon a fault of its own. Please play on in its place.";
-                self.notice = Some(notice.into());
-            }
-            Found::Failed if hints => {
-                self.hint = None;
-                self.notice =
-                    Some("No hint: the computer has come upon a fault of its own.".into());
-            }
-            _ => {}
-        }
-    }
-
     /// Lets a person play where the computer cannot: else the game would stand still.
     pub(super) fn hand_to_person(&mut self) {
         let seat = self.seat();
         self.options.set_player(seat, Player::Person);
-    }
-
-    fn take_hint(&mut self, hint: Option<StrokeHint>) {
-        self.hint = match hint {
-            Some(hint) => Some(Hinted::Told {
-                pointer: Pointer::of(&hint.reason.story, &strike(hint.stroke), self.game()),
-                hint: Box::new(hint),
-                whole: false,
-            }),
-            None => {
-                self.notice = Some("There is no stroke to be found here.".into());
-                None
-            }
-        };
     }
 }

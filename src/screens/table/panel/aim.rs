@@ -107,17 +107,12 @@ fn turn(active: &ActiveGame, lines: &mut Lines) {
 
 /// The hint: first where to look, then all of it.
 fn hint(hinted: &Hinted, lines: &mut Lines) {
-    match hinted {
-        Hinted::Asked { .. } => lines.line("looking for a stroke …", Role::Dim),
-        Hinted::Told { hint, whole, .. } => {
-            let (words, key) = match whole {
-                false => (hint.which(), "h: tell me more"),
-                true => (hint.how(), "h: set it so"),
-            };
-            lines.paragraph(&words, Role::Good);
-            lines.line(key, Role::Key);
-        }
-    }
+    let (words, key) = match hinted.whole {
+        false => (hinted.hint.which(), "h: tell me more"),
+        true => (hinted.hint.how(), "h: set it so"),
+    };
+    lines.paragraph(&words, Role::Good);
+    lines.line(key, Role::Key);
 }
 
 /// What the striker will meet first.

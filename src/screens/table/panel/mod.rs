@@ -14,9 +14,7 @@ pub(super) use stroke::impact_at;
 
 use super::active_game::{ActiveGame, TablePhase};
 use super::game_history::Past;
-use super::words;
 use crate::game::Ruling;
-use crate::numbers::capital;
 use crate::screens::Context;
 use crate::widgets::panel::written;
 use crate::widgets::{Lines, Role};
@@ -37,7 +35,6 @@ pub(super) fn write(active: &ActiveGame, lines: &mut Lines) {
     }
     match &active.phase {
         TablePhase::Aim => aim::draw(active, lines),
-        TablePhase::Think { .. } => thinking(active, lines),
         TablePhase::Show(shown) => aim::show(active, shown, lines),
         TablePhase::Call(calling) => call::draw(calling, lines),
         TablePhase::Watch(replay) if replay.player.list().is_some() => stroke::list(replay, lines),
@@ -66,16 +63,6 @@ fn rulings(past: &Past, lines: &mut Lines) {
         lines.paragraph(&format!("{text}{law}"), Role::Text);
     }
     lines.gap();
-}
-
-fn thinking(active: &ActiveGame, lines: &mut Lines) {
-    let name = active.options.seat_name(active.seat());
-    let thinks = words::does(name, "thinks");
-    lines.line(&format!("{} …", capital(&thinks)), Role::Title);
-    lines.gap();
-    notice(active, lines);
-    lines.gap();
-    score::draw(active, lines);
 }
 
 fn arrange_help(active: &ActiveGame, holding: bool, lines: &mut Lines) {
