@@ -15,7 +15,6 @@ mod pace;
 mod reader;
 #[cfg(unix)]
 mod signals;
-mod sparing;
 mod store_worker;
 mod surroundings;
 #[cfg(unix)]
@@ -29,6 +28,7 @@ use std::time::{Duration, Instant};
 
 use crossterm::queue;
 use crossterm::terminal::{BeginSynchronizedUpdate, EndSynchronizedUpdate};
+use ratatui::backend::CrosstermBackend;
 use ratatui::layout::Rect;
 use ratatui::{Terminal, TerminalOptions, Viewport};
 use thiserror::Error;
@@ -44,7 +44,6 @@ use crate::store::Store;
 use guard::Guard;
 use message::{Inbox, Message};
 use pace::Pace;
-use sparing::SparingBackend;
 use store_worker::StoreWorker;
 
 /// Why the terminal could not be used any longer.
@@ -75,7 +74,7 @@ pub enum Ending {
 /// Never dropped: ratatui would show the cursor once more, which is the guard's
 /// business, and on a terminal that is gone it would print to standard error,
 /// which is gone too, and panic.
-type FixedTerminal = ManuallyDrop<Terminal<SparingBackend<BufWriter<Stdout>>>>;
+type FixedTerminal = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>;
 
 /// The largest screen that is drawn, in columns and rows; a terminal may say anything, and
 /// memory has its limits. Of a larger one the rest stays empty.
@@ -116,7 +115,7 @@ pub fn run(app: App, store: Store, host: HostOptions) -> Result<Ending, Terminal
     // Colours are the theme's business. Left to itself, crossterm answers NO_COLOR
     // by wiping bold and reverse too.
     crossterm::style::force_color_output(true);
-    let backend = SparingBackend::new(BufWriter::with_capacity(1 << 16, io::stdout()));
+    let backend = CrosstermBackend::new(BufWriter::with_capacity(1 << 16, io::stdout()));
     let (columns, rows) = crossterm::terminal::size().map_err(TerminalError::SetUp)?;
     let viewport = Viewport::Fixed(drawn(columns, rows));
     let screen = Terminal::with_options(backend, TerminalOptions { viewport });
