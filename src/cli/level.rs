@@ -72,13 +72,13 @@ fn check(pack: &str, level: &Level, verbose: bool, out: &mut String) -> Result<b
     };
     let won = trial.verdict.won();
     let outcome = if won { "won" } else { "NOT WON" };
-    let findings = trial.verdict.told(level);
-    writeln!(out, "{name}: {outcome}: {}", summary(&findings))?;
+    let findings = &trial.verdict.findings;
+    writeln!(out, "{name}: {outcome}: {}", summary(findings))?;
     if trial.opens_won {
         writeln!(out, "  note: the aim it opens with wins already")?;
     }
     if verbose {
-        for (goal, finding) in level.goals.iter().zip(&findings) {
+        for (goal, finding) in level.goals.iter().zip(findings) {
             let sign = if finding.met { '+' } else { '-' };
             let goal = goal.describe(&level.scene);
             writeln!(out, "  {sign} {goal} ({})", finding.told)?;

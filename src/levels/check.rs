@@ -1,7 +1,7 @@
 //! Whether a level can be won, and how hard it is.
 
 use super::aim::LevelAim;
-use super::judge::{Judgement, judge, wins};
+use super::judge::{Judgement, judge};
 use super::level::Level;
 use super::play::Patience;
 use crate::physics::{Engine, EngineError, Shot};
@@ -57,7 +57,7 @@ pub fn winning_share(level: &Level, tries: u32) -> f64 {
         let played = level
             .aimed(&aim)
             .play_into(&mut engine, &mut shot, Patience::AMoment);
-        played.is_ok() && wins(level, &shot)
+        played.is_ok() && judge(level, &shot).won()
     });
     won.count() as f64 / f64::from(tries.max(1))
 }

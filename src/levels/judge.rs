@@ -1,137 +1,192 @@
-//! Whether a shot meets the goals of a level, and what came about instead: from the
-//! record of the shot alone. In words it is put by `told`.
+//! Whether a shot meets the goals of a level, and what came about instead, in words: from the
+//! record of the shot alone.
 
 use glam::DVec2;
 
 use super::goal::{Goal, GoalCircle, HitMeasure};
 use super::level::Level;
+use super::scene::{Scene, figures, tidy};
+use crate::numbers::{counted, degrees};
 use crate::physics::angle::angle_between;
+use crate::physics::units::mm_from_m;
 use crate::physics::{DiscState, Event, EventKind, Shot};
 
 /// What became of a level's goals, in their order.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Judgement(pub(super) Vec<Judged>);
-
-/// What became of one goal.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Judged {
-    /// Whether it is met.
-    pub(super) met: bool,
-    /// What was seen of what it asks for.
-    pub(super) seen: Observed,
+pub struct Judgement {
+    /// A finding for each goal.
+    pub findings: Vec<Finding>,
 }
 
-/// What was seen of what a goal asks for.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum Observed {
-    /// It did not come about.
-    Nothing,
-    /// The disc fell into a pocket.
-    Fell,
-    /// The discs fell in this order.
-    FellInOrder(Vec<usize>),
-    /// This disc did not fall; its centre came this near to a pocket's, in metres, if
-    /// there are pockets.
-    NotFallen(usize, Option<f64>),
-    /// This disc hit it.
-    HitBy(usize),
-    /// It came about after the disc had met a cushion so many times.
-    Cushions(usize),
-    /// The disc met another than its target first.
-    OtherFirst,
-    /// The disc never came to rest.
-    NeverResting,
-    /// Where its centre was.
-    Point(DVec2),
-    /// What was measured, in the unit of the goal's range.
-    Number(f64),
-    /// It has no direction, because a disc stopped.
-    NoDirection,
+/// What became of one goal.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finding {
+    /// Whether it is met.
+    pub met: bool,
+    /// What happened, in words with numbers.
+    pub told: String,
 }
 
 impl Judgement {
     /// Whether all goals are met.
     pub fn won(&self) -> bool {
-        self.0.iter().all(|judged| judged.met)
+        self.findings.iter().all(|finding| finding.met)
     }
 
     /// How many goals are met.
     pub fn met(&self) -> usize {
-        self.0.iter().filter(|judged| judged.met).count()
+        self.findings.iter().filter(|finding| finding.met).count()
     }
 }
 
 /// Judges a shot of a level.
 pub fn judge(level: &Level, shot: &Shot) -> Judgement {
-    Judgement(level.goals.iter().map(|goal| goal.judge(shot)).collect())
+    let goals = level.goals.iter();
+    Judgement {
+        findings: goals.map(|goal| goal.judge(shot, &level.scene)).collect(),
+    }
 }
 
-/// Whether a shot of a level meets all goals.
-pub(super) fn wins(level: &Level, shot: &Shot) -> bool {
-    level.goals.iter().all(|goal| goal.judge(shot).met)
+fn found(met: bool, told: String) -> Finding {
+    Finding { met, told }
 }
 
 impl Goal {
-    fn judge(&self, shot: &Shot) -> Judged {
-        let (met, seen) = match self {
-            Self::Pocket { discs } => pocketed(discs, shot),
+    fn judge(&self, shot: &Shot, scene: &Scene) -> Finding {
+        let name = |disc: &usize| scene.name(*disc);
+        let hit = |one: &usize, other: &usize| format!("{} hit {}", name(one), name(other));
+        let no_hit = |one: &usize, other: &usize| {
+            format!("{} did not hit {}", name(one), name(other))
+        };
+        match self {
+            Self::Pocket { discs } => pocketed(discs, shot, scene),
             Self::Keep { disc } => match shot.fallen().any(|fallen| fallen == *disc) {
-                true => (false, Observed::Fell),
-                false => (true, Observed::Nothing),
+                true => found(false, format!("{} fell into a pocket", name(disc))),
+                false => found(true, format!("{} did not fall into a pocket", name(disc))),
             },
-            Self::Untouched { disc, by } => untouched(*disc, *by, shot),
+            Self::Untouched { disc, by } => {
+                let hit_by = match by {
+                    Some(by) => before_meeting(*disc, *by, shot).map(|_| *by),
+                    None => shot.events().iter().find_map(|it| it.kind.partner(*disc)),
+                };
+                match (hit_by, by) {
+                    (Some(one), _) => found(false, hit(&one, disc)),
+                    (None, Some(by)) => found(true, no_hit(by, disc)),
+                    (None, None) => found(true, format!("nothing hit {}", name(disc))),
+                }
+            }
             Self::Hit { disc, by, least } => match before_meeting(*disc, *by, shot) {
-                None => (false, Observed::Nothing),
-                Some(before) => counted(cushions(*by, before), *least),
+                None => found(false, no_hit(by, disc)),
+                Some(_) if *least == 0 => found(true, hit(by, disc)),
+                Some(before) => {
+                    let met = cushions(*by, before);
+                    let told = format!("{} off {}", hit(by, disc), in_cushions(met));
+                    found(met >= *least, told)
+                }
             },
             Self::Rest { disc, circle } => {
                 let end = shot.at(*disc, shot.duration());
+                let name = name(disc);
                 match end.state {
-                    DiscState::Pocketed => (false, Observed::Fell),
-                    DiscState::Moving => (false, Observed::NeverResting),
-                    DiscState::Resting => inside(circle, end.position),
+                    DiscState::Pocketed => found(false, format!("{name} fell into a pocket")),
+                    DiscState::Moving => found(false, format!("{name} never came to rest")),
+                    DiscState::Resting => circle.judge(end.position, &format!("{name} came to rest")),
                 }
             }
             Self::Pass { disc, circle } => {
-                inside(circle, nearest_on_path(shot, *disc, circle.centre))
+                let nearest = nearest_on_path(shot, *disc, circle.centre);
+                circle.judge(nearest, &format!("{} passed", name(disc)))
             }
             Self::Bank {
                 disc,
                 target,
                 least,
-            } => banked(*disc, *target, *least, shot),
-            Self::Cushions { disc, least } => counted(cushions(*disc, shot.events()), *least),
-            Self::FirstHit { measure, range } => {
-                let hit = FirstImpact::of(shot);
-                let seen = hit.and_then(|hit| hit.shows(*measure, shot));
-                let seen = seen.unwrap_or(Observed::Nothing);
-                let met = matches!(seen, Observed::Number(number) if range.holds(number));
-                (met, seen)
+            } => {
+                let events = shot.events().iter().enumerate();
+                let mut partners = events.filter_map(|(at, it)| Some((at, it.kind.partner(*disc)?)));
+                let (name, target_name) = (name(disc), name(target));
+                match partners.next() {
+                    None => found(false, format!("{name} never met {target_name}")),
+                    Some((_, other)) if other != *target => {
+                        found(false, format!("{name} met another disc first"))
+                    }
+                    Some((at, _)) => {
+                        let met = cushions(*disc, &shot.events()[..at]);
+                        let told = match met {
+                            0 => format!("{name} met {target_name} without a cushion"),
+                            _ => format!("{name} met {target_name} off {}", in_cushions(met)),
+                        };
+                        found(met >= *least, told)
+                    }
+                }
             }
-        };
-        Judged { met, seen }
+            Self::Cushions { disc, least } => {
+                let met = cushions(*disc, shot.events());
+                found(met >= *least, format!("{} met {}", name(disc), in_cushions(met)))
+            }
+            Self::FirstHit { measure, range } => {
+                let name = measure.disc().map_or(String::new(), |disc| scene.name(disc));
+                let number = match FirstImpact::of(shot).map(|hit| hit.shows(*measure, shot)) {
+                    Some(Ok(number)) => number,
+                    Some(Err(missing)) => return found(false, missing.told(&name)),
+                    None => return found(false, Missing::Part.told(&name)),
+                };
+                let told = match measure {
+                    HitMeasure::Speed(_) => format!("{name} left the hit at {} m/s", tidy(number)),
+                    HitMeasure::Turn(_) => format!("{name} left at {}", degrees(number)),
+                    HitMeasure::Separation => format!("they went {} apart", degrees(number)),
+                    HitMeasure::Energy(_) => {
+                        format!("{name} took {} % of the energy", tidy(100.0 * number))
+                    }
+                };
+                match range.holds(number) {
+                    true => found(true, told),
+                    false => found(false, format!("{told}, wanted {}", measure.between(range))),
+                }
+            }
+        }
     }
 }
 
-fn angle(one: DVec2, other: DVec2) -> Observed {
-    angle_between(one, other).map_or(Observed::NoDirection, Observed::Number)
+impl GoalCircle {
+    /// Whether a disc that came to a point is inside; `came` says which and how.
+    fn judge(&self, point: DVec2, came: &str) -> Finding {
+        let outside = self.outside_mm(point);
+        if outside > 0.0 {
+            return found(false, format!("{came} {} mm outside its circle", figures(outside)));
+        }
+        let off = figures(mm_from_m(self.centre.distance(point)));
+        found(true, format!("{came} {off} mm from the middle of its circle"))
+    }
 }
 
-fn counted(cushions: usize, least: usize) -> (bool, Observed) {
-    (cushions >= least, Observed::Cushions(cushions))
+/// Why the first hit shows nothing of a measure.
+enum Missing {
+    /// The disc had no part in it, or there was none.
+    Part,
+    /// A disc stopped.
+    Direction,
 }
 
-fn inside(circle: &GoalCircle, point: DVec2) -> (bool, Observed) {
-    (circle.outside_mm(point) <= 0.0, Observed::Point(point))
+impl Missing {
+    /// In words; a measure of both discs has no `name`.
+    fn told(&self, name: &str) -> String {
+        match (self, name) {
+            (Self::Direction, "") => "one of the two stopped, so there is no angle".into(),
+            (Self::Direction, _) => format!("{name} stopped, so it has no direction"),
+            (Self::Part, "") => "no disc was hit".into(),
+            (Self::Part, _) => format!("{name} had no part in a first hit"),
+        }
+    }
 }
 
 /// The first time two discs meet.
 struct FirstImpact {
     discs: [usize; 2],
-    /// Velocity of body 1, the disc that was set off, before.
+    /// Which of the two was set off: the other is at rest.
+    moving: usize,
+    /// Its velocity before.
     before: DVec2,
-    /// The disc that was set off.
-    body1: usize,
     afters: [DVec2; 2],
 }
 
@@ -144,13 +199,12 @@ impl FirstImpact {
                 after,
                 ..
             } => {
-                // The other is at rest.
                 let first = before[0].length_squared() >= before[1].length_squared();
                 let moving = usize::from(!first);
                 Some(Self {
                     discs,
+                    moving,
                     before: before[moving],
-                    body1: discs[moving],
                     afters: after,
                 })
             }
@@ -158,43 +212,51 @@ impl FirstImpact {
         })
     }
 
-    /// What it shows of a measure; `None` where the disc had no part in it.
-    fn shows(&self, measure: HitMeasure, shot: &Shot) -> Option<Observed> {
-        Some(match measure {
-            HitMeasure::Speed(disc) => Observed::Number(self.after(disc)?.length()),
-            HitMeasure::Turn(disc) => angle(self.before, self.after(disc)?),
+    /// What it shows of a measure, in the unit of the goal's range.
+    fn shows(&self, measure: HitMeasure, shot: &Shot) -> Result<f64, Missing> {
+        let after = |disc| {
+            let both = self.discs.into_iter().zip(self.afters);
+            let mut own = both.filter(|(number, _)| *number == disc);
+            own.next().map(|(_, after)| after).ok_or(Missing::Part)
+        };
+        let angle = |one, other| angle_between(one, other).ok_or(Missing::Direction);
+        match measure {
+            HitMeasure::Speed(disc) => Ok(after(disc)?.length()),
+            HitMeasure::Turn(disc) => angle(self.before, after(disc)?),
             HitMeasure::Separation => angle(self.afters[0], self.afters[1]),
-            HitMeasure::Energy(disc) => Observed::Number(self.energy_share(disc, shot)?),
-        })
-    }
-
-    fn after(&self, disc: usize) -> Option<DVec2> {
-        let both = self.discs.into_iter().zip(self.afters);
-        both.into_iter()
-            .find_map(|(number, after)| (number == disc).then_some(after))
-    }
-
-    /// Kinetic energy of a disc after over that of body 1 before.
-    fn energy_share(&self, disc: usize, shot: &Shot) -> Option<f64> {
-        let mass = |number: usize| shot.discs().get(number).map(|disc| disc.mass);
-        let after = mass(disc)? * self.after(disc)?.length_squared();
-        let before = mass(self.body1)? * self.before.length_squared();
-        (before > 0.0).then(|| after / before)
+            HitMeasure::Energy(disc) => {
+                let energy = |number: usize, velocity: DVec2| {
+                    let disc = shot.discs().get(number).ok_or(Missing::Part)?;
+                    Ok(disc.mass * velocity.length_squared())
+                };
+                let after = energy(disc, after(disc)?)?;
+                let before = energy(self.discs[self.moving], self.before)?;
+                (before > 0.0).then(|| after / before).ok_or(Missing::Part)
+            }
+        }
     }
 }
 
-fn pocketed(discs: &[usize], shot: &Shot) -> (bool, Observed) {
+fn pocketed(discs: &[usize], shot: &Shot, scene: &Scene) -> Finding {
     let stayed = |disc: &&usize| shot.fallen().all(|fallen| fallen != **disc);
     if let Some(&disc) = discs.iter().find(stayed) {
-        let near = shot
-            .board()
-            .pockets()
-            .map(|hole| nearest_on_path(shot, disc, hole).distance(hole))
-            .min_by(f64::total_cmp);
-        return (false, Observed::NotFallen(disc, near));
+        let pockets = shot.board().pockets();
+        let near = pockets.map(|hole| nearest_on_path(shot, disc, hole).distance(hole));
+        let told = match near.min_by(f64::total_cmp) {
+            Some(near) => {
+                let short = mm_from_m(near - 0.5 * scene.board.pocket_diameter).max(0.0);
+                let name = scene.name(disc);
+                format!("{name} came within {} mm of a pocket", figures(short))
+            }
+            None => "there are no pockets".into(),
+        };
+        return found(false, told);
     }
     let order: Vec<_> = shot.fallen().filter(|disc| discs.contains(disc)).collect();
-    (order == discs, Observed::FellInOrder(order))
+    let names: Vec<_> = order.iter().map(|disc| scene.name(*disc)).collect();
+    let met = order == discs;
+    let wrong = if met { "" } else { ": the wrong order" };
+    found(met, format!("{} fell{wrong}", names.join(", then ")))
 }
 
 /// The events before two discs first meet; `None` if they never do.
@@ -210,28 +272,11 @@ fn cushions(disc: usize, events: &[Event]) -> usize {
     events.iter().filter(|event| met(event.kind)).count()
 }
 
-fn untouched(disc: usize, by: Option<usize>, shot: &Shot) -> (bool, Observed) {
-    let hit_by = match by {
-        Some(by) => before_meeting(disc, by, shot).map(|_| by),
-        None => (shot.events().iter()).find_map(|event| event.kind.partner(disc)),
-    };
-    match hit_by {
-        Some(by) => (false, Observed::HitBy(by)),
-        None => (true, Observed::Nothing),
-    }
-}
-
-fn banked(disc: usize, target: usize, least: usize, shot: &Shot) -> (bool, Observed) {
-    let partners = shot.events().iter().map(|event| event.kind.partner(disc));
-    match partners
-        .enumerate()
-        .find_map(|(at, other)| Some((at, other?)))
-    {
-        None => (false, Observed::Nothing),
-        Some((at, other)) if other == target => {
-            counted(cushions(disc, &shot.events()[..at]), least)
-        }
-        Some(_) => (false, Observed::OtherFirst),
+/// A number of cushions in words.
+fn in_cushions(count: usize) -> String {
+    match count {
+        0 => "no cushion".into(),
+        _ => counted(count, "cushion"),
     }
 }
 

@@ -15,7 +15,7 @@ pub const FORMAT: u32 = 1;
 const MOST_GOALS: usize = 8;
 
 /// What stands in a file.
-pub(super) const FIELDS: [&str; 8] = [
+const FIELDS: [&str; 8] = [
     "format", "level", "board", "disc", "shot", "adjust", "goal", "solution",
 ];
 
@@ -77,7 +77,7 @@ impl Level {
         })
     }
 
-    pub(super) fn from_fields(fields: &Fields, others: &[Self]) -> Option<Self> {
+    fn from_fields(fields: &Fields, others: &[Self]) -> Option<Self> {
         let about = fields.table("level", &ABOUT);
         let (scene, count) = Scene::from_fields(fields);
         let goals = fields
@@ -149,6 +149,27 @@ impl Level {
             piece.at.x = m_from_mm(within.get(Dial::Place));
         }
         scene
+    }
+}
+
+impl Scene {
+    /// Reads a scene from the bytes of a file; `name` stands for it in messages.
+    /// A level is a scene too: it is read and checked whole, and its scene returned.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with it.
+    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
+        let source = Source::of_bytes(name, bytes, files::LARGEST)?;
+        source.document("a scene", FORMAT, &[], |fields| {
+            if fields.has("level") {
+                let fields = fields.clone().only(&FIELDS);
+                Level::from_fields(&fields, &[]).map(|level| level.scene)
+            } else {
+                let fields = fields.clone().only(&["format", "board", "disc", "shot"]);
+                Self::from_fields(&fields).0
+            }
+        })
     }
 }
 

@@ -3,9 +3,8 @@
 use glam::DVec2;
 
 use super::kind::DiscKind;
-use super::level::{self, Level};
 use super::quantity as q;
-use crate::files::{self, Fields, FileErrors, Source, all};
+use crate::files::{Fields, all};
 use crate::numbers::short;
 use crate::physics::direction::direction;
 use crate::physics::units::{kg_from_g, m_from_mm, mm_from_m};
@@ -60,25 +59,6 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Reads a scene from the bytes of a file; `name` stands for it in messages.
-    /// A level is a scene too: it is read and checked whole, and its scene returned.
-    ///
-    /// # Errors
-    ///
-    /// All that is wrong with it.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
-        let source = Source::of_bytes(name, bytes, files::LARGEST)?;
-        source.document("a scene", level::FORMAT, &[], |fields| {
-            if fields.has("level") {
-                let fields = fields.clone().only(&level::FIELDS);
-                Level::from_fields(&fields, &[]).map(|level| level.scene)
-            } else {
-                let fields = fields.clone().only(&["format", "board", "disc", "shot"]);
-                Self::from_fields(&fields).0
-            }
-        })
-    }
-
     /// The scene, and how many discs the file has, be they good or not.
     pub(super) fn from_fields(fields: &Fields) -> (Option<Self>, usize) {
         let board = fields.or("board", Board::default(), |_| read_board(fields));

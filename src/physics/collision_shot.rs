@@ -1,6 +1,6 @@
 //! The record of a [`Collision`] as a shot on a frictionless open sheet.
 
-use super::engine::{Limits, play};
+use super::engine::{Limits, check, play};
 use super::{Board, Bond, Collision, Motion, Shot};
 
 impl Collision {
@@ -14,12 +14,15 @@ impl Collision {
         let (p1, p2) = self.positions_before(lead);
         let discs = [self.striker, self.target];
         let start = [Motion::new(p1, self.u1), Motion::new(p2, self.u2)];
+        let limits = Limits::until(duration);
         match self.bond {
-            Bond::Slip => {
-                let limits = Limits::until(duration);
-                play(&Board::open(self.restitution), &discs, &start, limits).ok()
+            Bond::Slip => play(&Board::open(self.restitution), &discs, &start, limits).ok(),
+            Bond::Stick => {
+                let board = Board::open(0.0);
+                check(&board, &discs, &start, limits).ok()?;
+                let ends = duration.is_finite();
+                ends.then(|| Shot::captured(&board, discs, start, duration))
             }
-            Bond::Stick => Shot::captured(discs, start, duration).ok(),
         }
     }
 }

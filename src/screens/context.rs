@@ -63,6 +63,9 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// How often both ways are to be said rightly before the lab's picture may be live.
+    pub(crate) const ENOUGH_FORETOLD: u8 = 3;
+
     /// The styles that follow from palette and colour depth.
     pub fn theme(&self) -> Theme {
         Theme::new(self.palette, self.depth)

@@ -155,7 +155,10 @@ impl<S: Screen> Hosted<S> {
         let next = self.screen.act(action, cx);
         self.asked = matches!(next, Next::Confirm(_)).then_some(action);
         match next {
-            Next::Shared(SharedAction::Scroll(rows)) => self.scroll(rows, None, cx),
+            Next::Shared(SharedAction::Scroll(rows)) => {
+                self.scroll(rows, None, cx);
+                Next::Stay
+            }
             next => next,
         }
     }
@@ -181,9 +184,9 @@ impl<S: Screen> Hosted<S> {
             Part::Picture(..) | Part::Nothing => cx.room(),
             Part::Panel(_) => cx.body.into(),
         };
-        let layout = (view.layout)(room);
-        let places = view.places(&layout).into_iter();
+        let (layout, places) = view.places(room);
         let panels: Vec<_> = places
+            .into_iter()
             .map(|(panel, area)| {
                 let placed = panel.placed(area, &writing, &key);
                 let of = (panel.title.as_str(), panel.subject);
@@ -270,6 +273,7 @@ impl<S: Screen> Hosted<S> {
             return self.screen.input(&Input::Mouse(*mouse), cx);
         };
         let cell = mouse.cell();
+        let has_picture = matches!(view.first, Part::Picture(..));
         let (picture, hit, is_long) = self.with_panels(&view, cx, |layout, panels, _| {
             let mut panels = panels.iter();
             let under = panels.find(|(_, it)| it.area.contains(cell.into()));
@@ -278,11 +282,12 @@ impl<S: Screen> Hosted<S> {
                 let (_, at) = targets.find(|(cells, _)| cells.contains(cell.into()))?;
                 panel.action(at)
             });
-            let is_long = under
-                .is_some_and(|(_, it)| it.placed.overflow() > 0 && it.placed.chosen().is_none());
+            // The wheel moves the mark of a list, which is followed.
+            let is_followed = |it: &Shown| !has_picture && it.placed.chosen().is_some();
+            let is_long =
+                under.is_some_and(|(_, it)| it.placed.overflow() > 0 && !is_followed(it));
             (layout.picture, hit, is_long)
         });
-        let has_picture = matches!(view.first, Part::Picture(..));
         drop(view);
         let wheel = match mouse.kind {
             MouseKind::ScrollUp => -1,
@@ -379,6 +384,11 @@ impl<S: Screen> AnyScreen for Hosted<S> {
             return self.screen.draw(area, buf, cx);
         };
         self.with_panels(&view, cx, |layout, panels, writing| {
+            // What is read first is drawn first.
+            let (tabs, panels) = panels.split_at(view.tabs.is_some().into());
+            for (_, shown) in tabs {
+                shown.placed.draw(0, buf, writing);
+            }
             layout.draw(buf, &writing.look, view.title(), &view.second.title);
             if let Part::Picture(_, draw) = &view.first {
                 draw(layout.picture, buf, &writing.look);

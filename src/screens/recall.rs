@@ -36,15 +36,26 @@ impl Recall {
 
     /// Writes that it is looked for, or why it cannot be; says whether that is so.
     pub(super) fn write_unknown(&self, lines: &mut Lines) -> bool {
+        self.unknown()
+            .inspect(|(text, role)| lines.paragraph(text, *role))
+            .is_some()
+    }
+
+    /// That it is looked for, or why it cannot be.
+    pub(super) fn unknown(&self) -> Option<(String, Role)> {
         match self {
-            Self::Asked(_) => lines.line("Looking …", Role::Dim),
+            Self::Asked(_) => Some(("Looking …".into(), Role::Dim)),
             Self::Unknown(reason) => {
                 let message = format!("What you have done cannot be looked at: {reason}.");
-                lines.paragraph(&message, Role::Warn);
+                Some((message, Role::Warn))
             }
-            Self::Known(_) => return false,
+            Self::Known(_) => None,
         }
-        true
+    }
+
+    /// Whether the answer has come.
+    pub(super) fn is_known(&self) -> bool {
+        !matches!(self, Self::Asked(_))
     }
 
     /// What was done, where there is something.

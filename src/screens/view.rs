@@ -4,11 +4,13 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::widgets::panel::Panel;
-use crate::widgets::{Look, Room, SplitLayout};
+use crate::widgets::{Look, Room, SplitLayout, areas};
 
 /// What a screen shows.
 pub struct View<'s, A> {
-    /// Where both parts stand in the area of the screen.
+    /// One row above both parts: the names of the screen's pages.
+    pub(super) tabs: Option<Panel<A>>,
+    /// Where both parts stand in the area of the screen, or below the tabs.
     pub(super) layout: fn(Room) -> SplitLayout,
     /// The part that has most of the room.
     pub(super) first: Part<'s, A>,
@@ -37,6 +39,7 @@ impl<'s, A> View<'s, A> {
         second: Panel<A>,
     ) -> Self {
         Self {
+            tabs: None,
             layout: SplitLayout::new,
             first: Part::Picture(title.into(), Box::new(draw)),
             second,
@@ -46,6 +49,7 @@ impl<'s, A> View<'s, A> {
     /// A panel, and one beside it that tells more.
     pub(super) fn panels(first: Panel<A>, second: Panel<A>) -> Self {
         Self {
+            tabs: None,
             layout: SplitLayout::new,
             first: Part::Panel(first),
             second,
@@ -55,6 +59,7 @@ impl<'s, A> View<'s, A> {
     /// A panel alone, in the middle.
     pub(super) fn alone(layout: fn(Room) -> SplitLayout, panel: Panel<A>) -> Self {
         Self {
+            tabs: None,
             layout,
             first: Part::Nothing,
             second: panel,
@@ -70,15 +75,17 @@ impl<'s, A> View<'s, A> {
         }
     }
 
-    /// Its panels, each with the place it has.
-    pub(super) fn places(&self, layout: &SplitLayout) -> Vec<(&Panel<A>, Rect)> {
+    /// Where both parts stand in a room, and all its panels, each with the place it has.
+    pub(super) fn places(&self, room: Room) -> (SplitLayout, Vec<(&Panel<A>, Rect)>) {
+        let [above, area] = areas::upper(room.area, self.tabs.is_some().into());
+        let layout = (self.layout)(Room { area, ..room });
+        let tabs = self.tabs.as_ref().map(|tabs| (tabs, above));
         let first = match &self.first {
             Part::Panel(panel) => Some((panel, layout.picture)),
             Part::Picture(..) | Part::Nothing => None,
         };
-        first
-            .into_iter()
-            .chain([(&self.second, layout.panel)])
-            .collect()
+        let panels = tabs.into_iter().chain(first);
+        let panels = panels.chain([(&self.second, layout.panel)]).collect();
+        (layout, panels)
     }
 }

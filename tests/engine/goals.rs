@@ -35,7 +35,7 @@ fn judged(goal: &str, direction_deg: f64) -> Finding {
     let text = format!("{HIT}direction_deg = {direction_deg}\n[[goal]]\n{goal}\n");
     let level = Level::read("hit.toml", text.as_bytes()).unwrap_or_else(|fault| panic!("{fault}"));
     let shot = level.aimed(&level.solution).play(Patience::AKey).unwrap();
-    let [finding] = judge(&level, &shot).told(&level).try_into().unwrap();
+    let [finding] = judge(&level, &shot).findings.try_into().unwrap();
     finding
 }
 
@@ -200,7 +200,7 @@ fn a_pocketed_disc_counts_in_its_order() {
     let judged = |goal: &str| {
         let level = Level::read("row.toml", text(goal).as_bytes()).unwrap();
         let shot = level.aimed(&level.solution).play(Patience::AKey).unwrap();
-        judge(&level, &shot).told(&level).remove(0)
+        judge(&level, &shot).findings.remove(0)
     };
     let right = judged("discs = [1, 0]");
     assert!(right.met);

@@ -90,7 +90,7 @@ fn is_level_or_message(bytes: &[u8]) -> Result<(), TestCaseError> {
         Ok(level) => {
             // A level can be played, if only until there are too many events.
             if let Ok(shot) = level.aimed(&level.solution).play(Patience::AKey) {
-                prop_assert_eq!(judge(&level, &shot).told(&level).len(), level.goals.len());
+                prop_assert_eq!(judge(&level, &shot).findings.len(), level.goals.len());
             }
             prop_assert_eq!(Scene::read("level", bytes), Ok(level.scene));
         }

@@ -45,7 +45,7 @@ fn a_beam_of_a_hundred_million_runs_to_its_end() {
     assert!(game.settle(LONG));
     assert_eq!(number(&mut game, "thrown"), 100_000_000);
     // 854 are expected; five standard deviations.
-    let back = number(&mut game, "||   counted ");
+    let back = number(&mut game, "|| counted ");
     assert!((708..1000).contains(&back), "{back}");
 }
 
@@ -117,11 +117,11 @@ fn hard_targets_send_back_what_the_closed_forms_say() {
     let mut game = foil(false, 1);
     game.press("<Left><Tab><Enter>");
     assert!(game.settle(LONG));
-    let spheres = number(&mut game, "||   counted ");
+    let spheres = number(&mut game, "|| counted ");
     assert!((497_500..502_500).contains(&spheres), "{spheres}");
     game.press("<Down><Left><Enter>");
     assert!(game.settle(LONG));
-    let discs = number(&mut game, "||   counted ");
+    let discs = number(&mut game, "|| counted ");
     assert!((704_800..709_400).contains(&discs), "{discs}");
 }
 

@@ -84,7 +84,7 @@ fn each_round_is_chosen_by_its_number_its_letter_the_arrows_or_the_mouse() {
         ("t", "choose a topic"),
         ("e", "question 1 of 15"),
         ("w", "Read one of them in"),
-        ("c", "The code of the round"),
+        ("c", "It reads like even-7"),
     ]
     .into_iter()
     .enumerate()

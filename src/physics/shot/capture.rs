@@ -8,7 +8,6 @@
 use glam::DVec2;
 
 use super::super::capture::capture;
-use super::super::engine::{EngineError, Limits, check};
 use super::super::slide::time_to_distance;
 use super::{Board, Disc, Event, EventKind, Leg, Motion, Shot};
 
@@ -79,25 +78,17 @@ impl StuckPair {
 impl Shot {
     /// The record of two discs on a frictionless open sheet that stick to each other
     /// where they meet, followed for `duration` seconds. If they miss, it is the
-    /// record of the miss.
-    ///
-    /// # Errors
-    ///
-    /// If a number is unusable or the discs overlap at the start.
+    /// record of the miss. The numbers must be fit for a shot, the time finite.
     pub(in super::super) fn captured(
+        board: &Board,
         discs: [Disc; 2],
         start: [Motion; 2],
         duration: f64,
-    ) -> Result<Self, EngineError> {
-        let (board, limits) = (Board::open(0.0), Limits::until(duration));
-        check(&board, &discs, &start, limits)?;
-        if duration.is_infinite() {
-            return Err(EngineError::Endless);
-        }
+    ) -> Self {
         let touching = discs[0].radius + discs[1].radius;
         let apart = start[1].position - start[0].position;
         let mut shot = Self::default();
-        shot.begin(&board, &discs, &start);
+        shot.begin(board, &discs, &start);
         shot.end(duration);
         let relative = start[1].velocity - start[0].velocity;
         let gap = (apart.length_squared() - touching * touching).max(0.0);
@@ -122,7 +113,7 @@ impl Shot {
             });
             shot.capture = Some(pair);
         }
-        Ok(shot)
+        shot
     }
 }
 
@@ -137,7 +128,7 @@ mod tests {
             velocity: DVec2::new(2.0, 0.0),
         };
         let target = Motion::at_rest(DVec2::new(0.0, -offset));
-        Shot::captured(discs, [striker, target], 1.0).expect("a usable pair")
+        Shot::captured(&Board::open(0.0), discs, [striker, target], 1.0)
     }
 
     fn moments(shot: &Shot, time: f64) -> (DVec2, DVec2) {

@@ -4,21 +4,18 @@ use std::f64::consts::PI;
 
 use ratatui::layout::Rect;
 
-use super::run::BeamRun;
 use super::setup::{FoilSetup, Obstacle};
-use super::{FoilScreen, guess, words};
+use super::{FoilAction, FoilScreen, guess, words};
 use crate::beams::{BIN_WIDTH, BINS, BeamTarget, CountedFor, Counts, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
 use crate::quiz::{Response, letter};
 use crate::screens::Context;
-use crate::widgets::bar::bar;
+use crate::widgets::flow::Run;
+use crate::widgets::panel::Panel;
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
-use crate::widgets::{AnswerInput, Lines, Look, Role, Words};
-
-/// Rows above the answers to choose from.
-pub(super) const GUESS_HEAD: usize = 5;
+use crate::widgets::{AnswerAction, AnswerInput, Look, Role};
 
 /// The title of the picture: what is hit, and in space what is counted there.
 pub(super) fn title(foil: &FoilScreen) -> &'static str {
@@ -118,15 +115,10 @@ fn label_places(expected: impl Fn(f64) -> Option<f64>) -> Vec<glam::DVec2> {
 }
 
 /// Writes the question before a beam.
-pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, lines: &mut Lines) {
-    // Always as many rows, so that the mouse finds the answers.
-    for line in [
-        "Say it first:",
-        "how many are turned back,",
-        "by more than 90°?",
-    ] {
-        lines.line(line, Role::Title);
-    }
+pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, panel: &mut Panel<FoilAction>) {
+    panel.heading("Say it first:");
+    let question = "how many are turned back, by more than 90°?";
+    panel.paragraph(question, Role::Title);
     let setup = &foil.setup;
     let thrown_at = match setup.obstacle {
         Obstacle::Hard => format!("(of all that hit a {})", setup.obstacle_name()),
@@ -134,84 +126,74 @@ pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, lines: &mut Lin
             format!("({:.2} µm of {})", setup.thickness_um, setup.metal().name)
         }
     };
-    lines.line(&thrown_at, Role::Dim);
-    lines.line("", Role::Text);
+    panel.line(thrown_at, Role::Dim);
+    panel.gap();
     for (i, choice) in guess::CHOICES.iter().enumerate() {
         let is_said = said.said() == Some(Response::Choice(i));
-        lines.choice(is_said, Role::Text, |lines, mark, role| {
-            lines.line(&format!("{mark} {} {} ", letter(i), choice.name), role);
-        });
+        let text = vec![Run::new(choice.name, Role::Text)];
+        let say = FoilAction::Guess(AnswerAction::Choose(i));
+        panel.choice(letter(i), text, is_said, Some(say));
     }
-    lines.gap();
-    let next = match said.said() {
-        Some(_) => "Enter: say it, and throw.",
-        None => "Choose an answer with the arrows, or by its letter.",
-    };
-    lines.paragraph(next, Role::Key);
+    panel.gap();
+    match said.said() {
+        Some(_) => panel.prompt("say it, and throw", FoilAction::Guess(AnswerAction::Enter)),
+        None => panel.paragraph(
+            "Choose an answer with the arrows, or by its letter.",
+            Role::Key,
+        ),
+    }
 }
 
 /// Writes what stands below the settings.
-pub(super) fn write(foil: &FoilScreen, lines: &mut Lines, cx: &Context) {
-    lines.gap();
+pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Context) {
+    panel.gap();
     let Some(run) = &foil.run else {
-        let text = if cx.settings.predict {
-            "Enter: say what will happen, then throw."
-        } else {
-            "Enter: throw the beam. (p: predict first)"
-        };
-        lines.paragraph(text, Role::Key);
-        lines.gap();
-        lines.paragraph(about(&foil.setup), Role::Text);
+        let throw = |words| (words, FoilAction::Throw);
+        panel.prompts(match cx.settings.predict {
+            _ if foil.form.is_typing() => vec![("set it", super::SET)],
+            true => vec![throw("say what will happen, then throw")],
+            false => vec![
+                throw("throw the beam"),
+                ("predict first", FoilAction::Predict),
+            ],
+        });
+        panel.gap();
+        panel.paragraph(about(&foil.setup), Role::Text);
         return;
     };
-    progress(run, lines, cx);
-    lines.gap();
+    let share = run.thrown() as f64 / run.particles as f64;
+    panel.meter("", share, format!("{:.0} %", (100.0 * share).floor()));
+    let state = match (run.is_over(), run.is_running()) {
+        (true, _) => "thrown",
+        (false, true) => "thrown so far",
+        (false, false) => "stopped at",
+    };
+    panel.fact(state, words::count(run.thrown()));
+    panel.gap();
     let share = run.law.share_beyond(PI / 2.0);
-    lines.line("turned by more than 90°:", Role::Dim);
-    let back = run.counts.from_bin(BINS / 2);
-    lines.fact("  counted", &words::count(back));
+    panel.line("turned by more than 90°:", Role::Dim);
+    panel.fact("counted", words::count(run.counts.from_bin(BINS / 2)));
     let counted = run.share_turned_back().map_or("none".into(), words::share);
-    lines.fact("  share", &counted);
-    let law = words::share(share);
-    lines.pair("  the law", &law, Role::Dim, Role::StrikerOut);
+    panel.fact("share", counted);
+    panel.coloured_fact("the law", words::share(share), Role::StrikerOut);
     if run.is_running() {
         return;
     }
-    lines.gap();
+    panel.gap();
     if let Some(said) = run.said {
-        lines.paragraph(&guess::explain(said, share), Role::Title);
+        panel.paragraph(guess::explain(said, share), Role::Title);
     }
-    lines.paragraph(&reason(&run.law, share), Role::Text);
-    lines.gap();
+    panel.paragraph(reason(&run.law, share), Role::Text);
+    panel.gap();
     // The standard deviation of a count with this share, √(n p (1 − p)).
     let chance = (run.thrown() as f64 * share * (1.0 - share)).sqrt();
-    lines.paragraph(
-        &format!(
+    panel.paragraph(
+        format!(
             "By chance alone such a count differs by about {} from one beam to the next.",
             words::count(words::rounded(chance.max(1.0)) as u64)
         ),
         Role::Dim,
     );
-}
-
-/// How far the beam is.
-fn progress(run: &BeamRun, lines: &mut Lines, cx: &Context) {
-    let share = run.thrown() as f64 / run.particles as f64;
-    let width = lines.width().saturating_sub(7);
-    let bar = bar(share, width, cx.settings.charset);
-    let percent = (100.0 * share).floor();
-    lines.written_as(
-        |_| Words::meter("", share, &format!("{percent:.0} %"), Role::Text),
-        |lines| lines.line(&format!("{bar} {percent:3.0} %"), Role::Text),
-    );
-    let state = if run.is_over() {
-        "thrown"
-    } else if run.is_running() {
-        "thrown so far"
-    } else {
-        "stopped at"
-    };
-    lines.fact(state, &words::count(run.thrown()));
 }
 
 /// What a beam is, before it is thrown.

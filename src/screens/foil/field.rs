@@ -2,13 +2,11 @@
 
 use super::FoilPage;
 use super::setup::{FoilSetup, Obstacle};
+use super::words::count;
 use crate::beams::{CountedFor, METALS};
 use crate::numbers::fixed;
 use crate::physics::beam::Beam;
-use crate::widgets::input::{Field, FieldValue, FormFields};
-
-/// Powers of ten of the particles in a beam.
-const EXPONENTS: (u32, u32) = (3, 9);
+use crate::widgets::input::{Field, FieldRow, FieldValue, FormFields};
 
 /// The settings of a page.
 #[derive(Debug, Clone, Copy)]
@@ -17,173 +15,151 @@ pub(super) struct FoilFields {
     pub(super) setup: FoilSetup,
 }
 
+type Row = FieldRow<FoilSetup>;
+
 impl FoilFields {
     /// Those that mean something on the page, in the order of its panel.
-    pub(super) fn all(&self) -> &'static [FoilField] {
-        let page: &[FoilField] = match (self.page, self.setup.obstacle) {
-            (FoilPage::Tracks, Obstacle::Hard) => &[F::Obstacle, F::Offset],
-            (FoilPage::Tracks, Obstacle::Nucleus) => &[F::Obstacle, F::Metal, F::Energy, F::Offset],
-            (FoilPage::Counts, Obstacle::Hard) => {
-                &[F::Obstacle, F::Beam, F::Particles, F::CountedFor]
-            }
-            (FoilPage::Counts, Obstacle::Nucleus) => &[
-                F::Obstacle,
-                F::Beam,
-                F::Metal,
-                F::Energy,
-                F::Thickness,
-                F::Particles,
-                F::CountedFor,
+    pub(super) fn rows(&self) -> Vec<&'static Row> {
+        let is_foil = self.setup.obstacle == Obstacle::Nucleus;
+        // On a board there is only one way to count.
+        let in_space = self.setup.counted_for().is_some();
+        let rows: &[(&Row, bool)] = match self.page {
+            FoilPage::Tracks => &[
+                (&OBSTACLE, true),
+                (&METAL, is_foil),
+                (&ENERGY, is_foil),
+                (&OFFSET, true),
             ],
-            (FoilPage::Measured, _) => &[],
+            FoilPage::Counts => &[
+                (&OBSTACLE, true),
+                (&BEAM, true),
+                (&METAL, is_foil),
+                (&ENERGY, is_foil),
+                (&THICKNESS, is_foil),
+                (&PARTICLES, true),
+                (&COUNTED_FOR, in_space),
+            ],
+            FoilPage::Measured => &[],
         };
-        match page {
-            // On a board there is only one way to count.
-            [others @ .., F::CountedFor] if self.setup.counted_for().is_none() => others,
-            all => all,
-        }
+        let rows = rows.iter().filter(|(_, applies)| *applies);
+        rows.map(|(row, _)| *row).collect()
     }
 }
 
 impl FormFields for FoilFields {
     fn fields(&self) -> Vec<Field> {
-        let field = |field: &FoilField| field.field(&self.setup);
-        self.all().iter().map(field).collect()
+        let rows = self.rows().into_iter();
+        rows.map(|row| row.field(&self.setup)).collect()
     }
 
     fn set(&mut self, at: usize, value: f64) {
-        if let Some(field) = self.all().get(at) {
-            field.set(&mut self.setup, value);
+        if let Some(row) = self.rows().get(at) {
+            row.set(&mut self.setup, value);
         }
     }
 }
 
-/// One setting of the foil.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum FoilField {
-    /// What stands in the way.
-    Obstacle,
-    /// Plane or space.
-    Beam,
-    /// Metal, and with it Z.
-    Metal,
-    /// Energy of the α particles.
-    Energy,
-    /// Thickness of the foil.
-    Thickness,
-    /// Impact parameter of one particle.
-    Offset,
-    /// Particles in a beam.
-    Particles,
-    /// What they are counted for.
-    CountedFor,
+const fn choice(at: usize, count: usize) -> FieldValue {
+    FieldValue::Choice { at, count }
 }
 
-use FoilField as F;
-
-impl FoilField {
-    /// Its name on the panel, and what it is.
-    const fn words(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Obstacle => ("target", "what stands in the way"),
-            Self::Beam => ("beam", "spread evenly over a line or a disc"),
-            Self::Metal => ("metal", "what the foil is made of"),
-            Self::Energy => ("energy", "of the α particles"),
-            Self::Thickness => ("foil", "how thick the foil is"),
-            Self::Offset => ("offset b", "how far off-centre it flies"),
-            Self::Particles => ("particles", "how many in a beam"),
-            Self::CountedFor => ("counts", "on a small screen or in rings of 5°"),
-        }
+const fn number(value: f64, range: (f64, f64), step: f64, unit: &'static str) -> FieldValue {
+    FieldValue::Number {
+        value,
+        range,
+        step,
+        unit,
     }
+}
 
-    /// Its value, and what it may be.
-    fn value(self, setup: &FoilSetup) -> FieldValue {
-        let choice = |at, count| FieldValue::Choice { at, count };
-        let number = |value, range, step, unit| FieldValue::Number {
-            value,
-            range,
-            step,
-            unit,
-        };
-        let (least, most) = EXPONENTS;
-        match (self, setup.obstacle) {
-            (Self::Obstacle, obstacle) => choice(usize::from(obstacle == Obstacle::Nucleus), 2),
-            (Self::Beam, _) => choice(usize::from(setup.beam == Beam::Space), 2),
-            (Self::Metal, _) => choice(setup.metal, METALS.len()),
-            // Slower α particles than this hardly pass a foil.
-            (Self::Energy, _) => number(setup.energy_mev, (4.0, 10.0), 0.25, " MeV"),
-            (Self::Thickness, _) => number(setup.thickness_um, (0.05, 2.0), 0.05, " µm"),
-            (Self::Offset, Obstacle::Hard) => number(setup.offset_share, (-1.5, 1.5), 0.05, " R"),
-            (Self::Offset, Obstacle::Nucleus) => number(setup.offset_fm, (-60.0, 60.0), 1.0, " fm"),
-            (Self::CountedFor, _) => choice(usize::from(setup.counted_for == CountedFor::Ring), 2),
-            (Self::Particles, _) => {
-                let at = setup.particles_exponent.saturating_sub(least);
-                choice(at as usize, (most - least + 1) as usize)
-            }
-        }
-    }
+static OBSTACLE: Row = Row {
+    name: "target",
+    about: "what stands in the way",
+    value: |setup| choice(setup.obstacle as usize, 2),
+    shown: |setup| ["hard", "nucleus"][setup.obstacle as usize].into(),
+    put: |setup, at| setup.obstacle = [Obstacle::Hard, Obstacle::Nucleus][at as usize],
+};
 
-    /// The setting as it stands.
-    pub(crate) fn field(self, setup: &FoilSetup) -> Field {
-        let (name, about) = self.words();
-        Field::new(name, self.shown(setup), self.value(setup), about)
-    }
+static BEAM: Row = Row {
+    name: "beam",
+    about: "spread evenly over a line or a disc",
+    value: |setup| choice(setup.beam as usize, 2),
+    shown: |setup| ["in a plane", "in space"][setup.beam as usize].into(),
+    put: |setup, at| setup.beam = [Beam::Board, Beam::Space][at as usize],
+};
 
-    /// Its value with its unit, as shown.
-    fn shown(self, setup: &FoilSetup) -> String {
-        match (self, setup.obstacle, setup.beam) {
-            (Self::Obstacle, Obstacle::Hard, _) => "hard".into(),
-            (Self::Obstacle, Obstacle::Nucleus, _) => "nucleus".into(),
-            (Self::Beam, _, Beam::Board) => "in a plane".into(),
-            (Self::Beam, _, Beam::Space) => "in space".into(),
-            (Self::Metal, ..) => {
-                let metal = setup.metal();
-                format!("{}, Z {}", metal.name, metal.charge)
-            }
-            (Self::Energy, ..) => format!("{:.2} MeV", setup.energy_mev),
-            (Self::Thickness, ..) => format!("{:.2} µm", setup.thickness_um),
-            (Self::Offset, Obstacle::Hard, _) => fixed(setup.offset_share, 2) + " R",
-            (Self::Offset, Obstacle::Nucleus, _) => fixed(setup.offset_fm, 1) + " fm",
-            (Self::Particles, ..) => super::words::count(setup.particles()),
-            (Self::CountedFor, ..) => Self::shown_counts(setup.counted_for).into(),
-        }
-    }
+/// The metal, and with it Z.
+static METAL: Row = Row {
+    name: "metal",
+    about: "what the foil is made of",
+    value: |setup| choice(setup.metal, METALS.len()),
+    shown: |setup| format!("{}, Z {}", setup.metal().name, setup.metal().charge),
+    put: |setup, at| setup.metal = at as usize,
+};
 
-    /// What particles are counted for, as shown.
-    pub(super) const fn shown_counts(counted_for: CountedFor) -> &'static str {
-        match counted_for {
-            CountedFor::Steradian => "small screen",
-            CountedFor::Ring => "whole rings",
-        }
-    }
+static ENERGY: Row = Row {
+    name: "energy",
+    about: "of the α particles",
+    // Slower α particles than this hardly pass a foil.
+    value: |setup| number(setup.energy_mev, (4.0, 10.0), 0.25, " MeV"),
+    shown: |setup| format!("{:.2} MeV", setup.energy_mev),
+    put: |setup, energy| setup.energy_mev = energy,
+};
 
-    /// Sets it, held to its range, a choice by its place.
-    pub(crate) fn set(self, setup: &mut FoilSetup, value: f64) {
-        let (low, high) = match self.value(setup) {
-            FieldValue::Number { range, .. } => range,
-            FieldValue::Choice { count, .. } => (0.0, count as f64 - 1.0),
-        };
-        // Adding 0 makes a plain 0 of -0.
-        let value = value.clamp(low, high) + 0.0;
-        let second = usize::from(value > 0.5);
-        match (self, setup.obstacle) {
-            (Self::Obstacle, _) => setup.obstacle = [Obstacle::Hard, Obstacle::Nucleus][second],
-            (Self::Beam, _) => setup.beam = [Beam::Board, Beam::Space][second],
-            (Self::Metal, _) => setup.metal = value as usize,
-            (Self::Energy, _) => setup.energy_mev = value,
-            (Self::Thickness, _) => setup.thickness_um = value,
-            (Self::Offset, Obstacle::Hard) => setup.offset_share = value,
-            (Self::Offset, Obstacle::Nucleus) => setup.offset_fm = value,
-            (Self::Particles, _) => setup.particles_exponent = EXPONENTS.0 + value as u32,
-            (Self::CountedFor, _) => {
-                setup.counted_for = [CountedFor::Steradian, CountedFor::Ring][second];
-            }
-        }
-    }
+static THICKNESS: Row = Row {
+    name: "foil",
+    about: "how thick the foil is",
+    value: |setup| number(setup.thickness_um, (0.05, 2.0), 0.05, " µm"),
+    shown: |setup| format!("{:.2} µm", setup.thickness_um),
+    put: |setup, thickness| setup.thickness_um = thickness,
+};
 
-    /// Its value `steps` steps further and on the grid of steps; choices go round.
-    pub(crate) fn stepped(self, setup: &FoilSetup, steps: f64) -> f64 {
-        self.value(setup).stepped(steps)
+/// Impact parameter of one particle.
+pub(super) static OFFSET: Row = Row {
+    name: "offset b",
+    about: "how far off-centre it flies",
+    value: |setup| match setup.obstacle {
+        Obstacle::Hard => number(setup.offset_share, (-1.5, 1.5), 0.05, " R"),
+        Obstacle::Nucleus => number(setup.offset_fm, (-60.0, 60.0), 1.0, " fm"),
+    },
+    shown: |setup| match setup.obstacle {
+        Obstacle::Hard => fixed(setup.offset_share, 2) + " R",
+        Obstacle::Nucleus => fixed(setup.offset_fm, 1) + " fm",
+    },
+    put: |setup, offset| match setup.obstacle {
+        Obstacle::Hard => setup.offset_share = offset,
+        Obstacle::Nucleus => setup.offset_fm = offset,
+    },
+};
+
+/// The least and the greatest power of ten of the particles in a beam.
+const EXPONENTS: [u32; 2] = [3, 9];
+
+static PARTICLES: Row = Row {
+    name: "particles",
+    about: "how many in a beam",
+    value: |setup| {
+        let [least, most] = EXPONENTS;
+        let at = setup.particles_exponent.saturating_sub(least);
+        choice(at as usize, (most - least + 1) as usize)
+    },
+    shown: |setup| count(setup.particles()),
+    put: |setup, at| setup.particles_exponent = EXPONENTS[0] + at as u32,
+};
+
+static COUNTED_FOR: Row = Row {
+    name: "counts",
+    about: "on a small screen or in rings of 5°",
+    value: |setup| choice(setup.counted_for as usize, 2),
+    shown: |setup| shown_counts(setup.counted_for).into(),
+    put: |setup, at| setup.counted_for = [CountedFor::Steradian, CountedFor::Ring][at as usize],
+};
+
+/// What particles are counted for, as shown.
+pub(super) const fn shown_counts(counted_for: CountedFor) -> &'static str {
+    match counted_for {
+        CountedFor::Steradian => "small screen",
+        CountedFor::Ring => "whole rings",
     }
 }
 
@@ -191,20 +167,16 @@ impl FoilField {
 mod tests {
     use super::*;
 
-    const ALL: [FoilField; 8] = [
-        F::Obstacle,
-        F::Beam,
-        F::Metal,
-        F::Energy,
-        F::Thickness,
-        F::Offset,
-        F::Particles,
-        F::CountedFor,
+    const ALL: [&Row; 8] = [
+        &OBSTACLE,
+        &BEAM,
+        &METAL,
+        &ENERGY,
+        &THICKNESS,
+        &OFFSET,
+        &PARTICLES,
+        &COUNTED_FOR,
     ];
-
-    fn step(field: FoilField, setup: &mut FoilSetup, steps: f64) {
-        field.set(setup, field.stepped(setup, steps));
-    }
 
     fn is_within(value: FieldValue) -> bool {
         match value {
@@ -215,14 +187,14 @@ mod tests {
 
     #[test]
     fn every_setting_stays_in_its_range() {
-        for field in ALL {
+        for row in ALL {
             for wild in [-1e9, -0.0, 0.0, 0.7, 1e9] {
                 let mut setup = FoilSetup::default();
-                field.set(&mut setup, wild);
-                assert!(is_within(field.value(&setup)), "{field:?}");
-                step(field, &mut setup, 10.0);
-                step(field, &mut setup, -1.0);
-                assert!(is_within(field.value(&setup)), "{field:?}");
+                row.set(&mut setup, wild);
+                assert!(is_within((row.value)(&setup)), "{}", row.name);
+                row.step(&mut setup, 10.0);
+                row.step(&mut setup, -1.0);
+                assert!(is_within((row.value)(&setup)), "{}", row.name);
             }
         }
     }
@@ -231,12 +203,12 @@ mod tests {
     fn choices_go_round_and_numbers_land_on_the_grid() {
         let mut setup = FoilSetup::default();
         for _ in 0..METALS.len() {
-            step(F::Metal, &mut setup, 1.0);
+            METAL.step(&mut setup, 1.0);
         }
         assert_eq!(setup, FoilSetup::default());
-        step(F::Energy, &mut setup, 1.0);
+        ENERGY.step(&mut setup, 1.0);
         assert_eq!(setup.energy_mev, 7.75);
-        step(F::Particles, &mut setup, 1.0);
+        PARTICLES.step(&mut setup, 1.0);
         assert_eq!(setup.particles(), 10_000_000);
     }
 }

@@ -4,12 +4,13 @@ use glam::dvec2;
 use ratatui::layout::Rect;
 
 use super::setup::FoilSetup;
-use super::words;
+use super::{FoilAction, words};
 use crate::beams::{Angle, Series, geiger_marsden};
 use crate::physics::rutherford::{GOLD_DENSITY, MEASURED_SHARE, Rutherford};
+use crate::widgets::panel::Panel;
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
-use crate::widgets::{Charset, Lines, Look, Role};
+use crate::widgets::{Charset, Look, Role};
 
 /// A metal and how it is shown.
 struct ShownMetal {
@@ -141,31 +142,29 @@ fn signed(share: f64) -> String {
 }
 
 /// Writes what stands beside the picture.
-pub(super) fn write(lines: &mut Lines) {
-    let series = match series() {
-        Ok(series) => series,
-        Err(fault) => return lines.paragraph(&fault, Role::Warn),
+pub(super) fn write(panel: &mut Panel<FoilAction>) {
+    let [gold, silver] = match series() {
+        Ok([Some(gold), Some(silver)]) => [gold, silver],
+        Ok(_) => return,
+        Err(fault) => return panel.paragraph(fault, Role::Warn),
     };
-    let [Some(gold), Some(silver)] = series else {
-        return;
-    };
-    lines.paragraph(
+    panel.paragraph(
         "Hans Geiger and Ernest Marsden sat in the dark and counted by eye the flashes of single α particles on a screen, at one angle φ after another.",
         Role::Text,
     );
-    lines.gap();
-    lines.paragraph(
+    panel.gap();
+    panel.paragraph(
         "If all the charge of an atom sits in one small place, the counts must grow as 1/sin⁴(φ/2): the straight lines.",
         Role::Text,
     );
-    lines.gap();
+    panel.gap();
     let counts =
         |f: fn(f64, f64) -> f64, start| gold.points.iter().map(|point| point.2).fold(start, f);
     let (most, least) = (counts(f64::max, 0.0), counts(f64::min, f64::INFINITY));
     let ((low, high), (silver_low, silver_high)) = (gold.band(), silver.band());
-    lines.paragraph(
-        &format!(
-            "The counts for gold go from {least} to {}, a factor of {}, and stay between {} and {} of the law. The difference is real: at small angles the counts are too high. Silver: {} to {}. The second plot (Enter) enlarges it.",
+    panel.paragraph(
+        format!(
+            "The counts for gold go from {least} to {}, a factor of {}, and stay between {} and {} of the law. The difference is real: at small angles the counts are too high. Silver: {} to {}. The second plot enlarges it.",
             words::count(most as u64),
             words::count(words::rounded(most / least) as u64),
             signed(low),
@@ -175,21 +174,22 @@ pub(super) fn write(lines: &mut Lines) {
         ),
         Role::Text,
     );
-    lines.gap();
-    lines.paragraph(
+    panel.prompt("the other plot", FoilAction::OtherPlot);
+    panel.gap();
+    panel.paragraph(
         "The counts are relative, so each metal has a line of its own. Where a line lies is fitted; how steep it is, is not. A second series, at smaller angles, has yet another scale, so it cannot be joined to this one.",
         Role::Dim,
     );
-    lines.gap();
-    lines.line("How many, not only how", Role::Title);
-    lines.paragraph(&absolute_check(), Role::Text);
-    lines.gap();
-    lines.line("“1 in 8000”", Role::Title);
+    panel.gap();
+    panel.heading("How many, not only how");
+    panel.paragraph(absolute_check(), Role::Text);
+    panel.gap();
+    panel.heading("“1 in 8000”");
     let back = FoilSetup::default()
         .law()
         .share_beyond(std::f64::consts::FRAC_PI_2);
-    lines.paragraph(
-        &format!(
+    panel.paragraph(
+        format!(
             "That number is from 1909, and not from a gold foil: it is the share of α particles that came back from a thick platinum plate, many layers deep. A gold foil of 0.21 µm turns back far fewer: {}.",
             words::share(back)
         ),

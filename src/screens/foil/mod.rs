@@ -14,20 +14,18 @@ mod words;
 
 use std::time::Duration;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Next, Screen};
+use super::{Context, Next, Screen, View};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::quiz::Response;
-use crate::widgets::input::{FormAction, KeyTable, SettingsForm};
-use crate::widgets::{AnswerAction, AnswerInput, Outcome, Scroll, scroll_keys, svg};
+use crate::widgets::input::{EntryAction, FormAction, KeyTable, SettingsForm};
+use crate::widgets::{AnswerAction, AnswerInput, Outcome, svg};
 
-pub(crate) use field::FoilField;
 pub(crate) use plot::{FoilFigure, FoilFigureAction};
 pub(crate) use setup::FoilSetup;
 
-use field::FoilFields;
+use field::{FoilFields, OFFSET};
 use run::BeamRun;
 use setup::Obstacle::{Hard, Nucleus};
 
@@ -63,6 +61,8 @@ impl FoilPage {
 pub(crate) enum FoilAction {
     /// next page; Shift+Tab the one before
     TurnPage(isize),
+    /// open a page by its name
+    Open(FoilPage),
     /// change a setting
     Set(FormAction),
     /// a whole beam of such particles
@@ -79,8 +79,6 @@ pub(crate) enum FoilAction {
     Scale,
     /// the other plot of the same counts
     OtherPlot,
-    /// scroll a text that is longer than its place
-    Scroll(i16),
     /// export the plot as an SVG picture
     Export,
     /// say first what will happen, or just watch
@@ -91,6 +89,9 @@ pub(crate) enum FoilAction {
     Back,
 }
 
+/// Sets the number that was typed.
+const SET: FoilAction = FoilAction::Set(FormAction::Number(EntryAction::Enter));
+
 /// The foil.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct FoilScreen {
@@ -98,8 +99,6 @@ pub(crate) struct FoilScreen {
     page: FoilPage,
     /// The setting that keys change.
     form: SettingsForm,
-    /// How far the text of the page is scrolled.
-    scroll: Scroll,
     /// What is said of the beam, while that is asked for.
     guess: Option<AnswerInput>,
     /// The beam, since the setting last changed.
@@ -155,9 +154,6 @@ impl FoilScreen {
         {
             self.run = None;
         }
-        if self.setup != before {
-            self.scroll = Scroll::default();
-        }
     }
 
     /// Takes over a number that was typed and not entered.
@@ -169,12 +165,13 @@ impl FoilScreen {
         self.commit();
         self.halt(true);
         // The setting that was chosen stays chosen, if the page has it.
-        let fields = self.fields().all();
-        let chosen = fields.get(self.form.selected(fields.len()));
+        let rows = self.fields().rows();
+        let chosen = rows.get(self.form.selected(rows.len()));
+        let chosen = chosen.map(|row| row.name);
         self.page = page;
-        let mut others = self.fields().all().iter();
-        self.form = SettingsForm::at(others.position(|other| Some(other) == chosen).unwrap_or(0));
-        self.scroll = Scroll::default();
+        let mut others = self.fields().rows().into_iter();
+        let place = others.position(|row| Some(row.name) == chosen);
+        self.form = SettingsForm::at(place.unwrap_or(0));
         self.guess = None;
     }
 
@@ -196,8 +193,7 @@ impl FoilScreen {
                     chosen: None,
                     count: guess::CHOICES.len(),
                 });
-                self.scroll = Scroll::default();
-            }
+                    }
             None => self.begin(None, cx.seed()),
         }
     }
@@ -210,7 +206,6 @@ impl FoilScreen {
         self.runs = self.runs.wrapping_add(1);
         let (law, particles) = (self.setup.law(), self.setup.particles());
         self.run = Some(BeamRun::new(law, seed, particles, said));
-        self.scroll = Scroll::default();
     }
 
     fn say(&mut self, action: AnswerAction, cx: &Context) {
@@ -234,72 +229,25 @@ impl FoilScreen {
         cx.export(name, svg);
     }
 
-    fn scroll_by(&mut self, rows: i16, cx: &Context) {
-        let area = view::FoilLayout::new(cx.room()).beside.panel;
-        self.scroll = self.scroll.by(rows, area, cx.settings.look(), |lines| {
-            view::write_panel(self, lines, cx);
-        });
+    /// Moves the particle by so many steps.
+    fn step_offset(&mut self, steps: i8) {
+        self.edit(|_, fields| OFFSET.step(&mut fields.setup, steps.into()));
     }
 
     /// The mouse over the picture of one particle, which it drags or moves by steps; says
     /// whether it meant anything.
     fn move_particle(&mut self, mouse: &Mouse, picture: Rect) -> bool {
-        let offset = match mouse.kind {
-            MouseKind::ScrollUp => FoilField::Offset.stepped(&self.setup, 1.0),
-            MouseKind::ScrollDown => FoilField::Offset.stepped(&self.setup, -1.0),
+        match mouse.kind {
+            MouseKind::ScrollUp => self.step_offset(1),
+            MouseKind::ScrollDown => self.step_offset(-1),
             MouseKind::Down | MouseKind::Drag => {
                 self.form.give_up();
-                tracks_page::offset_at(picture, &self.setup, mouse.cell())
+                let offset = tracks_page::offset_at(picture, &self.setup, mouse.cell());
+                self.edit(|_, fields| OFFSET.set(&mut fields.setup, offset));
             }
             MouseKind::Up => return false,
-        };
-        self.edit(|_, fields| FoilField::Offset.set(&mut fields.setup, offset));
+        }
         true
-    }
-
-    fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
-        let layout = view::FoilLayout::new(cx.room());
-        let cell = mouse.cell();
-        let pressed = mouse.kind == MouseKind::Down;
-        if pressed && let Some(page) = layout.tab_at(cell) {
-            self.turn_to(page);
-            return Next::Stay;
-        }
-        let in_panel = layout.beside.panel.contains(cell.into());
-        if in_panel {
-            match mouse.kind {
-                MouseKind::ScrollUp => self.scroll_by(-1, cx),
-                MouseKind::ScrollDown => self.scroll_by(1, cx),
-                MouseKind::Down if !self.is_running() => {
-                    let row = usize::from(layout.row_of_text(self, cell, cx));
-                    if self.guess.is_some() {
-                        match row.checked_sub(beam_page::GUESS_HEAD) {
-                            Some(i) if i < guess::CHOICES.len() => {
-                                self.say(AnswerAction::Choose(i), cx);
-                            }
-                            _ => return Next::Ignored,
-                        }
-                    } else if row < self.fields().all().len() {
-                        self.edit(|form, fields| form.select(row, fields));
-                    }
-                }
-                _ => return Next::Ignored,
-            }
-            return Next::Stay;
-        }
-        if !layout.beside.picture.contains(cell.into()) {
-            return Next::Ignored;
-        }
-        match self.page {
-            FoilPage::Tracks => {
-                return Next::after(self.move_particle(mouse, layout.beside.picture));
-            }
-            FoilPage::Counts if pressed && self.is_running() => self.halt(true),
-            FoilPage::Counts if pressed && self.guess.is_none() => self.throw(cx),
-            FoilPage::Measured if pressed => self.levelled = !self.levelled,
-            _ => return Next::Ignored,
-        }
-        Next::Stay
     }
 }
 
@@ -326,7 +274,6 @@ impl Screen for FoilScreen {
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
-            Input::Mouse(mouse) => self.mouse(mouse, cx),
             Input::Exported(exported) => {
                 cx.tell_of_export("plot", exported);
                 Next::Stay
@@ -347,14 +294,36 @@ impl Screen for FoilScreen {
         self.is_running().then_some(Duration::ZERO)
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(self, area, buf, cx);
+    fn point(&mut self, mouse: &Mouse, picture: Rect, cx: &mut Context) -> Next {
+        let pressed = mouse.kind == MouseKind::Down;
+        if !picture.contains(mouse.cell().into()) {
+            return Next::Ignored;
+        }
+        match self.page {
+            FoilPage::Tracks => return Next::after(self.move_particle(mouse, picture)),
+            FoilPage::Counts if pressed && self.is_running() => self.halt(true),
+            FoilPage::Counts if pressed && self.guess.is_none() => self.throw(cx),
+            FoilPage::Measured if pressed => self.levelled = !self.levelled,
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    fn wheel(&mut self, by: i8, _cx: &mut Context) -> Next {
+        match self.page {
+            FoilPage::Tracks => self.step_offset(-by),
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, FoilAction>> {
+        Some(view::view(self, cx))
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<FoilAction> {
-        use FoilAction::{Back, Export, LeaveGuess, OtherPlot, Predict, Reset, Scale, Scroll};
+        use FoilAction::{Back, Export, LeaveGuess, OtherPlot, Predict, Reset, Scale};
         use FoilAction::{Stop, Throw, TurnPage, WholeBeam};
-        let scroll = scroll_keys(Scroll);
         let table = KeyTable::new("foil");
         if self.is_running() {
             return table
@@ -375,8 +344,7 @@ impl Screen for FoilScreen {
                 .with(keys, FoilAction::Guess)
                 .on(Key::Escape, LeaveGuess, "back")
                 .on(Key::Tab, TurnPage(1), "")
-                .or([(Key::BackTab, TurnPage(-1))])
-                .each(scroll, "");
+                .or([(Key::BackTab, TurnPage(-1))]);
         }
         let form = || self.form.keys(&self.fields()).without_keys(&own);
         let throw = match &self.run {
@@ -390,20 +358,16 @@ impl Screen for FoilScreen {
                 .with(form(), FoilAction::Set)
                 .on(Key::Enter, WholeBeam, throw)
                 .or([(' ', WholeBeam)])
-                .when(!typing)
-                .each(scroll, ""),
+                .when(!typing),
             FoilPage::Counts => table
                 .on(Key::Enter, Throw, throw)
                 .or([(' ', Throw)])
                 .when(!typing)
                 .with(form(), FoilAction::Set)
-                .on('l', Scale, "scale")
-                .each(scroll, ""),
+                .on('l', Scale, "scale"),
             FoilPage::Measured => table
                 .on(Key::Enter, OtherPlot, "the other plot")
-                .or([Key::Left, Key::Right, Key::Char(' ')].map(|key| (key, OtherPlot)))
-                .each(scroll, "read")
-                .or([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))]),
+                .or([Key::Left, Key::Right, Key::Char(' ')].map(|key| (key, OtherPlot))),
         };
         table
             .on(Key::Tab, TurnPage(1), "next page")
@@ -431,6 +395,7 @@ impl Screen for FoilScreen {
     fn act(&mut self, action: FoilAction, cx: &mut Context) -> Next {
         match action {
             FoilAction::TurnPage(by) => self.turn_by(by),
+            FoilAction::Open(page) => self.turn_to(page),
             FoilAction::Set(action) => self.edit(|form, fields| form.act(action, fields)),
             FoilAction::WholeBeam => self.turn_to(FoilPage::Counts),
             FoilAction::Throw => self.throw(cx),
@@ -439,7 +404,6 @@ impl Screen for FoilScreen {
             FoilAction::LeaveGuess => self.guess = None,
             FoilAction::Scale => self.other_scale = !self.other_scale,
             FoilAction::OtherPlot => self.levelled = !self.levelled,
-            FoilAction::Scroll(rows) => self.scroll_by(rows, cx),
             FoilAction::Export => self.export(cx),
             FoilAction::Predict => cx.settings.predict = !cx.settings.predict,
             FoilAction::Reset => self.edit(|form, fields| {

@@ -5,7 +5,8 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{BeamRun, FoilField, FoilPage, FoilScreen, FoilSetup, view};
+use super::field::shown_counts;
+use super::{BeamRun, FoilPage, FoilScreen, FoilSetup, view};
 use crate::beams::CountedFor;
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::rutherford::FM;
@@ -96,7 +97,7 @@ impl FoilFigure {
                 .or([('<', Offset(-LEAP)), ('>', Offset(LEAP))]),
             FoilPage::Counts => {
                 let running = self.is_running();
-                let other = FoilField::shown_counts(self.0.setup.counted_for.other());
+                let other = shown_counts(self.0.setup.counted_for.other());
                 keys.on(Key::Char(' '), Beam, if running { "stop" } else { "throw" })
                     .on(Key::Escape, Beam, "")
                     .when(running)
@@ -111,10 +112,7 @@ impl FoilFigure {
     pub(crate) fn act(&mut self, action: FoilFigureAction) {
         let foil = &mut self.0;
         match action {
-            FoilFigureAction::Offset(by) => {
-                let offset = FoilField::Offset.stepped(&foil.setup, by.into());
-                foil.edit(|_, fields| FoilField::Offset.set(&mut fields.setup, offset));
-            }
+            FoilFigureAction::Offset(by) => foil.step_offset(by),
             FoilFigureAction::Beam if foil.is_running() => foil.halt(true),
             FoilFigureAction::Beam => match &foil.run {
                 Some(run) if !run.is_over() => foil.halt(false),

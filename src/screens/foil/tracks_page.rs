@@ -6,13 +6,14 @@ use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
 
 use super::setup::{FoilSetup, Obstacle};
-use super::words::rounded;
+use super::words::{count, rounded};
 use crate::beams::{BeamTarget, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
+use crate::widgets::Role;
+use crate::widgets::panel::Panel;
 use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture, View};
 use crate::widgets::tracks::draw_way;
-use crate::widgets::{Lines, Role};
 
 /// Particles beside the one that is set, on each side of the middle.
 const BESIDE: i32 = 4;
@@ -169,23 +170,23 @@ fn draw_particle(setup: &FoilSetup, picture: &mut Picture, reach: f64) {
 }
 
 /// Writes what stands below the settings.
-pub(super) fn write(setup: &FoilSetup, lines: &mut Lines) {
+pub(super) fn write<A>(setup: &FoilSetup, panel: &mut Panel<A>) {
     let set = path(setup, offset(setup), 1e4);
-    lines.gap();
+    panel.gap();
     let angle = format!("{:.1}°", set.angle.to_degrees());
-    lines.pair("turned by Θ", &angle, Role::Dim, Role::StrikerOut);
+    panel.coloured_fact("turned by Θ", angle, Role::StrikerOut);
     match setup.obstacle {
-        Obstacle::Hard => write_hard(set.angle, setup.offset_share, lines),
-        Obstacle::Nucleus => write_nucleus(setup, &set, lines),
+        Obstacle::Hard => write_hard(set.angle, setup.offset_share, panel),
+        Obstacle::Nucleus => write_nucleus(setup, &set, panel),
     }
 }
 
-fn write_hard(angle: f64, offset: f64, lines: &mut Lines) {
+fn write_hard<A>(angle: f64, offset: f64, panel: &mut Panel<A>) {
     if offset.abs() <= 1.0 {
         let alpha = offset.abs().asin().to_degrees();
-        lines.fact("angle α", &format!("{alpha:.1}°"));
+        panel.fact("angle α", format!("{alpha:.1}°"));
     }
-    lines.gap();
+    panel.gap();
     let text = if offset.abs() > 1.0 {
         "A miss: farther out than R, the sum of the two radii, nothing touches and nothing is turned. That is what hard means."
     } else if angle >= PI - 1e-9 {
@@ -193,15 +194,15 @@ fn write_hard(angle: f64, offset: f64, lines: &mut Lines) {
     } else {
         "It leaves as light from a mirror: as far to one side of the line of impact as it came from the other. So Θ = 180° − 2 α, with sin α = b/R. The target is so heavy that it stays."
     };
-    lines.paragraph(text, Role::Text);
+    panel.paragraph(text, Role::Text);
 }
 
-fn write_nucleus(setup: &FoilSetup, set: &Path, lines: &mut Lines) {
+fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
     let d = setup.scatterer().head_on_approach / FM;
     let r_min = set.nearest.map_or(d, DVec2::length);
-    lines.fact("closest r_min", &format!("{r_min:.1} fm"));
-    lines.fact("head-on d", &format!("{d:.1} fm"));
-    lines.gap();
+    panel.fact("closest r_min", format!("{r_min:.1} fm"));
+    panel.fact("head-on d", format!("{d:.1} fm"));
+    panel.gap();
     let twice = 2.0 * setup.offset_fm.abs();
     let text = if twice < 0.1 {
         "Straight on: the α particle is slowed, stands still for an instant at d, where all its energy has gone into the repulsion, and flies straight back.".into()
@@ -210,14 +211,14 @@ fn write_nucleus(setup: &FoilSetup, set: &Path, lines: &mut Lines) {
             "Both are positive, so they never touch: the α particle is slowed, turned and sped up again, on a hyperbola. tan(Θ/2) = d/2b, here {d:.1}/{twice:.1}."
         )
     };
-    lines.paragraph(&text, Role::Text);
-    lines.gap();
+    panel.paragraph(text, Role::Text);
+    panel.gap();
     // The radius of an atom of any of these metals is about 0.14 nm.
     let times = rounded(140_000.0 / d);
-    lines.paragraph(
-        &format!(
-            "Even head-on it comes no nearer than d. So the charge that turns it must be smaller still; and the radius of the atom is about {} times d.",
-            super::words::count((times / 100.0).round() as u64 * 100),
+    let times = count((times / 100.0).round() as u64 * 100);
+    panel.paragraph(
+        format!(
+            "Even head-on it comes no nearer than d. So the charge that turns it must be smaller still; and the radius of the atom is about {times} times d."
         ),
         Role::Text,
     );

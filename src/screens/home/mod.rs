@@ -3,12 +3,10 @@
 mod suggestion;
 mod view;
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::recall::Recall;
-use super::{Confirmation, Context, Next, Place, Screen};
+use super::{Confirmation, Context, Next, Place, Screen, View};
 use crate::messages::{Input, Key};
 use crate::physics::CollisionSpec;
 use crate::widgets::hit::{Overlay, Overlays, Watch};
@@ -50,11 +48,6 @@ impl Home {
         suggestions(&self.history, cx)
     }
 
-    /// How many lines there are: what is suggested, and the menu.
-    fn lines(&self, cx: &Context) -> usize {
-        self.suggestions(cx).len() + ENTRIES.len()
-    }
-
     /// Opens a line, counted from the first suggestion on.
     fn open(&mut self, line: usize, cx: &mut Context) -> Next {
         self.list.choose(line);
@@ -63,17 +56,6 @@ impl Home {
             Some(suggestion) => suggestion.place(cx),
             None => ENTRIES[line - suggestions.len()].place.clone(),
         })
-    }
-
-    /// Moves the mark, or opens its line.
-    fn listed(
-        &mut self,
-        cx: &mut Context,
-        act: impl FnOnce(&mut ListView, usize) -> crate::widgets::Outcome<usize>,
-    ) -> Next {
-        let count = self.lines(cx);
-        let outcome = act(&mut self.list, count);
-        Next::of(outcome, |line| self.open(line, cx))
     }
 }
 
@@ -93,7 +75,9 @@ pub enum HomeAction {
     Leave,
 }
 
-/// Where the class stands among the [`ENTRIES`].
+/// Where some of the [`ENTRIES`] stand among them.
+const LEARN: usize = 0;
+const LAB: usize = 1;
 const CLASS: usize = 3;
 
 /// A line of the menu.
@@ -174,7 +158,11 @@ impl Screen for Home {
 
     fn act(&mut self, action: HomeAction, cx: &mut Context) -> Next {
         match action {
-            HomeAction::List(action) => self.listed(cx, |list, count| list.act(action, count)),
+            HomeAction::List(action) => {
+                let lines = self.suggestions(cx).len() + ENTRIES.len();
+                let outcome = self.list.act(action, lines);
+                Next::of(outcome, |line| self.open(line, cx))
+            }
             HomeAction::Suggested(line) => self.open(line, cx),
             HomeAction::Open(entry) => self.open(self.suggestions(cx).len() + entry, cx),
             HomeAction::Leave => Next::Confirm(Confirmation::new("Leave carrom?", "leave", "stay")),
@@ -186,12 +174,12 @@ impl Screen for Home {
         Next::Quit
     }
 
-    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+    fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        self.act(HomeAction::List(ListAction::Choose(by.into())), cx)
+    }
+
+    fn input(&mut self, input: &Input, _cx: &mut Context) -> Next {
         match input {
-            Input::Mouse(mouse) => {
-                let line = view::choice_at(self, cx, mouse.cell());
-                self.listed(cx, |list, count| list.mouse(mouse, count, line))
-            }
             Input::Kept(answer) => {
                 self.history.take(answer);
                 Next::Stay
@@ -206,7 +194,7 @@ impl Screen for Home {
         self.list = ListView::default();
     }
 
-    fn draw(&self, _area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(self, buf, cx);
+    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, HomeAction>> {
+        Some(view::view(self, cx))
     }
 }

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use ratatui::layout::Rect;
 
-use super::{Context, Next, Screen, View};
+use super::{Context, Next, Screen, Settings, View};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::{CollisionSpec, Frame};
 use crate::quiz::{Rays, RaysGrade};
@@ -25,9 +25,6 @@ use mystery::Mystery;
 
 pub(super) use explain::explain;
 pub(crate) use field::{LabField, LabSettings};
-
-/// How often both ways are to be said rightly before the picture may be live.
-pub(crate) const ENOUGH_FORETOLD: u8 = 3;
 
 /// The lab.
 #[derive(Debug, Clone, Default)]
@@ -106,7 +103,7 @@ impl Lab {
     /// Whether the picture may be live: once enough was said rightly, and while there is
     /// no mass to be found.
     fn may_live(&self, cx: &Context) -> bool {
-        cx.settings.foretold >= ENOUGH_FORETOLD && !self.hides_mass()
+        cx.settings.foretold >= Settings::ENOUGH_FORETOLD && !self.hides_mass()
     }
 
     /// Whether it is.
@@ -134,7 +131,7 @@ impl Lab {
         let collision = self.settings.setup.collision();
         let truth = Rays::from(&collision.outcome());
         if said.is_some_and(|said| RaysGrade::new(&said, &truth).is_right()) {
-            cx.settings.foretold = ENOUGH_FORETOLD.min(cx.settings.foretold + 1);
+            cx.settings.foretold = Settings::ENOUGH_FORETOLD.min(cx.settings.foretold + 1);
         }
         let watch = Watch::new(collision, said, cx.settings.pace());
         self.phase = LabPhase::Watch(Box::new(watch));

@@ -45,10 +45,7 @@ pub(super) fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
     } else {
         vec![("now say where both will go", LabAction::Go)]
     };
-    panel.prompts(
-        next.into_iter()
-            .map(|(words, action)| (words.into(), action)),
-    );
+    panel.prompts(next);
     panel
 }
 

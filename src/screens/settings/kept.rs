@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::field::SettingField;
+use super::field::{SETTINGS, Setting};
 use crate::files::{FileErrors, Source, all, is_blank_name};
 use crate::game::is_player_name;
 use crate::screens::Settings;
@@ -31,9 +31,9 @@ impl KeptSettings {
 
     /// Notes what differs between two moments; says whether anything does.
     pub(crate) fn note(&mut self, before: &Settings, now: &Settings) -> bool {
-        let differs = |setting: &SettingField| setting.at(before) != setting.at(now);
-        let changed = SettingField::ALL.into_iter().filter(differs);
-        let changed: Vec<_> = changed.map(|it| (it.id(), it.at(now))).collect();
+        let differs = |setting: &&Setting| (setting.at)(before) != (setting.at)(now);
+        let changed = SETTINGS.iter().filter(differs);
+        let changed: Vec<_> = changed.map(|it| (it.id, (it.at)(now))).collect();
         let renamed = before.player != now.player;
         if renamed {
             self.player = Some(now.player.clone());
@@ -48,9 +48,9 @@ impl KeptSettings {
     pub fn over(&self, settings: Settings) -> Settings {
         let depth = settings.depth;
         let mut over = settings;
-        for setting in SettingField::ALL {
-            if let Some(at) = self.chosen.get(setting.id()) {
-                setting.choose(&mut over, *at);
+        for setting in &SETTINGS {
+            if let Some(at) = self.chosen.get(setting.id) {
+                (setting.choose)(&mut over, *at);
             }
         }
         if depth == Depth::None {
@@ -68,9 +68,9 @@ impl KeptSettings {
             "# What is set in carrom. It is written anew whenever a setting is changed.\n\
              format = {FORMAT}\n"
         );
-        let chosen = SettingField::ALL.into_iter().filter_map(|setting| {
-            let at = *self.chosen.get(setting.id())?;
-            Some((setting.id(), *setting.words().get(at)?))
+        let chosen = SETTINGS.iter().filter_map(|setting| {
+            let at = *self.chosen.get(setting.id)?;
+            Some((setting.id, *setting.words.get(at)?))
         });
         let player = self.player.iter().map(|name| (PLAYER_ID, name.as_str()));
         for (name, value) in chosen.chain(player) {
@@ -84,14 +84,14 @@ impl KeptSettings {
     /// # Errors
     /// All that is wrong with it.
     pub fn read(file: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
-        let ids = SettingField::ALL.map(SettingField::id);
+        let ids = SETTINGS.iter().map(|setting| setting.id);
         let known: Vec<_> = ["format", PLAYER_ID].into_iter().chain(ids).collect();
         let source = Source::of_bytes(file, bytes, LARGEST)?;
         source.document("settings of carrom", FORMAT, &known, |fields| {
-            let there = SettingField::ALL.into_iter();
-            let chosen = there.filter(|it| fields.has(it.id())).map(|setting| {
-                let words: Vec<_> = setting.words().iter().copied().zip(0..).collect();
-                Some((setting.id(), fields.word(setting.id(), &words)?))
+            let there = SETTINGS.iter().filter(|it| fields.has(it.id));
+            let chosen = there.map(|setting| {
+                let words: Vec<_> = setting.words.iter().copied().zip(0..).collect();
+                Some((setting.id, fields.word(setting.id, &words)?))
             });
             let chosen = all(chosen.collect());
             let player = fields.or(PLAYER_ID, None, |id| {

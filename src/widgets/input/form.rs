@@ -94,6 +94,43 @@ impl FieldValue {
     }
 }
 
+/// One thing that can be set in `S`, as a row of a table: all that a form has to know of it.
+#[derive(Debug)]
+pub struct FieldRow<S> {
+    /// Its name on the panel.
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub about: &'static str,
+    /// Its value, and what it may be.
+    pub value: fn(&S) -> FieldValue,
+    /// Its value as it reads, with its unit.
+    pub shown: fn(&S) -> String,
+    /// Puts in a number that is held to its range, or the place of a choice.
+    pub put: fn(&mut S, f64),
+}
+
+impl<S> FieldRow<S> {
+    /// The setting as it stands.
+    pub fn field(&self, of: &S) -> Field {
+        Field::new(self.name, (self.shown)(of), (self.value)(of), self.about)
+    }
+
+    /// Sets it, held to its range, a choice by its place.
+    pub fn set(&self, of: &mut S, value: f64) {
+        let (least, most) = match (self.value)(of) {
+            FieldValue::Number { range, .. } => range,
+            FieldValue::Choice { count, .. } => (0.0, count.saturating_sub(1) as f64),
+        };
+        // Adding 0 makes a plain 0 of −0.
+        (self.put)(of, value.clamp(least, most) + 0.0);
+    }
+
+    /// Changes it by so many steps; choices go round.
+    pub fn step(&self, of: &mut S, steps: f64) {
+        self.set(of, (self.value)(of).stepped(steps));
+    }
+}
+
 /// What a form sets.
 pub trait FormFields {
     /// All fields as they stand, from the top.

@@ -10,7 +10,7 @@ mod outcome;
 mod ray_input;
 mod text_field;
 
-pub use form::{Field, FieldValue, FormAction, FormFields, SettingsForm};
+pub use form::{Field, FieldRow, FieldValue, FormAction, FormFields, SettingsForm};
 pub use key_table::{KeyAction, KeyRow, KeyTable, Rebound};
 pub use list_view::{ListAction, ListView};
 pub use number_entry::{EntryAction, NumberEntry};

@@ -255,6 +255,7 @@ impl Piece<'_> {
         match self.content {
             Content::Table { columns, rows } => return write_table(columns, rows, lines, take),
             Content::Prompts(prompts) => return write_prompts(prompts, &self.keys, lines, take),
+            Content::Tabs { names, open } => return write_tabs(names, *open, lines, take),
             content => write(content, lines),
         }
         if !self.keys.is_empty() {
@@ -286,8 +287,31 @@ fn write(content: &Content, lines: &mut Lines) {
         } => {
             let (_, side_role) = roles[1].of_choice(*chosen);
             lines.choice(*chosen, roles[0], |lines, mark, role| {
-                lines.pair(&format!("{mark} {name}"), side, role, side_role);
+                let name = format!("{mark} {name}");
+                // The name is worth more than what stands beside it.
+                let room = usize::from(lines.width()).saturating_sub(text::width(&name) + 2);
+                let side = Some(side).filter(|side| text::width(side) <= room);
+                lines.pair(&name, side.map_or("", String::as_str), role, side_role);
             });
+        }
+        Content::Entry {
+            letter,
+            name,
+            about,
+            role,
+            chosen,
+        } => {
+            let recorded = |charset: Charset| Words::Pair {
+                name: Run::new(name, *role).spelt(charset),
+                value: Run::new(about, Role::Dim).spelt(charset),
+            };
+            let (mark, role) = role.of_choice(*chosen);
+            let mut row = format!("{mark} {letter}  {name}");
+            let room = usize::from(lines.width()).saturating_sub(ENTRY);
+            if text::width(about) <= room && !about.is_empty() {
+                row = format!("{row:ENTRY$}{about}");
+            }
+            lines.clicked_as(recorded, Some(*chosen), |lines| lines.line(&row, role));
         }
         Content::Item(text, role) => {
             lines.flowing("-", 2, &[Run::new(text.as_str(), *role)]);
@@ -316,12 +340,16 @@ fn write(content: &Content, lines: &mut Lines) {
         }
         Content::Marked { mark, text, role } => lines.hanging(mark, text, *role),
         Content::Meter { name, share, value } => {
-            let beside = text::width(name) + text::width(value).max(SHARE) + 4;
+            let before = match name.as_str() {
+                "" => String::new(),
+                name => format!("{name}  "),
+            };
+            let beside = text::width(&before) + text::width(value).max(SHARE) + 2;
             let width = lines.width().saturating_sub(beside as u16);
             let bar = bar(*share, width, lines.charset());
             lines.written_as(
                 |_| Words::meter(name, *share, value, Role::Text),
-                |lines| lines.pair(&format!("{name}  {bar}"), value, Role::Text, Role::Text),
+                |lines| lines.pair(&format!("{before}{bar}"), value, Role::Text, Role::Text),
             );
         }
         Content::Choice {
@@ -360,8 +388,24 @@ fn write(content: &Content, lines: &mut Lines) {
                 lines.line(&row, role);
             });
         }
-        Content::Table { .. } | Content::Prompts(_) => {}
+        Content::Table { .. } | Content::Prompts(_) | Content::Tabs { .. } => {}
     }
+}
+
+/// Writes the names of several pages beside each other.
+fn write_tabs(names: &[String], open: usize, lines: &mut Lines, take: &mut TakeTarget) {
+    let row = lines.written();
+    let mut column = 0;
+    for (i, name) in names.iter().enumerate() {
+        let (mark, role) = Role::Dim.of_choice(i == open);
+        let shown = format!("{mark}{name} ");
+        lines.tab(column, (name, &shown), role, i == open);
+        let end = column + text::width(&shown) as u16;
+        // A panel's first column is its margin.
+        take(row..row + 1, column + 1..end + 1, i);
+        column = end + BETWEEN_TABS;
+    }
+    lines.unrecorded(|lines| lines.line("", Role::Text));
 }
 
 /// Fewest rows that are left for what is scrolled below what stays in sight.
@@ -372,6 +416,12 @@ const SHARE: usize = 5;
 
 /// Columns of the label of a text field, with the blank behind it.
 const LABEL: usize = 8;
+
+/// Columns between the names of two pages.
+const BETWEEN_TABS: u16 = 2;
+
+/// Columns of the letter and the name of a line of a menu.
+const ENTRY: usize = 15;
 
 /// Columns of a panel from which on those of a table stand apart.
 const WIDE_TABLE: u16 = 72;

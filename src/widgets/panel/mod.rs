@@ -68,6 +68,18 @@ enum Content {
         roles: [Role; 2],
         chosen: bool,
     },
+    /// A line of a menu: the letter that opens it, its name, and what it is for, where there
+    /// is room for that.
+    Entry {
+        letter: char,
+        name: String,
+        about: String,
+        /// How it is written while another one is chosen.
+        role: Role,
+        chosen: bool,
+    },
+    /// Several pages, one of which is open, in one row.
+    Tabs { names: Vec<String>, open: usize },
     /// One of several texts, behind a mark.
     Item(String, Role),
     /// Something that can be set.
@@ -286,6 +298,36 @@ impl<A> Panel<A> {
         self.push_with(content, [action]);
     }
 
+    /// A line of a menu: its letter, its name and what it is for, and what a click on it does.
+    pub(crate) fn entry(
+        &mut self,
+        letter: char,
+        (name, about): (impl Into<String>, impl Into<String>),
+        (role, chosen): (Role, bool),
+        action: A,
+    ) {
+        let content = Content::Entry {
+            letter,
+            name: name.into(),
+            about: about.into(),
+            role,
+            chosen,
+        };
+        self.push_with(content, [action]);
+    }
+
+    /// Several pages by their names, one of which is open, and what a click on each does.
+    pub(crate) fn tabs<N: Into<String>>(
+        &mut self,
+        pages: impl IntoIterator<Item = (N, A)>,
+        open: usize,
+    ) {
+        let pages = pages.into_iter();
+        let (names, actions): (_, Vec<A>) =
+            pages.map(|(name, action)| (name.into(), action)).unzip();
+        self.push_with(Content::Tabs { names, open }, actions);
+    }
+
     /// One of several texts.
     pub(crate) fn item(&mut self, text: impl Into<String>, role: Role) {
         self.push(Content::Item(text.into(), role));
@@ -396,12 +438,14 @@ impl<A> Panel<A> {
 
     /// What can be done next, in a few words without a key, and what it is.
     pub(crate) fn prompt(&mut self, words: impl Into<String>, action: A) {
-        self.prompts([(words.into(), action)]);
+        self.prompts([(words, action)]);
     }
 
     /// The same with several things, the likeliest first.
-    pub(crate) fn prompts(&mut self, prompts: impl IntoIterator<Item = (String, A)>) {
-        let (words, actions): (_, Vec<A>) = prompts.into_iter().unzip();
+    pub(crate) fn prompts<W: Into<String>>(&mut self, prompts: impl IntoIterator<Item = (W, A)>) {
+        let prompts = prompts.into_iter();
+        let (words, actions): (_, Vec<A>) =
+            prompts.map(|(words, action)| (words.into(), action)).unzip();
         self.push_with(Content::Prompts(words), actions);
     }
 }
@@ -412,6 +456,7 @@ impl Content {
         match self {
             Self::Field { chosen, .. }
             | Self::Row { chosen, .. }
+            | Self::Entry { chosen, .. }
             | Self::Choice { chosen, .. }
             | Self::ChoiceColumns { chosen, .. }
             | Self::TextField { chosen, .. } => *chosen,

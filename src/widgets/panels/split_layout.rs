@@ -108,6 +108,16 @@ impl SplitLayout {
         Self::of(areas::picture_and_panel(room.into(), panel_width))
     }
 
+    /// The same with no frame around the panel.
+    pub fn with_open_panel(room: impl Into<Room>, panel_width: u16) -> Self {
+        let [picture, panel] = areas::picture_and_panel(room.into(), panel_width);
+        Self {
+            picture: inside(picture),
+            panel,
+            frames: [picture, Rect { width: 0, ..panel }],
+        }
+    }
+
     fn of([picture, panel]: [Rect; 2]) -> Self {
         Self {
             picture: inside(picture),

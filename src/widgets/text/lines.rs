@@ -275,6 +275,20 @@ impl<'a> Lines<'a> {
         self.written += 1;
     }
 
+    /// The name of one of several pages, from a column of the next row on.
+    pub(crate) fn tab(&mut self, column: u16, (name, row): (&str, &str), role: Role, open: bool) {
+        if self.is_recorded {
+            sheet::note(self.area, || Item {
+                words: Words::Tab {
+                    name: self.look.charset.text(name).into_owned(),
+                },
+                press: Some([self.area.x + column, self.area.y + self.written]),
+                chosen: Some(open),
+            });
+        }
+        self.put(column, row, role);
+    }
+
     /// One row: a name on the left, its value flush right. A name too long for the room
     /// beside the value is cut, and dots tell of it.
     pub fn pair(&mut self, name: &str, value: &str, name_role: Role, value_role: Role) {

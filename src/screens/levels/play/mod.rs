@@ -9,19 +9,18 @@ mod view;
 
 use std::time::Duration;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::levels::{Level, Patience};
-use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::Shot;
 use crate::quiz::Ray;
 use crate::screens::levels::words;
-use crate::screens::{Context, Next, Place, Screen};
+use crate::screens::{Context, Next, Place, Screen, SharedAction, View};
 use crate::widgets::hit::{point_at, side};
 use crate::widgets::input::{FormAction, KeyTable, RayAction, SettingsForm};
 use crate::widgets::replay::{ShotAction, ShotImpact, impacts};
-use crate::widgets::{Lines, Outcome, RayInput, Scroll, scroll_keys};
+use crate::widgets::{Outcome, RayInput};
 
 use dials::Dials;
 use made_shot::MadeShot;
@@ -43,7 +42,6 @@ pub(crate) struct LevelPlay {
     /// What came of those that were looked at, the last one last.
     earlier: Vec<EarlierShot>,
     phase: LevelPhase,
-    scroll: Scroll,
     /// Why the last shot could not be made.
     trouble: Option<String>,
 }
@@ -100,8 +98,6 @@ pub(crate) enum LevelAction {
     NextLevel,
     /// back to the aim
     AimAgain,
-    /// scroll the text
-    Scroll(i16),
     /// back
     Back,
 }
@@ -120,7 +116,6 @@ impl LevelPlay {
             shots: 0,
             earlier: Vec::new(),
             phase: LevelPhase::Aim,
-            scroll: Scroll::default(),
             trouble: None,
         })
     }
@@ -136,11 +131,6 @@ impl LevelPlay {
             LevelPhase::Predict(_) => true,
             LevelPhase::Watch(made) => made.player.zoom().is_some(),
         }
-    }
-
-    fn enter(&mut self, phase: LevelPhase) {
-        self.phase = phase;
-        self.scroll = Scroll::default();
     }
 
     /// The rays of an impact that the level asks for.
@@ -173,7 +163,7 @@ impl LevelPlay {
                 _ => both,
             };
             let pending = PendingShot { rays, shot, impact };
-            self.enter(LevelPhase::Predict(Box::new(pending)));
+            self.phase = LevelPhase::Predict(Box::new(pending));
         } else {
             self.shoot(shot, !asked.is_empty(), None, cx);
         }
@@ -185,7 +175,7 @@ impl LevelPlay {
         let watched = (settings.watch_rate, settings.reduced_motion);
         let count = (self.shots, self.hints);
         let made = MadeShot::new(self.level(), shot, count, to_say, said, watched);
-        self.enter(LevelPhase::Watch(Box::new(made)));
+        self.phase = LevelPhase::Watch(Box::new(made));
         self.keep_if_told(cx);
     }
 
@@ -211,7 +201,7 @@ impl LevelPlay {
     fn leave_shot(&mut self, cx: &mut Context) {
         self.keep(cx);
         if let LevelPhase::Watch(made) = &self.phase {
-            let findings = made.verdict.told(self.level());
+            let findings = &made.verdict.findings;
             let unmet = findings.iter().find(|finding| !finding.met);
             if let Some(finding) = unmet.or(findings.first()) {
                 self.earlier.push(EarlierShot {
@@ -221,7 +211,7 @@ impl LevelPlay {
                 });
             }
         }
-        self.enter(LevelPhase::Aim);
+        self.phase = LevelPhase::Aim;
     }
 
     fn next_level(&self, cx: &Context) -> Next {
@@ -233,13 +223,7 @@ impl LevelPlay {
         }
     }
 
-    fn scroll_by(&mut self, rows: i16, cx: &Context) {
-        let area = view::layout(self, cx.room()).panel;
-        let look = cx.settings.look();
-        let write = |lines: &mut Lines| panel::write(self, lines, cx);
-        self.scroll = self.scroll.by(rows, area, look, write);
-    }
-
+    /// Makes the shot of which all has been said.
     fn say(&mut self, action: RayAction, cx: &mut Context) {
         if let LevelPhase::Predict(pending) = &mut self.phase
             && let Outcome::Done(()) = pending.rays.act(action)
@@ -251,75 +235,12 @@ impl LevelPlay {
     }
 
     fn watch(&mut self, action: ShotAction, cx: &mut Context) {
-        let LevelPhase::Watch(made) = &mut self.phase else {
-            return;
-        };
-        let shown = |made: &MadeShot| made.player.chosen().map(|(number, _)| number);
-        let before = shown(made);
-        let settings = &mut cx.settings;
-        let pace = settings.pace();
-        made.player.act(action, &mut settings.watch_rate, pace);
-        if shown(made) != before {
-            self.scroll = Scroll::default();
+        if let LevelPhase::Watch(made) = &mut self.phase {
+            let settings = &mut cx.settings;
+            let pace = settings.pace();
+            made.player.act(action, &mut settings.watch_rate, pace);
         }
         self.keep_if_told(cx);
-    }
-
-    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let layout = view::layout(self, cx.room());
-        let cell = mouse.cell();
-        let on_picture = layout.picture.contains(cell.into());
-        let on_panel = layout.panel.contains(cell.into());
-        let pressed = mouse.kind == MouseKind::Down;
-        let held = mouse.is_held();
-        let wheel = i16::from(mouse.wheel().unwrap_or(0));
-        if wheel != 0 && on_panel {
-            self.scroll_by(-wheel, cx);
-            return Next::Stay;
-        }
-        match &mut self.phase {
-            LevelPhase::Aim if wheel != 0 => self.dials.wheel(&mut self.form, wheel.into()),
-            LevelPhase::Aim if held && on_picture => {
-                let view = board::view(&self.dials.level, layout.picture);
-                let (at, near) = (view.to_world(mouse.place()), view.per_row());
-                self.dials.drag(&mut self.form, at, near, pressed);
-            }
-            LevelPhase::Aim if pressed => {
-                let Some(dial) = self.dial_at(layout.panel, cell, cx) else {
-                    return Next::Ignored;
-                };
-                self.form.select(dial, &mut self.dials);
-            }
-            LevelPhase::Predict(pending) if held && on_picture => {
-                let collision = &pending.impact.collision;
-                point_at(
-                    layout.picture,
-                    collision,
-                    &mut pending.rays,
-                    mouse.place(),
-                    pressed,
-                );
-            }
-            LevelPhase::Watch(made) => match made.player.pointed(mouse, on_picture, None) {
-                Some(action) => self.watch(action, cx),
-                None => return Next::Ignored,
-            },
-            _ => return Next::Ignored,
-        }
-        Next::Stay
-    }
-
-    /// The dial whose row is at this cell of the panel, while it is not scrolled.
-    fn dial_at(&self, panel: Rect, cell: (u16, u16), cx: &Context) -> Option<usize> {
-        if self.scroll != Scroll::default() || !panel.contains(cell.into()) {
-            return None;
-        }
-        let mut scratch = Buffer::empty(panel);
-        let mut lines = Lines::unseen(panel, &mut scratch, cx.settings.look());
-        panel::goals(self, &mut lines);
-        let row = (cell.1 - panel.y).checked_sub(lines.written())?;
-        let count = self.level().adjust.dials().count();
-        (usize::from(row) < count).then_some(row.into())
     }
 }
 
@@ -340,9 +261,8 @@ impl Screen for LevelPlay {
 
     fn keys(&self, cx: &Context) -> KeyTable<LevelAction> {
         use LevelAction::{AimAgain, Back, Go, Hint, NextLevel, Predict, Reset};
-        let scroll = scroll_keys(LevelAction::Scroll);
         let table = KeyTable::new("level");
-        let table = match &self.phase {
+        match &self.phase {
             LevelPhase::Aim => {
                 let says = !self.level().say_first.is_empty();
                 let go = match says && cx.settings.predict {
@@ -387,10 +307,7 @@ impl Screen for LevelPlay {
                     .on(Key::Enter, end, "")
                     .when(!told)
             }
-        };
-        table
-            .each(scroll, "")
-            .when(!matches!(self.phase, LevelPhase::Aim))
+        }
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
@@ -412,24 +329,53 @@ impl Screen for LevelPlay {
             }
             LevelAction::Hint => {
                 self.hints = (self.hints + 1).min(self.level().hints.len());
-                self.scroll_by(i16::MAX, cx);
+                return Next::Shared(SharedAction::Scroll(i16::MAX));
             }
             LevelAction::Predict => cx.settings.predict = !cx.settings.predict,
             LevelAction::Say(action) => self.say(action, cx),
             LevelAction::Watch(action) => self.watch(action, cx),
             LevelAction::NextLevel => return self.next_level(cx),
             LevelAction::AimAgain => self.leave_shot(cx),
-            LevelAction::Scroll(rows) => self.scroll_by(rows, cx),
             LevelAction::Back => return Next::Back,
         }
         Next::Stay
     }
 
-    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        match input {
-            Input::Mouse(mouse) => self.mouse(mouse, cx),
-            _ => Next::Ignored,
+    fn point(&mut self, mouse: &Mouse, picture: Rect, cx: &mut Context) -> Next {
+        let pressed = mouse.kind == MouseKind::Down;
+        let on_picture = picture.contains(mouse.cell().into());
+        let is_drawing = mouse.is_held() && on_picture;
+        match &mut self.phase {
+            LevelPhase::Aim if is_drawing => {
+                let view = board::view(&self.dials.level, picture);
+                let (at, near) = (view.to_world(mouse.place()), view.per_row());
+                self.dials.drag(&mut self.form, at, near, pressed);
+            }
+            LevelPhase::Predict(pending) if is_drawing => {
+                let (collision, rays) = (&pending.impact.collision, &mut pending.rays);
+                point_at(picture, collision, rays, mouse.place(), pressed);
+            }
+            LevelPhase::Watch(made) => match made.player.pointed(mouse, on_picture, None) {
+                Some(action) => self.watch(action, cx),
+                None => return Next::Ignored,
+            },
+            _ => return Next::Ignored,
         }
+        Next::Stay
+    }
+
+    fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        match &self.phase {
+            LevelPhase::Aim => self.dials.wheel(&mut self.form, f64::from(-by)),
+            LevelPhase::Predict(_) => return Next::Ignored,
+            LevelPhase::Watch(made) => {
+                let key = Key::Char(if by < 0 { '.' } else { ',' });
+                if let Some(action) = made.player.keys().exact(key) {
+                    self.watch(action, cx);
+                }
+            }
+        }
+        Next::Stay
     }
 
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
@@ -446,7 +392,7 @@ impl Screen for LevelPlay {
         }
     }
 
-    fn draw(&self, _area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(self, buf, cx);
+    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, LevelAction>> {
+        Some(view::view(self, cx))
     }
 }

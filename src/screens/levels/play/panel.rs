@@ -2,7 +2,7 @@
 //! and why.
 
 use super::made_shot::{MadeShot, asked};
-use super::{LevelPhase, LevelPlay, PendingShot};
+use super::{LevelAction, LevelPhase, LevelPlay, PendingShot};
 use crate::levels::{FEW_SHOTS, Win};
 use crate::numbers;
 use crate::physics::Frame;
@@ -10,147 +10,147 @@ use crate::quiz::{Ray, why};
 use crate::screens::Context;
 use crate::screens::levels::words;
 use crate::widgets::hit::Watch;
-use crate::widgets::panel::{Panel, written};
+use crate::widgets::input::{EntryAction, FormAction};
+use crate::widgets::panel::Panel;
 use crate::widgets::panels::{
     contact_distance, impact_angle, masses, offset, reason, said_and_true, separation,
 };
-use crate::widgets::replay::ShotImpact;
-use crate::widgets::{Lines, RayInput, Role};
+use crate::widgets::replay::{ShotAction, ShotImpact};
+use crate::widgets::{RayInput, Role};
 
 /// Shots that are shown while the next one is set.
 const SHOWN_EARLIER: usize = 2;
 
-/// Writes all of it.
-pub(super) fn write(play: &LevelPlay, lines: &mut Lines, cx: &Context) {
-    match &play.phase {
-        LevelPhase::Aim => aim(play, lines, cx),
-        LevelPhase::Predict(pending) => say(play, pending, lines),
+type LevelPanel = Panel<LevelAction>;
+
+/// All of it.
+pub(super) fn panel(play: &LevelPlay, cx: &Context) -> LevelPanel {
+    let mut panel = match &play.phase {
+        LevelPhase::Aim => aim(play, cx),
+        LevelPhase::Predict(pending) => say(play, pending),
         LevelPhase::Watch(made) => match made.player.zoom() {
-            Some(watch) => enlarged(play, made, watch, lines),
-            None if made.told => outcome(play, made, lines, cx),
-            None => watching(play, made, lines),
+            Some(watch) => enlarged(play, made, watch),
+            None if made.told => outcome(play, made, cx),
+            None => watching(play, made),
         },
-    }
+    };
+    panel.subject = play.shots as usize;
+    panel
 }
 
-/// Rows of the goals, above the dials.
-pub(super) fn goals(play: &LevelPlay, lines: &mut Lines) {
-    lines.line("Goal", Role::Title);
+/// Under the level's title its goals.
+fn goals(play: &LevelPlay) -> LevelPanel {
+    let mut panel = Panel::new(&play.level().title);
+    panel.heading("Goal");
     for goal in &play.level().goals {
-        lines.paragraph(&goal.describe(&play.level().scene), Role::Text);
+        panel.paragraph(goal.describe(&play.level().scene), Role::Text);
     }
-    lines.gap();
+    panel.gap();
+    panel
 }
 
-fn aim(play: &LevelPlay, lines: &mut Lines, cx: &Context) {
-    goals(play, lines);
-    written(lines, |panel| {
+fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
+    let mut panel = goals(play);
+    panel.part(LevelAction::Set, |panel| {
         play.form.write(&play.dials, panel);
         play.form.write_about(&play.dials, panel);
     });
-    lines.gap();
+    panel.gap();
     if let Some(trouble) = &play.trouble {
-        lines.paragraph(trouble, Role::Warn);
-        lines.gap();
+        panel.paragraph(trouble, Role::Warn);
+        panel.gap();
     }
     let says = !play.level().say_first.is_empty();
-    let next = match (says, cx.settings.predict) {
-        (true, true) => "Enter: say where they go.",
-        (true, false) => "Enter: shoot. (p: say first)",
-        (false, _) => "Enter: shoot.",
-    };
-    lines.paragraph(next, Role::Key);
-    earlier(play, lines);
-    hints(play, lines);
-}
-
-/// The last shots and what came of them, to compare.
-fn earlier(play: &LevelPlay, lines: &mut Lines) {
+    let set = LevelAction::Set(FormAction::Number(EntryAction::Enter));
+    let shoot = ("shoot", LevelAction::Go);
+    panel.prompts(match (says, cx.settings.predict) {
+        _ if play.form.is_typing() => vec![("set it", set)],
+        (true, true) => vec![("say where they go", LevelAction::Go)],
+        (true, false) => vec![shoot, ("say first", LevelAction::Predict)],
+        (false, _) => vec![shoot],
+    });
     let hidden = play.earlier.len().saturating_sub(SHOWN_EARLIER);
     for made in play.earlier.iter().skip(hidden) {
-        lines.gap();
-        lines.line(&format!("shot {}: {}", made.number, made.set), Role::Dim);
-        lines.paragraph(&format!("{}.", numbers::capital(&made.told)), Role::Dim);
+        panel.gap();
+        panel.line(format!("shot {}: {}", made.number, made.set), Role::Dim);
+        panel.paragraph(format!("{}.", numbers::capital(&made.told)), Role::Dim);
     }
     if !play.earlier.is_empty() {
-        lines.gap();
+        panel.gap();
     }
+    hints(play, &mut panel);
+    panel
 }
 
 /// The hints asked for, and how to get the next.
-fn hints(play: &LevelPlay, lines: &mut Lines) {
+fn hints(play: &LevelPlay, panel: &mut LevelPanel) {
     let all = &play.level().hints;
     for (number, hint) in all.iter().take(play.hints).enumerate() {
-        lines.gap();
-        lines.line(
-            &format!("Hint {} of {}", number + 1, all.len()),
-            Role::Title,
-        );
-        lines.paragraph(hint, Role::Text);
+        panel.gap();
+        panel.heading(format!("Hint {} of {}", number + 1, all.len()));
+        panel.paragraph(hint, Role::Text);
     }
     if play.hints == 0 {
-        lines.paragraph("h: a hint.", Role::Key);
+        panel.prompt("a hint", LevelAction::Hint);
     } else if play.hints < all.len() {
-        lines.gap();
-        lines.paragraph("h: another hint.", Role::Key);
+        panel.gap();
+        panel.prompt("another hint", LevelAction::Hint);
     }
 }
 
-fn say(play: &LevelPlay, pending: &PendingShot, lines: &mut Lines) {
+fn say(play: &LevelPlay, pending: &PendingShot) -> LevelPanel {
+    let mut panel = Panel::new("say it first");
     let scene = &play.level().scene;
     let [_, target] = pending.impact.discs;
     let name = words::short(scene, target);
     let collision = &pending.impact.collision;
-    written(lines, |panel| {
-        offset(collision, panel);
-        if pending.rays.asks(Ray::Target) {
-            // The angle itself is what is asked for.
-            contact_distance(collision, panel);
-        } else {
-            impact_angle(collision, panel);
-        }
-        bodies(&pending.impact, &play.level().unknown_mass, panel);
-        panel.gap();
-        panel.heading("The first hit");
+    offset(collision, &mut panel);
+    if pending.rays.asks(Ray::Target) {
+        // The angle itself is what is asked for.
+        contact_distance(collision, &mut panel);
+    } else {
+        impact_angle(collision, &mut panel);
+    }
+    bodies(&pending.impact, &play.level().unknown_mass, &mut panel);
+    panel.gap();
+    panel.heading("The first hit");
+    panel.part(LevelAction::Say, |panel| {
         pending.rays.write(panel, name);
+        panel.gap();
+        panel.paragraph(pending.rays.about(name), Role::Text);
+        panel.gap();
+        pending.rays.write_prompt(panel, name, "shoot!");
     });
-    lines.gap();
-    lines.paragraph(&pending.rays.about(name), Role::Text);
-    lines.gap();
-    lines.paragraph(&pending.rays.prompt(name, "shoot!"), Role::Key);
-}
-
-/// Where two meet, and what they are, but for the masses of `secret` discs.
-fn given<A>(impact: &ShotImpact, secret: &[usize], panel: &mut Panel<A>) {
-    offset(&impact.collision, panel);
-    impact_angle(&impact.collision, panel);
-    bodies(impact, secret, panel);
+    panel
 }
 
 /// What the two are, but for the masses of `secret` discs.
-fn bodies<A>(impact: &ShotImpact, secret: &[usize], panel: &mut Panel<A>) {
+fn bodies(impact: &ShotImpact, secret: &[usize], panel: &mut LevelPanel) {
     let secret = impact.discs.map(|disc| secret.contains(&disc));
     masses(&impact.collision, secret, panel);
 }
 
-fn watching(play: &LevelPlay, made: &MadeShot, lines: &mut Lines) {
-    goals(play, lines);
-    let time = format!("{:.2} s", made.player.clock().time());
-    lines.fact("time", &time);
-    lines.fact("watched at", &made.player.clock().rate().words());
-    lines.gap();
-    lines.paragraph("Space: go on, or to the end.", Role::Key);
+fn watching(play: &LevelPlay, made: &MadeShot) -> LevelPanel {
+    let mut panel = goals(play);
+    let clock = made.player.clock();
+    panel.fact("time", format!("{:.2} s", clock.time()));
+    panel.fact("watched at", clock.rate().words());
+    panel.gap();
+    let go_on = LevelAction::Watch(ShotAction::GoOn);
+    panel.prompt("go on, or to the end", go_on);
+    panel
 }
 
 /// What came about.
-fn outcome(play: &LevelPlay, made: &MadeShot, lines: &mut Lines, cx: &Context) {
+fn outcome(play: &LevelPlay, made: &MadeShot, cx: &Context) -> LevelPanel {
+    let mut panel = Panel::new(if made.win.is_some() { "won" } else { "not yet" });
     match &made.win {
         Some(win) => {
             let won = match play.hints {
                 0 => "Won!".into(),
                 hints => format!("Won, with {}!", numbers::counted(hints, "hint")),
             };
-            lines.pair(&won, &words::stars(win.stars()), Role::Good, Role::Good);
+            panel.pair((won, Role::Good), (words::stars(win.stars()), Role::Good));
         }
         None => {
             let (met, all) = (made.verdict.met(), play.level().goals.len());
@@ -158,121 +158,122 @@ fn outcome(play: &LevelPlay, made: &MadeShot, lines: &mut Lines, cx: &Context) {
                 0 => "Not yet. See what was off, then change one thing at a time.".into(),
                 _ => format!("Not yet, but {met} of {all} goals are met: you are on the way."),
             };
-            lines.paragraph(&cheer, Role::Title);
+            panel.paragraph(cheer, Role::Title);
         }
     }
-    lines.gap();
-    for finding in made.verdict.told(play.level()) {
-        let (mark, role) = if finding.met {
-            ("✓", Role::Good)
-        } else {
-            ("✗", Role::Warn)
+    panel.gap();
+    for finding in &made.verdict.findings {
+        let (mark, role) = match finding.met {
+            true => ("✓ ", Role::Good),
+            false => ("✗ ", Role::Warn),
         };
-        let told = numbers::capital(&finding.told);
-        lines.paragraph(&format!("{mark} {told}."), role);
+        panel.marked(mark, format!("{}.", numbers::capital(&finding.told)), role);
     }
     if let Some(impact) = made.player.impacts().first() {
-        answers(play, made, impact, lines);
+        answers(play, made, impact, &mut panel);
     }
-    lines.gap();
+    panel.gap();
     match &made.win {
-        Some(win) => won(play, *win, lines, cx),
+        Some(win) => won(play, *win, &mut panel, cx),
         None => {
-            lines.paragraph("Enter: try again from the same aim.", Role::Key);
+            panel.prompt("try again from the same aim", LevelAction::AimAgain);
             if !made.player.impacts().is_empty() {
-                lines.paragraph("i: look at the hit, enlarged.", Role::Key);
+                let look = LevelAction::Watch(ShotAction::Impacts);
+                panel.prompt("look at the hit, enlarged", look);
             }
-            hints(play, lines);
+            hints(play, &mut panel);
         }
     }
+    panel
 }
 
 /// The explanation, what the stars were for, and where to go on.
-fn won(play: &LevelPlay, win: Win, lines: &mut Lines, cx: &Context) {
-    lines.paragraph(&play.level().explanation, Role::Text);
-    lines.gap();
+fn won(play: &LevelPlay, win: Win, panel: &mut LevelPanel, cx: &Context) {
+    panel.paragraph(&play.level().explanation, Role::Text);
+    panel.gap();
     if !win.has_few_shots() {
         let text = format!("A star more: win with at most {FEW_SHOTS} shots and no hint.");
-        lines.paragraph(&text, Role::Dim);
+        panel.paragraph(text, Role::Dim);
     }
     if !win.is_accurate() {
         let text = match win.said_right {
             Some(_) if cx.settings.predict => "A star more: say within 4° where the discs go.",
-            Some(_) => "A star more: say first where the discs go (p).",
+            Some(_) => "A star more: say first where the discs go.",
             None => "A star more: win with the first shot.",
         };
-        lines.paragraph(text, Role::Dim);
+        panel.paragraph(text, Role::Dim);
     }
-    let next = if play.number + 1 < cx.shelf.count() {
-        "Enter: the next level."
-    } else {
-        "That was the last level! Enter: back to the list."
+    let next = match play.number + 1 < cx.shelf.count() {
+        true => "the next level",
+        false => "back to the list: that was the last level!",
     };
-    lines.paragraph(next, Role::Key);
+    panel.prompt(next, LevelAction::NextLevel);
 }
 
 /// What was said beside the truth.
-fn answers(play: &LevelPlay, made: &MadeShot, impact: &ShotImpact, lines: &mut Lines) {
+fn answers(play: &LevelPlay, made: &MadeShot, impact: &ShotImpact, panel: &mut LevelPanel) {
     let Some(said) = &made.said else {
         return;
     };
-    lines.gap();
+    panel.gap();
     let mut names = [None; 2];
     for ray in asked(said) {
         let body = usize::from(ray == Ray::Target);
         names[body] = Some(words::short(&play.level().scene, impact.discs[body]));
     }
-    written::<()>(lines, |panel| {
-        said_and_true(&impact.collision, &said.so_far(), names, false, panel);
-    });
-}
-
-/// Which of the impacts is enlarged.
-pub(super) fn impact_title(made: &MadeShot) -> String {
-    let number = made.player.chosen().map_or(0, |(number, _)| number);
-    format!("impact {} of {}", number + 1, made.player.impacts().len())
+    said_and_true(&impact.collision, &said.so_far(), names, false, panel);
 }
 
 /// One impact, enlarged: the explanation of the lab.
-fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch, lines: &mut Lines) {
-    let scene = &play.level().scene;
+fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
     let Some((number, impact)) = made.player.chosen() else {
-        return;
+        return Panel::new("");
     };
+    let count = made.player.impacts().len();
+    let mut panel = Panel::new(format!("impact {} of {count}", number + 1));
+    let scene = &play.level().scene;
     let [first, second] = impact.discs.map(|disc| scene.name(disc));
     let met = numbers::capital(&format!("{first} on {second}"));
-    lines.paragraph(&met, Role::Title);
+    panel.paragraph(met, Role::Title);
     // What a win has shown is no secret any more.
     let secret = match made.win {
         Some(_) => &[],
         None => play.level().unknown_mass.as_slice(),
     };
-    written::<()>(lines, |panel| given(impact, secret, panel));
+    offset(&impact.collision, &mut panel);
+    impact_angle(&impact.collision, &mut panel);
+    bodies(impact, secret, &mut panel);
     if !watch.is_told() {
-        lines.gap();
-        return written::<()>(lines, |panel| watch.write_telling(panel));
+        panel.gap();
+        watch.write_telling(&mut panel);
+        return panel;
     }
-    written::<()>(lines, |panel| separation(&impact.collision, panel));
-    match watch.frame() {
-        Frame::Laboratory => {}
-        Frame::CentreOfMass => {
-            lines.gap();
-            return lines.paragraph("From the centre of mass the two always fly back to back: momentum is zero before and after.", Role::Text);
-        }
-        Frame::Target => {
-            lines.gap();
-            return lines.paragraph("Riding with body 2: here it lies still before the hit, so all you know of a resting coin holds.", Role::Text);
-        }
+    separation(&impact.collision, &mut panel);
+    let seen = match watch.frame() {
+        Frame::Laboratory => None,
+        Frame::CentreOfMass => Some(
+            "From the centre of mass the two always fly back to back: momentum is zero before and after.",
+        ),
+        Frame::Target => Some(
+            "Riding with body 2: here it lies still before the hit, so all you know of a resting coin holds.",
+        ),
+    };
+    if let Some(text) = seen {
+        panel.gap();
+        panel.paragraph(text, Role::Text);
+        return panel;
     }
     let said = made.said.as_ref().filter(|_| number == 0);
     if said.is_some() {
-        answers(play, made, impact, lines);
+        answers(play, made, impact, &mut panel);
     }
-    lines.gap();
+    panel.gap();
     if impact.discs.iter().any(|disc| secret.contains(disc)) {
         let text = "A mass here is for you to find. The angles of the first hit tell it: where nothing is lost, m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁.";
-        return lines.paragraph(text, Role::Text);
+        panel.paragraph(text, Role::Text);
+    } else {
+        let why = why(&impact.collision, said.and_then(RayInput::both));
+        reason(&why, &mut panel);
     }
-    let why = why(&impact.collision, said.and_then(RayInput::both));
-    written::<()>(lines, |panel| reason(&why, panel));
+    panel
 }

@@ -1,76 +1,54 @@
-//! How a level looks.
+//! What a level shows.
 
-use ratatui::buffer::Buffer;
-
-use super::{LevelPhase, LevelPlay, PendingShot, board, panel};
+use super::{LevelAction, LevelPhase, LevelPlay, board, panel};
 use crate::quiz::Ray;
-use crate::screens::Context;
 use crate::screens::levels::words::face_of;
-use crate::widgets::hit::{Markings, setup_picture};
+use crate::screens::{Context, View};
 use crate::widgets::{Room, SplitLayout};
+use crate::widgets::hit::{Markings, setup_picture};
 
-/// What is given of the impact that the player speaks of: not the impact angle where it
-/// is asked for, for along the line of impact the other disc leaves.
-fn shown(pending: &PendingShot) -> Markings {
-    Markings {
-        offset: true,
-        angle: !pending.rays.asks(Ray::Target),
-        figures: true,
-    }
-}
-
-/// Where the parts are: a square board, or a hit that takes all the room there is.
-pub(super) fn layout(play: &LevelPlay, room: Room) -> SplitLayout {
-    if play.is_enlarged() || play.level().is_of_the_first_hit() {
-        SplitLayout::new(room)
-    } else {
-        SplitLayout::square(room)
-    }
-}
-
-/// Draws the level.
-pub(super) fn draw(play: &LevelPlay, buf: &mut Buffer, cx: &Context) {
-    let look = cx.settings.look();
-    let layout = layout(play, cx.room());
+/// The board, or an impact enlarged, and the panel beside it.
+pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelAction> {
     let level = play.level();
-    let (title, side_title) = titles(play);
-    layout.draw(buf, &look, &title, &side_title);
-    let picture = match &play.phase {
+    let panel = panel::panel(play, cx);
+    let view = match &play.phase {
         LevelPhase::Aim => {
             let scene = level.aimed(&play.dials.aim);
-            board::of_aim(level, &scene, play.dials.met, layout.picture)
+            let board = move |area| board::of_aim(level, &scene, play.dials.met, area);
+            View::picture("aim", move |area, buf, look| board(area).draw(buf, look), panel)
         }
         LevelPhase::Predict(pending) => {
             let faces = pending.impact.discs.map(|disc| face_of(&level.scene, disc));
-            let (collision, rays) = (&pending.impact.collision, Some(&pending.rays));
-            setup_picture(layout.picture, faces, collision, shown(pending), rays)
+            let (collision, rays) = (&pending.impact.collision, &pending.rays);
+            // Along the line of impact the other disc leaves: its angle is not given where
+            // that is asked for.
+            let given = Markings {
+                offset: true,
+                angle: !rays.asks(Ray::Target),
+                figures: true,
+            };
+            let draw = move |area, buf: &mut _, look: &_| {
+                setup_picture(area, faces, collision, given, Some(rays)).draw(buf, look);
+            };
+            View::picture("where will they go?", draw, panel)
         }
         LevelPhase::Watch(made) => match made.player.zoom() {
-            Some(watch) => watch.picture(layout.picture),
-            None => board::of_made(level, made, layout.picture),
+            Some(watch) => {
+                let draw = |area, buf: &mut _, look: &_| watch.picture(area).draw(buf, look);
+                View::picture(watch.slowed_title(), draw, panel)
+            }
+            None => {
+                let draw = move |area, buf: &mut _, look: &_| {
+                    board::of_made(level, made, area).draw(buf, look);
+                };
+                View::picture(format!("shot {}", play.shots), draw, panel)
+            }
         },
     };
-    picture.draw(buf, &look);
-    play.scroll.draw(layout.panel, buf, look, |lines| {
-        panel::write(play, lines, cx);
-    });
-}
-
-/// The titles of picture and panel.
-fn titles(play: &LevelPlay) -> (String, String) {
-    match &play.phase {
-        LevelPhase::Aim => ("aim".into(), play.level().title.clone()),
-        LevelPhase::Predict(_) => ("where will they go?".into(), "say it first".into()),
-        LevelPhase::Watch(made) => match made.player.zoom() {
-            Some(watch) => (watch.slowed_title(), panel::impact_title(made)),
-            None => (
-                format!("shot {}", play.shots),
-                match (made.told, &made.win) {
-                    (false, _) => play.level().title.clone(),
-                    (true, Some(_)) => "won".into(),
-                    (true, None) => "not yet".into(),
-                },
-            ),
-        },
-    }
+    // A hit takes all the room there is; a board is square.
+    let layout: fn(Room) -> SplitLayout = match play.is_enlarged() || level.is_of_the_first_hit() {
+        true => SplitLayout::new,
+        false => SplitLayout::square,
+    };
+    View { layout, ..view }
 }

@@ -4,8 +4,6 @@ mod view;
 
 use std::sync::Arc;
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use crate::lessons::Book;
@@ -14,8 +12,7 @@ use crate::progress::Due;
 use crate::quiz::concepts::Library;
 use crate::quiz::{ChaptersRead, Code, Course, CourseKind, Family};
 use crate::screens::recall::Recall;
-use crate::screens::{Context, Next, Place, Screen};
-use crate::widgets::Outcome;
+use crate::screens::{Context, Next, Place, Screen, View};
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 
 /// What keys do where a round is chosen.
@@ -135,70 +132,62 @@ impl Choosing {
         history.map_or_else(Due::default, |it| Due::of(&it.attempts, &it.calendar))
     }
 
-    /// Moves the mark of the page's list, or does what its line says.
-    fn listed(
-        &mut self,
-        cx: &mut Context,
-        act: impl FnOnce(&mut ListView, usize) -> Outcome<usize>,
-    ) -> Next {
-        let rounds = self.choices().len();
-        let outcome = match self.page {
-            ChoosingPage::Rounds => act(&mut self.rounds, rounds),
-            ChoosingPage::Topics => act(&mut self.topics, CourseKind::topics().count()),
-            ChoosingPage::Code { .. } => Outcome::Ignored,
-        };
-        Next::of(outcome, |_| self.enter(cx))
+    /// The kind of the rounds that a choice begins; `None` where there is nothing to ask, and
+    /// where there is more to be chosen.
+    fn kind(&self, choice: &RoundChoice, book: &Book) -> Option<CourseKind> {
+        match choice {
+            RoundChoice::Always(kind) => Some(kind.clone()),
+            RoundChoice::Review => self.due().course(),
+            RoundChoice::Read => chapters_read(book).map(CourseKind::Read),
+            RoundChoice::Own => {
+                let own = (!self.own.concepts.is_empty()).then(|| Arc::clone(&self.own));
+                own.map(CourseKind::Own)
+            }
+            RoundChoice::Topic | RoundChoice::Code => None,
+        }
     }
 
     /// Does what the chosen line says.
     fn enter(&mut self, cx: &mut Context) -> Next {
         let kind = match (&self.page, self.choice()) {
             (ChoosingPage::Topics, _) => self.family().map(CourseKind::Topic),
-            (ChoosingPage::Code { .. }, _) => return self.enter_code(),
-            (ChoosingPage::Rounds, RoundChoice::Always(kind)) => Some(kind.clone()),
-            (ChoosingPage::Rounds, RoundChoice::Review) => self.due().course(),
-            (ChoosingPage::Rounds, RoundChoice::Read) => {
-                chapters_read(&cx.book).map(CourseKind::Read)
-            }
-            (ChoosingPage::Rounds, RoundChoice::Own) => {
-                let own = (!self.own.concepts.is_empty()).then(|| Arc::clone(&self.own));
-                own.map(CourseKind::Own)
-            }
-            (ChoosingPage::Rounds, RoundChoice::Topic) => {
-                self.page = ChoosingPage::Topics;
-                None
-            }
-            (ChoosingPage::Rounds, RoundChoice::Code) => {
+            (_, choice) => self.kind(choice, &cx.book),
+        };
+        if let Some(kind) = kind {
+            let code = Code {
+                course: Course::new(kind),
+                seed: cx.next_seed(),
+            };
+            return begin(code);
+        }
+        match self.choice() {
+            RoundChoice::Topic => self.page = ChoosingPage::Topics,
+            RoundChoice::Code => {
                 self.page = ChoosingPage::Code {
                     typed: TextField::new("", LONGEST),
                     refused: false,
                 };
-                None
             }
-        };
-        let Some(kind) = kind else {
-            return Next::Stay;
-        };
-        let code = Code {
-            course: Course::new(kind),
-            seed: cx.next_seed(),
-        };
-        Next::Replace(Place::Quiz { code: Some(code) })
+            _ => {}
+        }
+        Next::Stay
     }
 
     /// Plays the round of the code that was typed, if it is one.
     fn enter_code(&mut self) -> Next {
-        let ChoosingPage::Code { typed, refused } = &mut self.page else {
-            return Next::Ignored;
-        };
-        match code(typed.text(), &self.own) {
-            Some(code) => Next::Replace(Place::Quiz { code: Some(code) }),
-            None => {
-                *refused = !typed.text().is_empty();
-                Next::Stay
+        if let ChoosingPage::Code { typed, refused } = &mut self.page {
+            if let Some(code) = code(typed.text(), &self.own) {
+                return begin(code);
             }
+            *refused = !typed.text().is_empty();
         }
+        Next::Stay
     }
+}
+
+/// The first question of a round.
+fn begin(code: Code) -> Next {
+    Next::Replace(Place::Quiz { code: Some(code) })
 }
 
 /// The chapters that were read to their end, if a question is about any.
@@ -270,7 +259,13 @@ impl Screen for Choosing {
 
     fn act(&mut self, action: ChoosingAction, cx: &mut Context) -> Next {
         match action {
-            ChoosingAction::List(action) => self.listed(cx, |list, count| list.act(action, count)),
+            ChoosingAction::List(action) => {
+                let outcome = match self.page {
+                    ChoosingPage::Rounds => self.rounds.act(action, self.choices().len()),
+                    _ => self.topics.act(action, CourseKind::topics().count()),
+                };
+                Next::of(outcome, |_| self.enter(cx))
+            }
             ChoosingAction::Begin(at) | ChoosingAction::BeginByLetter(at) => {
                 self.rounds.choose(at);
                 self.enter(cx)
@@ -284,12 +279,8 @@ impl Screen for Choosing {
         }
     }
 
-    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+    fn input(&mut self, input: &Input, _cx: &mut Context) -> Next {
         match (input, &mut self.page) {
-            (Input::Mouse(mouse), _) => {
-                let line = view::line_at(self, cx, mouse.cell());
-                return self.listed(cx, |list, count| list.mouse(mouse, count, line));
-            }
             (Input::Paste(text), ChoosingPage::Code { typed, refused }) => {
                 typed.paste(text.trim());
                 *refused = false;
@@ -300,7 +291,14 @@ impl Screen for Choosing {
         Next::Stay
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(self, area, buf, cx);
+    fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        match self.page {
+            ChoosingPage::Code { .. } => Next::Ignored,
+            _ => self.act(ChoosingAction::List(ListAction::Choose(by.into())), cx),
+        }
+    }
+
+    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, ChoosingAction>> {
+        Some(view::view(self, &cx.book))
     }
 }
