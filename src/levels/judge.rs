@@ -55,9 +55,8 @@ impl Goal {
     fn judge(&self, shot: &Shot, scene: &Scene) -> Finding {
         let name = |disc: &usize| scene.name(*disc);
         let hit = |one: &usize, other: &usize| format!("{} hit {}", name(one), name(other));
-        let no_hit = |one: &usize, other: &usize| {
-            format!("{} did not hit {}", name(one), name(other))
-        };
+        let no_hit =
+            |one: &usize, other: &usize| format!("{} did not hit {}", name(one), name(other));
         match self {
             Self::Pocket { discs } => pocketed(discs, shot, scene),
             Self::Keep { disc } => match shot.fallen().any(|fallen| fallen == *disc) {
@@ -90,7 +89,9 @@ impl Goal {
                 match end.state {
                     DiscState::Pocketed => found(false, format!("{name} fell into a pocket")),
                     DiscState::Moving => found(false, format!("{name} never came to rest")),
-                    DiscState::Resting => circle.judge(end.position, &format!("{name} came to rest")),
+                    DiscState::Resting => {
+                        circle.judge(end.position, &format!("{name} came to rest"))
+                    }
                 }
             }
             Self::Pass { disc, circle } => {
@@ -103,7 +104,8 @@ impl Goal {
                 least,
             } => {
                 let events = shot.events().iter().enumerate();
-                let mut partners = events.filter_map(|(at, it)| Some((at, it.kind.partner(*disc)?)));
+                let mut partners =
+                    events.filter_map(|(at, it)| Some((at, it.kind.partner(*disc)?)));
                 let (name, target_name) = (name(disc), name(target));
                 match partners.next() {
                     None => found(false, format!("{name} never met {target_name}")),
@@ -122,10 +124,15 @@ impl Goal {
             }
             Self::Cushions { disc, least } => {
                 let met = cushions(*disc, shot.events());
-                found(met >= *least, format!("{} met {}", name(disc), in_cushions(met)))
+                found(
+                    met >= *least,
+                    format!("{} met {}", name(disc), in_cushions(met)),
+                )
             }
             Self::FirstHit { measure, range } => {
-                let name = measure.disc().map_or(String::new(), |disc| scene.name(disc));
+                let name = measure
+                    .disc()
+                    .map_or(String::new(), |disc| scene.name(disc));
                 let number = match FirstImpact::of(shot).map(|hit| hit.shows(*measure, shot)) {
                     Some(Ok(number)) => number,
                     Some(Err(missing)) => return found(false, missing.told(&name)),
@@ -153,10 +160,16 @@ impl GoalCircle {
     fn judge(&self, point: DVec2, came: &str) -> Finding {
         let outside = self.outside_mm(point);
         if outside > 0.0 {
-            return found(false, format!("{came} {} mm outside its circle", figures(outside)));
+            return found(
+                false,
+                format!("{came} {} mm outside its circle", figures(outside)),
+            );
         }
         let off = figures(mm_from_m(self.centre.distance(point)));
-        found(true, format!("{came} {off} mm from the middle of its circle"))
+        found(
+            true,
+            format!("{came} {off} mm from the middle of its circle"),
+        )
     }
 }
 

@@ -284,8 +284,7 @@ impl<S: Screen> Hosted<S> {
             });
             // The wheel moves the mark of a list, which is followed.
             let is_followed = |it: &Shown| !has_picture && it.placed.chosen().is_some();
-            let is_long =
-                under.is_some_and(|(_, it)| it.placed.overflow() > 0 && !is_followed(it));
+            let is_long = under.is_some_and(|(_, it)| it.placed.overflow() > 0 && !is_followed(it));
             (layout.picture, hit, is_long)
         });
         drop(view);

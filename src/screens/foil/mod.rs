@@ -193,7 +193,7 @@ impl FoilScreen {
                     chosen: None,
                     count: guess::CHOICES.len(),
                 });
-                    }
+            }
             None => self.begin(None, cx.seed()),
         }
     }
@@ -365,9 +365,12 @@ impl Screen for FoilScreen {
                 .when(!typing)
                 .with(form(), FoilAction::Set)
                 .on('l', Scale, "scale"),
-            FoilPage::Measured => table
-                .on(Key::Enter, OtherPlot, "the other plot")
-                .or([Key::Left, Key::Right, Key::Char(' ')].map(|key| (key, OtherPlot))),
+            FoilPage::Measured => table.on(Key::Enter, OtherPlot, "the other plot").or([
+                Key::Left,
+                Key::Right,
+                Key::Char(' '),
+            ]
+            .map(|key| (key, OtherPlot))),
         };
         table
             .on(Key::Tab, TurnPage(1), "next page")

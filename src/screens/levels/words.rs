@@ -1,6 +1,6 @@
 //! Words and marks that the list and a level share.
 
-use crate::levels::{DiscKind, MOST_STARS, Scene};
+use crate::levels::{Dial, DiscKind, MOST_STARS, Scene};
 use crate::widgets::Role;
 use crate::widgets::hit::Face;
 
@@ -37,5 +37,25 @@ pub(super) fn short(scene: &Scene, disc: usize) -> &'static str {
         Some(DiscKind::Queen) => "queen",
         Some(DiscKind::Marble) => "marble",
         None => "disc",
+    }
+}
+
+/// What a dial is called on the screen, its unit, and what it sets, in a few words before
+/// its range.
+pub(super) const fn dial_words(dial: Dial) -> (&'static str, &'static str, &'static str) {
+    match dial {
+        Dial::Direction => (
+            "direction",
+            "°",
+            "the direction of the shot, anticlockwise from the right",
+        ),
+        Dial::Speed => ("speed", " m/s", "how fast the disc sets off"),
+        Dial::Place => ("place", " mm", "where the disc starts, from the middle"),
+        Dial::Mass => ("mass", " g", "how heavy the disc is"),
+        Dial::Restitution => (
+            "restitution",
+            "",
+            "how much of the closing speed a hit gives back",
+        ),
     }
 }

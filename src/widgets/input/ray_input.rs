@@ -206,12 +206,19 @@ impl RayInput {
         }
     }
 
-    /// Writes what to do next; `last` is what going on does once all has been said.
+    /// Writes what to do next: turn this ray, then the other one, and `last` once all has been
+    /// said.
     pub(crate) fn write_prompt(&self, panel: &mut Panel<RayAction>, target: &str, last: &str) {
-        match self.next_step(target) {
-            None => panel.paragraph(UNSAID, Role::Key),
-            Some(None) => panel.prompt(last, self.go_on()),
-            Some(Some(other)) => panel.prompt(format!("then the {other}"), self.go_on()),
+        if !self.is_said(self.turning) {
+            return panel.paragraph(UNSAID, Role::Key);
+        }
+        let other = match self.turning {
+            Ray::Striker => target,
+            Ray::Target => "striker",
+        };
+        match self.is_done() {
+            true => panel.prompt(last, self.go_on()),
+            false => panel.prompt(format!("then the {other}"), self.go_on()),
         }
     }
 
@@ -227,25 +234,9 @@ impl RayInput {
         }
     }
 
-    /// What to do next, in a sentence; `last` is what Enter does once all has been said.
-    pub fn prompt(&self, target: &str, last: &str) -> String {
-        match self.next_step(target) {
-            None => UNSAID.into(),
-            Some(None) => format!("Enter: {last}"),
-            Some(Some(other)) => format!("Enter: then the {other}."),
-        }
-    }
-
-    /// What comes next: nothing before anything is said of this ray; then the other one,
-    /// which is called so, until all has been said.
-    fn next_step<'a>(&self, target: &'a str) -> Option<Option<&'a str>> {
-        let is_done = self.said().is_some() && self.is_last();
-        let other = match self.turning {
-            Ray::Striker => target,
-            Ray::Target => "striker",
-        };
-        self.is_said(self.turning)
-            .then_some((!is_done).then_some(other))
+    /// Whether all has been said, and the last ray is being turned.
+    fn is_done(&self) -> bool {
+        self.said().is_some() && self.is_last()
     }
 
     /// On to the other ray, once something has been said of this one.
@@ -253,7 +244,7 @@ impl RayInput {
         if !self.is_said(self.turning) {
             return Outcome::Used;
         }
-        if self.said().is_some() && self.is_last() {
+        if self.is_done() {
             self.entry.take();
             return Outcome::Done(());
         }

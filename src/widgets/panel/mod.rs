@@ -444,8 +444,9 @@ impl<A> Panel<A> {
     /// The same with several things, the likeliest first.
     pub(crate) fn prompts<W: Into<String>>(&mut self, prompts: impl IntoIterator<Item = (W, A)>) {
         let prompts = prompts.into_iter();
-        let (words, actions): (_, Vec<A>) =
-            prompts.map(|(words, action)| (words.into(), action)).unzip();
+        let (words, actions): (_, Vec<A>) = prompts
+            .map(|(words, action)| (words.into(), action))
+            .unzip();
         self.push_with(Content::Prompts(words), actions);
     }
 }

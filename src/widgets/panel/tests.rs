@@ -77,7 +77,7 @@ fn gaps_that_meet_are_one_and_none_is_above_all() {
 fn a_click_on_a_field_or_on_the_words_of_a_prompt_does_what_stands_there() {
     let mut panel = Panel::new("");
     panel.field("mass", "5.5 g", (Role::Text, true), Some('m'));
-    panel.prompts([("weigh it".into(), 'w'), ("leave it alone".into(), 'l')]);
+    panel.prompts([("weigh it", 'w'), ("leave it alone", 'l')]);
     assert_eq!(
         drawn(&panel, 4, 0)[1..4],
         ["> mass         5.5 g", "w: weigh it. l:", "leave it alone."]

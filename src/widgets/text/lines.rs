@@ -1,7 +1,5 @@
 //! Lines of text one below the other, as the panels beside a picture have them.
 
-use std::ops::Range;
-
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use super::flow::{Run, flow};
@@ -13,8 +11,6 @@ pub struct Lines<'a> {
     area: Rect,
     written: u16,
     scrolled: u16,
-    /// The rows that can be pointed at, each with what it is.
-    targets: Vec<(Range<u16>, usize)>,
     buf: &'a mut Buffer,
     look: Look,
     /// Whether what is written is recorded as what it is.
@@ -55,7 +51,6 @@ impl<'a> Lines<'a> {
             area,
             written: 0,
             scrolled: 0,
-            targets: Vec::new(),
             buf,
             look,
             is_recorded: true,
@@ -111,17 +106,6 @@ impl<'a> Lines<'a> {
     /// Rows that a [`Lines::paragraph`] of this text takes.
     pub fn rows_of(&self, text: &str) -> u16 {
         self.rows_of_hanging("", text)
-    }
-
-    /// Writes rows that can be pointed at: they stand for the choice of this number.
-    pub fn target(&mut self, choice: usize, write: impl FnOnce(&mut Self)) {
-        let first = self.written;
-        let standing = Standing {
-            can_be_clicked: true,
-            ..self.standing
-        };
-        self.standing(standing, write);
-        self.targets.push((first..self.written, choice));
     }
 
     /// Writes one of several things to choose from. `write` is given the mark before it and
@@ -251,13 +235,6 @@ impl<'a> Lines<'a> {
                 runs: { runs.iter() }.map(|run| run.spelt(charset)).collect(),
             },
         });
-    }
-
-    /// The choice for which a row stands, the rows counted from 0 as they were written.
-    pub fn target_at(&self, row: u16) -> Option<usize> {
-        let mut targets = self.targets.iter();
-        let (_, choice) = targets.find(|(rows, _)| rows.contains(&row))?;
-        Some(*choice)
     }
 
     /// An empty row, unless there is nothing above it.

@@ -41,25 +41,6 @@ impl Scroll {
         self.rows.min(overflow(area, look, write))
     }
 
-    /// The choice that is drawn at a cell of `area`, as [`Lines::target`] marks it: found in the
-    /// rows that `write` writes, so that it is always the one that is seen there.
-    pub fn target_at(
-        self,
-        area: Rect,
-        cell: (u16, u16),
-        look: Look,
-        write: impl Fn(&mut Lines),
-    ) -> Option<usize> {
-        if !area.contains(cell.into()) {
-            return None;
-        }
-        let row = cell.1 - area.y + self.rows(area, look, &write);
-        rehearsed(area, look, |lines| {
-            write(lines);
-            lines.target_at(row)
-        })
-    }
-
     /// Draws what `write` writes. Where it does not fit, the frame below `area` says
     /// which key brings the rest.
     pub fn draw(self, area: Rect, buf: &mut Buffer, look: Look, write: impl Fn(&mut Lines)) {

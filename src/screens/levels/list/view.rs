@@ -3,7 +3,6 @@
 use super::LevelsAction;
 use crate::levels::{Level, Shelf};
 use crate::screens::View;
-use crate::screens::levels::play::dial_name;
 use crate::screens::levels::words;
 use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
@@ -104,7 +103,10 @@ fn about(level: &Level, stars: u8) -> Panel<LevelsAction> {
         panel.paragraph(goal.describe(&level.scene), Role::Text);
     }
     panel.gap();
-    let dials = level.adjust.dials().map(|(dial, _)| dial_name(dial));
+    let dials = level
+        .adjust
+        .dials()
+        .map(|(dial, _)| words::dial_words(dial).0);
     let dials = dials.collect::<Vec<_>>().join(", ");
     panel.paragraph(format!("You set: {dials}."), Role::Dim);
     panel.gap();

@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::board::{Met, first_met};
 use crate::levels::{Dial, Level, LevelAim, Range};
 use crate::physics::units::mm_from_m;
+use crate::screens::levels::words::dial_words;
 use crate::widgets::input::{Field, FieldValue, FormFields, SettingsForm};
 
 /// A level, and its dials as the player has set them.
@@ -27,7 +28,7 @@ impl FormFields for Dials {
                 Dial::Direction => ((f64::NEG_INFINITY, f64::INFINITY), -dial.step()),
                 _ => ((range.from, range.to), dial.step()),
             };
-            let (name, unit, about) = words(dial);
+            let (name, unit, about) = dial_words(dial);
             let value = FieldValue::Number {
                 value: self.aim.get(dial),
                 range: range_held,
@@ -143,37 +144,12 @@ impl Dials {
     }
 }
 
-/// What a dial is called on the screen, its unit, and what it sets, in a few words before
-/// its range.
-const fn words(dial: Dial) -> (&'static str, &'static str, &'static str) {
-    match dial {
-        Dial::Direction => (
-            "direction",
-            "°",
-            "the direction of the shot, anticlockwise from the right",
-        ),
-        Dial::Speed => ("speed", " m/s", "how fast the disc sets off"),
-        Dial::Place => ("place", " mm", "where the disc starts, from the middle"),
-        Dial::Mass => ("mass", " g", "how heavy the disc is"),
-        Dial::Restitution => (
-            "restitution",
-            "",
-            "how much of the closing speed a hit gives back",
-        ),
-    }
-}
-
-/// What a dial is called on the screen.
-pub(in crate::screens::levels) const fn name(dial: Dial) -> &'static str {
-    words(dial).0
-}
-
 /// A setting with its unit, to one decimal more where fine steps need it.
 fn with_unit(dial: Dial, setting: f64) -> String {
     let number = number(dial, setting);
     match dial {
         Dial::Restitution => format!("e = {number}"),
-        _ => format!("{number}{}", words(dial).1),
+        _ => format!("{number}{}", dial_words(dial).1),
     }
 }
 

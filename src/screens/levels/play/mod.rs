@@ -25,8 +25,6 @@ use crate::widgets::{Outcome, RayInput};
 use dials::Dials;
 use made_shot::MadeShot;
 
-pub(super) use dials::name as dial_name;
-
 /// A level being played.
 #[derive(Debug, Clone)]
 pub(crate) struct LevelPlay {

@@ -4,8 +4,8 @@ use super::{LevelAction, LevelPhase, LevelPlay, board, panel};
 use crate::quiz::Ray;
 use crate::screens::levels::words::face_of;
 use crate::screens::{Context, View};
-use crate::widgets::{Room, SplitLayout};
 use crate::widgets::hit::{Markings, setup_picture};
+use crate::widgets::{Room, SplitLayout};
 
 /// The board, or an impact enlarged, and the panel beside it.
 pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelAction> {
@@ -15,7 +15,11 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
         LevelPhase::Aim => {
             let scene = level.aimed(&play.dials.aim);
             let board = move |area| board::of_aim(level, &scene, play.dials.met, area);
-            View::picture("aim", move |area, buf, look| board(area).draw(buf, look), panel)
+            View::picture(
+                "aim",
+                move |area, buf, look| board(area).draw(buf, look),
+                panel,
+            )
         }
         LevelPhase::Predict(pending) => {
             let faces = pending.impact.discs.map(|disc| face_of(&level.scene, disc));
