@@ -25,12 +25,12 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-pub use context::{Context, Settings};
+pub use context::Context;
 pub use hosted::{AnyScreen, Hosted, SharedAction};
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use join::{code_of, host_of};
 pub use place::Place;
-pub use settings::KeptSettings;
+pub use settings::{KeptSettings, Settings};
 pub use view::View;
 
 use crate::messages::{Input, Key, Mouse};

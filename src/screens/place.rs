@@ -1,6 +1,5 @@
 //! Where one can go.
 
-use super::foil;
 use crate::class::DoorCode;
 use crate::physics::CollisionSpec;
 use crate::quiz::Code;
@@ -66,7 +65,7 @@ pub enum Place {
     /// One of its pages.
     FoilAt {
         /// The page.
-        page: foil::FoilPage,
+        page: FoilPage,
     },
     /// The table: carrom itself.
     Table,
@@ -81,4 +80,30 @@ pub enum Place {
         /// Its place among all levels, from 0.
         number: usize,
     },
+}
+
+/// A page of the foil.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum FoilPage {
+    /// One particle, and some beside it.
+    #[default]
+    Tracks,
+    /// A beam, counted by angle.
+    Counts,
+    /// Geiger and Marsden's counts.
+    Measured,
+}
+
+impl FoilPage {
+    /// All pages, in their order.
+    pub const ALL: [Self; 3] = [Self::Tracks, Self::Counts, Self::Measured];
+
+    /// Its name on the tab.
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::Tracks => "one particle",
+            Self::Counts => "a beam",
+            Self::Measured => "counted in 1913",
+        }
+    }
 }

@@ -1,11 +1,11 @@
 //! What can be set: one place for a setting's name, unit, range and step.
 
-use super::FoilPage;
 use super::setup::{FoilSetup, Obstacle};
 use super::words::count;
 use crate::beams::{CountedFor, METALS};
 use crate::numbers::fixed;
 use crate::physics::beam::Beam;
+use crate::screens::place::FoilPage;
 use crate::widgets::input::{Field, FieldRow, FieldValue, FormFields};
 
 /// The settings of a page.

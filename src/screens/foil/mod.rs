@@ -16,6 +16,7 @@ use std::time::Duration;
 
 use ratatui::layout::Rect;
 
+use super::place::FoilPage;
 use super::{Context, Next, Screen, View};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::quiz::Response;
@@ -28,32 +29,6 @@ pub(crate) use setup::FoilSetup;
 use field::{FoilFields, OFFSET};
 use run::BeamRun;
 use setup::Obstacle::{Hard, Nucleus};
-
-/// A page of the foil.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum FoilPage {
-    /// One particle, and some beside it.
-    #[default]
-    Tracks,
-    /// A beam, counted by angle.
-    Counts,
-    /// Geiger and Marsden's counts.
-    Measured,
-}
-
-impl FoilPage {
-    /// All pages, in their order.
-    pub const ALL: [Self; 3] = [Self::Tracks, Self::Counts, Self::Measured];
-
-    /// Its name on the tab.
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Tracks => "one particle",
-            Self::Counts => "a beam",
-            Self::Measured => "counted in 1913",
-        }
-    }
-}
 
 /// What keys do at the foil.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]

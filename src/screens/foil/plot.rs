@@ -6,10 +6,11 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::field::shown_counts;
-use super::{BeamRun, FoilPage, FoilScreen, FoilSetup, view};
+use super::{BeamRun, FoilScreen, FoilSetup, view};
 use crate::beams::CountedFor;
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::rutherford::FM;
+use crate::screens::place::FoilPage;
 use crate::widgets::Look;
 use crate::widgets::input::KeyTable;
 use crate::widgets::picture::Picture;

@@ -2,7 +2,8 @@
 
 use ratatui::layout::Rect;
 
-use super::{FoilAction, FoilPage, FoilScreen, beam_page, measured_page, tracks_page};
+use super::{FoilAction, FoilScreen, beam_page, measured_page, tracks_page};
+use crate::screens::place::FoilPage;
 use crate::screens::{Context, View};
 use crate::widgets::Look;
 use crate::widgets::panel::Panel;

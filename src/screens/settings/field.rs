@@ -1,6 +1,6 @@
 //! What can be set: one place for a setting's name, its values and what they mean.
 
-use crate::screens::Settings;
+use super::values::Settings;
 use crate::widgets::input::{Field, FieldValue, FormFields};
 use crate::widgets::replay::WatchRate;
 use crate::widgets::{Charset, Depth, Palette};

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::field::{SETTINGS, Setting};
+use super::values::Settings;
 use crate::files::{FileErrors, Source, all, is_blank_name};
 use crate::game::is_player_name;
-use crate::screens::Settings;
 use crate::widgets::Depth;
 
 /// Format of the file.

@@ -2,9 +2,11 @@
 
 mod field;
 mod kept;
+mod values;
 mod view;
 
 pub use kept::KeptSettings;
+pub use values::Settings;
 
 use strum::{EnumMessage, IntoStaticStr};
 

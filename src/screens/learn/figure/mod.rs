@@ -20,7 +20,8 @@ use crate::numbers::tidy;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::physics::{Bond, Collision, CollisionSpec, ImpactPoint, Meeting};
 use crate::quiz::{Hit, Rays};
-use crate::screens::foil::{FoilFigure, FoilFigureAction, FoilPage};
+use crate::screens::foil::{FoilFigure, FoilFigureAction};
+use crate::screens::place::FoilPage;
 use crate::widgets::hit::{
     Face, HitPace, Markings, Overlay, Overlays, Watch, WatchAction, point_at, setup_picture,
 };
