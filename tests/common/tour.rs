@@ -154,7 +154,7 @@ pub(crate) const TOUR: &[TourStop] = &[
     moment("class, the end", CLASS, TO_THE_END),
     moment("class, the door", DEVICES, ""),
     moment("class, who is in", DEVICES, "w"),
-    moment("class, one of those who are in", DEVICES, "w<Space>"),
+    moment("class, one of those who are in", DEVICES, "w<Space>").taking_any(),
     moment("class, described on devices", DEVICES, "<Enter>"),
     moment("class, voting on devices", DEVICES, "<Enter><Enter>"),
     moment(
