@@ -1,6 +1,7 @@
 //! What a first vote advises.
 
-use super::{ClassRound, Vote};
+use super::ballot::Vote;
+use super::round::ClassRound;
 
 /// What to do after a first vote, by the share that is right (C. H. Crouch and E. Mazur, *Peer
 /// Instruction: Ten years of experience and results*, 2001): talking helps where some have

@@ -5,7 +5,7 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 use serde_json::Map;
 
-use super::Said;
+use super::ballot::Said;
 use crate::physics::resting_target::mass_ratio_from_angles;
 use crate::physics::rutherford::Rutherford;
 use crate::physics::{Bond, Collision, Disc};

@@ -1,56 +1,18 @@
 //! What changes in a round from one moment to the next: the lines of its journal.
 
-use std::fmt;
+use serde::{Deserialize, Serialize};
 
-use super::{ClassRound, SeatToken, Vote};
-use crate::quiz::{Confidence, Response};
+use super::ballot::{Said, Vote};
+use super::door::SeatToken;
+use super::round::ClassRound;
 
-/// A vote: what is said, and how sure they are, where that is asked.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Said {
-    /// What is said.
-    pub response: Response,
-    /// How sure they are of it.
-    pub sure: Option<Confidence>,
-}
-
-impl From<Response> for Said {
-    fn from(response: Response) -> Self {
-        let sure = None;
-        Self { response, sure }
-    }
-}
-
-impl Said {
-    /// The text with which it is kept and sent: "rays 60 still", "sure number 2.1".
-    pub fn to_text(self) -> String {
-        match self.sure {
-            Some(sure) => format!("{} {}", sure.id(), self.response.to_text()),
-            None => self.response.to_text(),
-        }
-    }
-
-    /// What such a text says; `None` if it is none.
-    pub fn parse(text: &str) -> Option<Self> {
-        let sure = text
-            .split_once(' ')
-            .and_then(|(first, rest)| Some((Confidence::with_id(first)?, rest)));
-        let (sure, rest) = match sure {
-            Some((sure, rest)) => (Some(sure), rest),
-            None => (None, text),
-        };
-        let response = Response::parse(rest)?;
-        Some(Self { response, sure })
-    }
-}
-
-/// One thing that changes in a round. Questions, people and choices are counted from 0; in
-/// its text from 1.
+/// One thing that changes in a round. Questions, people and choices are counted from 0.
 ///
 /// A file of a round begins with how it stood when it was last written as a whole; the
 /// changes since then are appended to it, so that a vote of 250 costs a line and not the
 /// whole file.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ClassChange {
     /// A vote, or that it is taken back.
     Vote {
@@ -61,6 +23,7 @@ pub enum ClassChange {
         /// Who gave it.
         person: usize,
         /// What was said.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
         said: Option<Said>,
     },
     /// Hands were counted, or that is taken back.
@@ -70,12 +33,14 @@ pub enum ClassChange {
         /// Which vote.
         vote: Vote,
         /// How many were for each choice.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
         counts: Option<Vec<u32>>,
     },
     /// Somebody has come, behind all who were there.
     Join {
-        /// What brings them back.
-        seat: SeatToken,
+        /// What brings them back, if they have a device.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        seat: Option<SeatToken>,
         /// Their name, which nobody else has.
         name: String,
     },
@@ -110,100 +75,24 @@ pub enum ClassChange {
     },
 }
 
-/// The text with which it is kept: "vote 3 first 17 rays 60 still".
-impl fmt::Display for ClassChange {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Vote {
-                question,
-                vote,
-                person,
-                said,
-            } => {
-                let vote: &str = vote.into();
-                write!(f, "vote {} {vote} {}", question + 1, person + 1)?;
-                said.map_or(Ok(()), |said| write!(f, " {}", said.to_text()))
-            }
-            Self::Count {
-                question,
-                vote,
-                counts,
-            } => {
-                let vote: &str = vote.into();
-                write!(f, "count {} {vote}", question + 1)?;
-                let mut counts = counts.iter().flatten();
-                counts.try_for_each(|count| write!(f, " {count}"))
-            }
-            Self::Join { seat, name } => write!(f, "join {seat} {name}"),
-            Self::Rename { person, name } => write!(f, "rename {} {name}", person + 1),
-            Self::Remove { person } => write!(f, "remove {}", person + 1),
-            Self::Readmit { removed } => write!(f, "readmit {}", removed + 1),
-            Self::Vacate { person } => write!(f, "vacate {}", person + 1),
-            Self::Merge { from, into } => write!(f, "merge {} {}", from + 1, into + 1),
-        }
-    }
-}
-
 impl ClassChange {
-    /// Whether the text of a change is that of a vote, whatever it says.
-    pub(super) fn is_vote(text: &str) -> bool {
-        text.starts_with("vote ")
+    /// The line of JSON with which it is kept.
+    pub fn line(&self) -> String {
+        // There is nothing in it that could not be written.
+        serde_json::to_string(self).unwrap_or_default()
     }
 
-    /// What such a text says; `None` if it is none.
-    pub fn parse(text: &str) -> Option<Self> {
-        let from_one = |text: &str| text.parse::<usize>().ok()?.checked_sub(1);
-        let (what, rest) = text.split_once(' ')?;
-        let (first, behind) = match rest.split_once(' ') {
-            Some((first, behind)) => (first, Some(behind)),
-            None => (rest, None),
-        };
-        Some(match (what, behind) {
-            ("vote", Some(behind)) => {
-                let mut parts = behind.splitn(3, ' ');
-                Self::Vote {
-                    question: from_one(first)?,
-                    vote: parts.next()?.parse().ok()?,
-                    person: from_one(parts.next()?)?,
-                    said: match parts.next() {
-                        Some(said) => Some(Said::parse(said)?),
-                        None => None,
-                    },
-                }
-            }
-            ("count", Some(behind)) => {
-                let (vote, counts) = behind.split_once(' ').unwrap_or((behind, ""));
-                let counts = counts.split(' ').filter(|count| !count.is_empty());
-                let counts: Result<Vec<u32>, _> = counts.map(str::parse).collect();
-                Self::Count {
-                    question: from_one(first)?,
-                    vote: vote.parse().ok()?,
-                    counts: Some(counts.ok()?).filter(|counts| !counts.is_empty()),
-                }
-            }
-            ("join", Some(name)) => Self::Join {
-                seat: first.parse().ok()?,
-                name: name.to_owned(),
-            },
-            ("rename", Some(name)) => Self::Rename {
-                person: from_one(first)?,
-                name: name.to_owned(),
-            },
-            ("remove", None) => Self::Remove {
-                person: from_one(first)?,
-            },
-            ("readmit", None) => Self::Readmit {
-                removed: from_one(first)?,
-            },
-            ("vacate", None) => Self::Vacate {
-                person: from_one(first)?,
-            },
-            ("merge", Some(into)) => Self::Merge {
-                from: from_one(first)?,
-                into: from_one(into)?,
-            },
-            _ => return None,
-        })
+    /// What such a line says.
+    ///
+    /// # Errors
+    /// If it is none, in words.
+    pub fn read(line: &str) -> Result<Self, String> {
+        serde_json::from_str(line).map_err(|error| format!("expected a change: {error}"))
+    }
+
+    /// Whether a line is that of a vote, whatever it says.
+    pub(super) fn is_vote(line: &str) -> bool {
+        line.starts_with("{\"vote\":")
     }
 }
 
@@ -215,7 +104,7 @@ impl ClassRound {
     pub fn change(&mut self, change: &ClassChange) -> Result<(), String> {
         let taken = |taken: bool, expected: &str| match taken {
             true => Ok(()),
-            false => Err(format!("expected {expected}, found \"{change}\"")),
+            false => Err(format!("expected {expected}, found {}", change.line())),
         };
         match change {
             ClassChange::Vote {
@@ -252,36 +141,36 @@ mod tests {
     #[test]
     fn a_change_is_read_as_it_is_written() {
         let seat = SeatToken::of(7);
-        for text in [
-            "vote 3 first 17 rays -0.5 still",
-            "vote 3 second 17 sure choice 2",
-            "vote 3 first 1",
-            "count 1 first 4 17 9 2",
-            "count 1 second",
-            &format!("join {seat} Ada Lovelace"),
-            "rename 3 Bo  <b>",
-            "remove 250",
-            "readmit 1",
-            "vacate 250",
-            "merge 4 1",
+        for line in [
+            r#"{"vote":{"question":2,"vote":"first","person":16,"said":"rays -0.5 still"}}"#,
+            r#"{"vote":{"question":2,"vote":"second","person":16,"said":"sure choice 2"}}"#,
+            r#"{"vote":{"question":2,"vote":"first","person":0}}"#,
+            r#"{"count":{"question":0,"vote":"first","counts":[4,17,9,2]}}"#,
+            r#"{"count":{"question":0,"vote":"second"}}"#,
+            &format!(r#"{{"join":{{"seat":"{seat}","name":"Ada Lovelace"}}}}"#),
+            r#"{"join":{"name":"Ants"}}"#,
+            r#"{"rename":{"person":2,"name":"Bo  <b>"}}"#,
+            r#"{"remove":{"person":249}}"#,
+            r#"{"readmit":{"removed":0}}"#,
+            r#"{"vacate":{"person":249}}"#,
+            r#"{"merge":{"from":3,"into":0}}"#,
         ] {
-            let change = ClassChange::parse(text).unwrap_or_else(|| panic!("{text}"));
-            assert_eq!(change.to_string(), text);
+            let change = ClassChange::read(line).unwrap_or_else(|it| panic!("{line}: {it}"));
+            assert_eq!(change.line(), line);
         }
-        for text in [
+        for line in [
             "",
-            "vote",
-            "vote 0 first 1",
-            "vote 1 third 1",
-            "vote 1 first 1 ",
-            "vote 1 first 1 rays",
-            "count 1 first x",
-            "join 12 Ada",
-            "remove 1 2",
-            "merge 1",
-            "leave 1",
+            "vote 1 first 1",
+            r#"{"vote":{"question":-1,"vote":"first","person":0}}"#,
+            r#"{"vote":{"question":0,"vote":"third","person":0}}"#,
+            r#"{"vote":{"question":0,"vote":"first","person":0,"said":"rays"}}"#,
+            r#"{"vote":{"question":0,"vote":"first","person":0,"sad":"rays 1 2"}}"#,
+            r#"{"count":{"question":0,"vote":"first","counts":["x"]}}"#,
+            r#"{"join":{"seat":"12","name":"Ada"}}"#,
+            r#"{"merge":{"from":1}}"#,
+            r#"{"leave":{"person":1}}"#,
         ] {
-            assert_eq!(ClassChange::parse(text), None, "{text}");
+            assert!(ClassChange::read(line).is_err(), "{line}");
         }
     }
 }

@@ -2,7 +2,9 @@
 
 use std::cmp::Reverse;
 
-use super::{ClassRound, Vote, WayOfVoting};
+use super::ballot::Vote;
+use super::round::ClassRound;
+use super::way::WayOfVoting;
 use crate::numbers::{self, correlation};
 use crate::quiz::{Form, Misconception, Response, evidence};
 
@@ -127,8 +129,8 @@ fn changed(round: &ClassRound, question: usize) -> Option<[usize; 2]> {
         return None;
     }
     let mut changed = [0, 0];
-    for team in 0..round.teams().len() {
-        let ballot = round.ballot(question, team);
+    for team in round.participants() {
+        let ballot = team.ballot(question);
         let right = Vote::BOTH.map(|vote| Some(round.grade(question, ballot.vote(vote))?.right));
         match right {
             [Some(false), Some(true)] => changed[0] += 1,
@@ -140,7 +142,7 @@ fn changed(round: &ClassRound, question: usize) -> Option<[usize; 2]> {
 }
 
 fn discrimination(round: &ClassRound, question: usize, asked: usize) -> Option<f64> {
-    let teams = 0..round.teams().len();
+    let teams = 0..round.participants().len();
     let own: Vec<f64> = teams
         .clone()
         .map(|team| round.points(question, team))

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::net::IpAddr;
 use std::time::Duration;
 
-use super::DoorCode;
+use super::door::DoorCode;
 
 /// New seats for one address: a class of 40 behind one router joins at once, and some of them twice.
 const NEW_SEATS: Allowance = Allowance {

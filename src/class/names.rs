@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use thiserror::Error;
 use unicode_segmentation::UnicodeSegmentation;
 
-use super::WayOfVoting;
+use super::way::WayOfVoting;
 use crate::files::{NO_NAME, is_blank_name, tidy_name};
 
 /// Most teams that play at one keyboard.
@@ -94,7 +94,7 @@ pub(super) fn tidy(name: &str) -> String {
 
 /// A name from a file. One without a visible letter, as earlier versions took it, is replaced
 /// by one that nobody of these has.
-pub(super) fn kept_name(name: &str, taken: &[String]) -> String {
+pub(super) fn kept_name(name: &str, taken: &[&str]) -> String {
     match is_blank_name(name) {
         true => free_name(NO_NAME, taken),
         false => name.to_owned(),
@@ -102,7 +102,7 @@ pub(super) fn kept_name(name: &str, taken: &[String]) -> String {
 }
 
 /// A name like this one that nobody of these has: "Ada 2".
-pub(super) fn free_name(name: &str, taken: &[String]) -> String {
+pub(super) fn free_name(name: &str, taken: &[&str]) -> String {
     let taken: BTreeSet<String> = taken.iter().map(|it| folded(it)).collect();
     let numbered = |number: usize| {
         let number = format!(" {number}");
@@ -139,11 +139,11 @@ mod tests {
 
     #[test]
     fn the_second_ada_is_ada_2() {
-        let taken = ["Ada", "ADA 2", "Bo"].map(String::from);
+        let taken = ["Ada", "ADA 2", "Bo"];
         assert_eq!(free_name("ada", &taken), "ada 3");
         assert_eq!(free_name("Cy", &taken), "Cy");
         let long = "x".repeat(LONGEST_NAME);
-        let other = free_name(&long, std::slice::from_ref(&long));
+        let other = free_name(&long, &[&long]);
         assert_eq!(other.chars().count(), LONGEST_NAME);
         assert!(other.ends_with(" 2"));
     }

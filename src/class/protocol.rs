@@ -22,7 +22,10 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use strum::IntoStaticStr;
 
-use super::{AskedQuestion, ClassStep, SeatToken, ToldTruth, Vote};
+use super::asked::{AskedQuestion, ToldTruth};
+use super::ballot::Vote;
+use super::door::SeatToken;
+use super::step::ClassStep;
 
 /// The version of what is said.
 pub const VERSION: u32 = 1;

@@ -1,6 +1,6 @@
 //! The scoreboard.
 
-use super::ClassRound;
+use super::round::ClassRound;
 
 /// Where a team stands.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,7 +22,7 @@ pub fn standings(round: &ClassRound, asked: usize) -> Vec<Standing> {
         let each = (0..questions).map(|question| round.points(question, team));
         each.sum()
     };
-    let mut standings: Vec<Standing> = (0..round.teams().len())
+    let mut standings: Vec<Standing> = (0..round.participants().len())
         .map(|team| Standing {
             team,
             place: 0,

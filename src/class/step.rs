@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use strum::{FromRepr, IntoStaticStr, VariantArray};
 
-use super::Vote;
+use super::ballot::Vote;
 
 /// A step of a question, in their order; its name in files is "first-vote".
 #[derive(

@@ -1,6 +1,8 @@
 //! The tables a teacher takes home, as comma-separated values.
 
-use super::{ClassRound, ItemAnalysis, Vote, items};
+use super::ballot::Vote;
+use super::items::{ItemAnalysis, items};
+use super::round::ClassRound;
 use crate::files::csv_table;
 use crate::numbers::{self, bare_degrees};
 use crate::quiz::{Form, Grade, Question, Response, letter};
@@ -53,17 +55,17 @@ pub fn answers_csv(round: &ClassRound, date: &str) -> Result<String, String> {
     ];
     let mut rows = Vec::new();
     for (i, question) in round.questions().iter().enumerate() {
-        for (team, name) in round.teams().iter().enumerate() {
-            let ballot = round.ballot(i, team);
+        for (team, participant) in round.participants().iter().enumerate() {
+            let ballot = participant.ballot(i);
             let mut row = asked(round, i, question);
-            row.push(name.clone());
+            row.push(participant.name().to_owned());
             for vote in Vote::BOTH {
                 row.extend(judged(round, i, ballot.vote(vote)));
             }
             let points = |_| numbers::points(round.points(i, team));
             row.push(cell(ballot.counts(), points));
             // What talking brought.
-            let [first, last] = [ballot.first, ballot.counts()]
+            let [first, last] = [ballot.vote(Vote::First), ballot.counts()]
                 .map(|said| round.grade(i, said).map(|grade| Grade::MOST * grade.credit));
             row.push(cell(first, numbers::points));
             let gain = first.zip(last).map(|(first, last)| last - first);

@@ -1,6 +1,9 @@
 //! Votes that were counted: hands, fingers or printed cards.
 
-use super::{ClassRound, MOST_PEOPLE, Vote, WayOfVoting};
+use super::ballot::Vote;
+use super::names::MOST_PEOPLE;
+use super::round::ClassRound;
+use super::way::WayOfVoting;
 use crate::quiz::{Form, Response};
 
 /// The most choices that are offered where a question has none of its own: as many as a

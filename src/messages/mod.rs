@@ -10,7 +10,8 @@ mod input;
 mod key;
 mod store;
 
-pub use class::{HostCall, HostNews, JoinCall, JoinNews, LineId, OpenDoor};
+pub use crate::class::{HostCall, HostNews, LineId, OpenDoor};
+pub use class::{JoinCall, JoinNews};
 pub use effect::Effect;
 pub use input::{Input, Mouse, MouseKind};
 pub use key::Key;

@@ -2,6 +2,7 @@
 //! what comes back.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use std::time::Duration;
 
 use jiff::civil::Date;
@@ -38,14 +39,14 @@ pub enum StoreRequest {
     Export(Box<SavedGame>),
     /// Keep the round of a class as it now stands, in place of what was kept or loaded
     /// with the same ticket before.
-    SaveClass(Box<ClassRound>),
+    SaveClass(Arc<ClassRound>),
     /// Keep what has just changed in such a round: the changes alone, if all before them is
     /// kept, and else the round.
     NoteClass {
         /// The changes.
         changes: Vec<ClassChange>,
         /// The round as it stands with them.
-        round: Box<ClassRound>,
+        round: Arc<ClassRound>,
     },
     /// Say what rounds of classes there are.
     ListClasses,
@@ -55,7 +56,7 @@ pub enum StoreRequest {
     /// Remove the round of a class of this name.
     RemoveClass(String),
     /// Write the tables of a class's round where its teacher finds them.
-    ExportClass(Box<ClassRound>),
+    ExportClass(Arc<ClassRound>),
     /// Keep what somebody has handed in, unless that is there already.
     KeepHandIn(Box<HandIn>),
     /// Keep an answer, with the time. It should be safe before the explanation is shown,

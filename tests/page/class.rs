@@ -43,7 +43,12 @@ fn a_phone_joins_votes_and_comes_back() {
     phone.go_on();
     phone.expect("Your vote is in.");
     teacher.wait_for("1 of 1 have voted");
-    let said = kept(&folder).ballot(0, 0).first.unwrap().rays().unwrap();
+    let said = kept(&folder)
+        .ballot(0, 0)
+        .vote(Vote::First)
+        .unwrap()
+        .rays()
+        .unwrap();
     assert!((said.striker.unwrap().abs().to_degrees() - 60.0).abs() < 1e-9);
     // The page is loaded again, as a phone does that was put away.
     phone.0.run("location.reload()", &[]);

@@ -130,7 +130,12 @@ fn a_phone_joins_a_class_and_votes_by_its_soft_keyboard() {
     phone.go_on();
     phone.expect("Your vote is in.");
     teacher.wait_for("1 of 1 have voted");
-    let said = kept(&folder).ballot(0, 0).first.unwrap().rays().unwrap();
+    let said = kept(&folder)
+        .ballot(0, 0)
+        .vote(carrom::class::Vote::First)
+        .unwrap()
+        .rays()
+        .unwrap();
     let degrees = [said.striker, said.target].map(|ray| ray.unwrap().abs().to_degrees());
     assert!((degrees[0] - 60.0).abs() < 1e-9, "{degrees:?}");
     assert!((degrees[1] - 30.0).abs() < 1e-9, "{degrees:?}");

@@ -49,7 +49,12 @@ fn stop_a_round(folder: &Path, code: &str) {
     let mut round = ClassRound::with_devices(Code::parse(code).unwrap()).of_class("10b");
     round.open(DOOR.parse().unwrap(), None);
     let (seat, name) = (SeatToken::of(1), "Not here".to_owned());
-    round.change(&ClassChange::Join { seat, name }).unwrap();
+    round
+        .change(&ClassChange::Join {
+            seat: Some(seat),
+            name,
+        })
+        .unwrap();
     fs::create_dir_all(folder.join("classes")).unwrap();
     fs::write(folder.join("classes/class-1.toml"), round.text().unwrap()).unwrap();
 }

@@ -44,9 +44,18 @@ fn a_vote_is_on_the_disk_before_its_device_hears_that_it_is_in() {
     for angle in [10, 20, 30] {
         for (i, pupil) in pupils.iter_mut().enumerate() {
             pupil.vote(&format!("sure rays {angle} {i}")).unwrap();
-            let said = kept(&folder).ballot(0, i).first.unwrap().to_text();
+            let said = kept(&folder)
+                .ballot(0, i)
+                .vote(Vote::First)
+                .unwrap()
+                .to_text();
             assert!(said.starts_with("rays "), "{said}");
-            let rays = kept(&folder).ballot(0, i).first.unwrap().rays().unwrap();
+            let rays = kept(&folder)
+                .ballot(0, i)
+                .vote(Vote::First)
+                .unwrap()
+                .rays()
+                .unwrap();
             assert!((rays.striker.unwrap().to_degrees() - f64::from(angle)).abs() < 1e-9);
             assert_eq!(pupil.text("first"), format!("sure {said}"));
         }

@@ -220,9 +220,9 @@ fn first_votes(folder: &Path) -> Vec<Option<u32>> {
         }
         _ => None,
     };
-    let teams = 0..round.teams().len();
+    let teams = 0..round.participants().len();
     teams
-        .map(|team| typed(round.ballot(0, team).first))
+        .map(|team| typed(round.ballot(0, team).vote(carrom::class::Vote::First)))
         .collect()
 }
 

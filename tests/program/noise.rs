@@ -379,7 +379,11 @@ fn ten_devices_that_say_anything_end_no_round_and_leave_no_invalid_vote() {
             }
             let round = kept(&folder);
             assert_eq!(round.dropped_votes(), 0);
-            let ada = round.teams().iter().position(|name| name == "Ada").unwrap();
+            let ada = round
+                .teams()
+                .iter()
+                .position(|name| *name == "Ada")
+                .unwrap();
             for (at, question) in questions().iter().enumerate() {
                 for vote in Vote::BOTH {
                     assert!(round.ballot(at, ada).vote(vote).is_some());

@@ -118,7 +118,12 @@ fn a_class_round_of_the_first_format_still_opens() {
     let round = ClassRound::read("class-1.toml", bytes, &Default::default()).unwrap();
     assert_eq!(round.teams(), ["Ants", "Bees", "=Cats()"]);
     assert_eq!(round.way(), WayOfVoting::Teams);
-    let said = |question, team| round.ballot(question, team).first.map(Response::to_text);
+    let said = |question, team| {
+        round
+            .ballot(question, team)
+            .vote(Vote::First)
+            .map(Response::to_text)
+    };
     assert_eq!(said(1, 0).unwrap(), "rays 25 65");
     assert_eq!((said(1, 2), round.place().question), (None, 1));
     // Written anew it says the same.
@@ -136,12 +141,20 @@ fn class_rounds_of_the_second_format_still_open() {
     assert_eq!(round.class(), "");
     assert_eq!(round.door().unwrap().to_string(), "BCDFGH");
     let degrees = |person| {
-        let rays = round.ballot(0, person).first.unwrap().rays().unwrap();
+        let rays = round
+            .ballot(0, person)
+            .vote(Vote::First)
+            .unwrap()
+            .rays()
+            .unwrap();
         [rays.striker, rays.target].map(|angle| angle.unwrap().to_degrees().round())
     };
     assert_eq!([degrees(0), degrees(1)], [[60.0, 30.0], [45.0, 45.0]]);
-    assert_eq!(round.ballot(1, 1).first, None);
-    assert_eq!(round.ballot(0, 1).sure[0], Some(Confidence::Sure));
+    assert_eq!(round.ballot(1, 1).vote(Vote::First), None);
+    assert_eq!(
+        round.ballot(0, 1).given(Vote::First).unwrap().sure,
+        Some(Confidence::Sure)
+    );
     let bytes = include_bytes!("../saves/class-2-tally.toml");
     let round = ClassRound::read("class-2", bytes, &Default::default()).unwrap();
     assert_eq!(round.tally(0, Vote::First), Some(&[4, 17, 9, 2][..]));

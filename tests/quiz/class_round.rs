@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use carrom::class::{
-    ClassChange, ClassRound, DoorCode, SeatToken, Vote, answers_csv, items, items_csv, standings,
-    team_names,
+    ClassChange, ClassRound, DoorCode, SeatToken, Vote, answers_csv, appended, items, items_csv,
+    standings, team_names,
 };
 use carrom::quiz::{Code, Form, Response};
 
@@ -64,7 +64,12 @@ fn ten_are_enough_to_tell_them_apart() {
         for person in 0..people {
             let seat = SeatToken::of(person as u128 + 1);
             let name = format!("Person {person}");
-            round.change(&ClassChange::Join { seat, name }).unwrap();
+            round
+                .change(&ClassChange::Join {
+                    seat: Some(seat),
+                    name,
+                })
+                .unwrap();
             for i in 0..round.questions().len() {
                 let form = &round.questions()[i].form;
                 let held = round.questions()[i].beliefs[0].said;
@@ -149,7 +154,7 @@ fn a_bad_file_says_what_is_wrong_with_it() {
     let good = "format = 1\ncode = \"7\"\nteams = [\"Ants\"]\n";
     for (text, complaint) in [
         (String::new(), "format"),
-        ("format = 6\n".into(), "newer"),
+        ("format = 7\n".into(), "newer"),
         ("format = \"x\"\n".into(), "format"),
         (good.replace("\"7\"", "\"seven\""), "code"),
         (good.replace("\"Ants\"", "\"Ants\", \"ants\""), "twice"),
@@ -202,19 +207,62 @@ fn a_poisoned_vote_is_dropped_and_its_round_still_opens() {
     assert_eq!(round.dropped_votes(), 9);
     let voted = [0, 1, 2].map(|question| round.voted(question, Vote::First));
     assert_eq!(voted, [1, 0, 1]);
-    assert_eq!(round.ballot(2, 1).first, Some(Response::Choice(1)));
+    assert_eq!(
+        round.ballot(2, 1).vote(Vote::First),
+        Some(Response::Choice(1))
+    );
     // What is written from now on is whole.
     let text = round.text().unwrap();
     let again = ClassRound::read("again", text.as_bytes(), &Arc::default()).unwrap();
     assert_eq!(again.dropped_votes(), 0);
     // Other changes that cannot be are still faults.
-    for change in ["remove 9", "x"] {
-        let bad = format!("{text}[[then]]\nchanges = [\"{change}\"]\n");
-        assert!(
-            ClassRound::read("bad", bad.as_bytes(), &Arc::default()).is_err(),
-            "{change}"
-        );
+    let with = |line: &str| {
+        let text = format!("{text}[[then]]\nchange = '{line}'\n");
+        ClassRound::read("bad", text.as_bytes(), &Arc::default())
+    };
+    for line in [r#"{"remove":{"person":8}}"#, "x", "remove 1", "{}", ""] {
+        assert!(with(line).is_err(), "{line}");
     }
+    for vote in [
+        r#""question":0,"vote":"first","person":1,"said":"choice 98""#,
+        r#""question":0,"vote":"first","person":1,"said":"rays inf 3""#,
+        r#""question":98,"vote":"first","person":0,"said":"choice 1""#,
+        r#""question":0,"vote":"third","person":0,"said":"choice 1""#,
+    ] {
+        let round = with(&format!("{{\"vote\":{{{vote}}}}}")).unwrap();
+        assert_eq!(round.dropped_votes(), 1, "{vote}");
+    }
+}
+
+/// What was appended last may have been written in part.
+#[test]
+fn a_round_that_was_being_written_opens_without_its_last_line() {
+    let mut round = ClassRound::with_devices(Code::parse("concept-1").unwrap());
+    round.open(DoorCode::of(7), None);
+    for (seat, name) in [(1, "Ada"), (2, "Bo")] {
+        let seat = Some(SeatToken::of(seat));
+        let name = name.to_owned();
+        round.change(&ClassChange::Join { seat, name }).unwrap();
+    }
+    round.change(&ClassChange::Remove { person: 0 }).unwrap();
+    let text = round.text().unwrap();
+    let again = ClassRound::read("again", text.as_bytes(), &Arc::default()).unwrap();
+    assert_eq!(again, round);
+    let vote = ClassChange::Vote {
+        question: 0,
+        vote: Vote::First,
+        person: 0,
+        said: Some(Response::Choice(1).into()),
+    };
+    let added = appended(&[vote.clone(), vote]).unwrap();
+    for end in 0..=added.len() {
+        let text = format!("{text}{}", &added[..end]);
+        let read = ClassRound::read("cut", text.as_bytes(), &Arc::default());
+        assert_eq!(read.unwrap().teams(), ["Bo"], "{text}");
+    }
+    let whole = format!("{text}{added}");
+    let read = ClassRound::read("whole", whole.as_bytes(), &Arc::default()).unwrap();
+    assert_eq!(read.voted(0, Vote::First), 1);
 }
 
 /// Names without a visible letter once were names; a file that holds some opens, and they can be
@@ -258,7 +306,7 @@ fn a_vote_of_another_kind_is_not_taken() {
         Response::Shot(0.0),
     ] {
         round.vote(0, 0, Vote::First, Some(said));
-        assert_eq!(round.ballot(0, 0).first, None);
+        assert_eq!(round.ballot(0, 0).vote(Vote::First), None);
     }
     round.vote(99, 0, Vote::First, Some(Response::Number(1.0)));
     round.vote(0, 99, Vote::First, None);

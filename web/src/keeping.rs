@@ -401,7 +401,7 @@ mod tests {
 
     fn save_class() -> StoreRequest {
         let round = ClassRound::read("class-3.toml", ROUND, &Arc::default()).unwrap();
-        StoreRequest::SaveClass(Box::new(round))
+        StoreRequest::SaveClass(Arc::new(round))
     }
 
     #[test]

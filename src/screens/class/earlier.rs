@@ -114,7 +114,7 @@ fn titled(round: &ClassRound, day: Option<Date>) -> String {
 
 /// How many there were: "27 pupils", "4 teams"; of hands the most that were counted at once.
 pub(super) fn head_count(round: &ClassRound) -> String {
-    let people = round.teams().len();
+    let people = round.participants().len();
     match round.way() {
         WayOfVoting::Teams => counted(people, "team"),
         WayOfVoting::Devices => counted(people, "pupil"),

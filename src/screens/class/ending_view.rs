@@ -22,7 +22,7 @@ pub(super) fn text<'a>(play: &'a ClassPlay, page: EndPage, area: Rect) -> Text<'
     let mut place = column(area);
     // The last row is for the word that there is more.
     place.height = place.height.saturating_sub(1);
-    (place, Box::new(move |lines| write(&play.round, lines)))
+    (place, Box::new(move |lines| write(play.round(), lines)))
 }
 
 /// What shows in the votes of a class: a misconception, how many teams hold it by the
@@ -41,7 +41,7 @@ fn held(round: &ClassRound) -> Vec<ClassBelief> {
     // Of counted hands nobody knows whose they were: they are weighed question by question.
     let all = match round.way() {
         WayOfVoting::Tally => round.questions().len(),
-        WayOfVoting::Teams | WayOfVoting::Devices => round.teams().len(),
+        WayOfVoting::Teams | WayOfVoting::Devices => round.participants().len(),
     };
     let clues = Vote::BOTH.map(|vote| {
         let each = (0..all).map(|number| match round.way() {

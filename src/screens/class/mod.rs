@@ -37,7 +37,8 @@ use crate::messages::{Input, Key, Mouse};
 use crate::quiz::Code;
 use crate::widgets::hit::WatchAction;
 use crate::widgets::input::{KeyTable, ListAction};
-use crate::widgets::{AnswerAction, Outcome, Palette};
+use crate::widgets::panel::Panel;
+use crate::widgets::{AnswerAction, Outcome, Palette, SplitLayout};
 use earlier::EarlierRounds;
 use hosting::HostingAction;
 use play::ClassPlay;
@@ -222,17 +223,15 @@ impl Screen for Class {
     fn status(&self, _cx: &Context) -> String {
         match &self.scene {
             ClassScene::Play(play) if !self.paused => {
-                let of = play.round.questions().len();
+                let of = play.round().questions().len();
                 let place = format!("question {} of {of}", play.number() + 1);
-                match &play.hosting {
+                match play.step().vote().filter(|_| !play.is_over()) {
                     // Whoever has the code could play the round first.
-                    Some(hosting) => match play.step().vote() {
-                        Some(vote) if !play.is_over() => {
-                            format!("{place}  {}", hosting.turnout(&play.round, vote))
-                        }
-                        _ => place,
-                    },
-                    None => format!("{place}  code {}", play.round.code()),
+                    Some(vote) if play.session.is_hosted() => {
+                        format!("{place}  {}", play.session.turnout(vote))
+                    }
+                    None if play.session.is_hosted() => place,
+                    _ => format!("{place}  code {}", play.round().code()),
                 }
             }
             _ => String::new(),
@@ -288,8 +287,8 @@ impl Screen for Class {
             }
             (ClassAction::Leave, _) => return self.leave(cx),
             (ClassAction::Hosting(action), ClassScene::Play(play)) => {
-                let hosting = play.hosting.as_mut();
-                let asked = hosting.and_then(|it| it.confirmation(action, &play.round));
+                let page = play.host_page.as_mut();
+                let asked = page.and_then(|it| it.confirmation(action, &play.session));
                 if let Some(words) = asked {
                     return Next::Confirm(Confirmation::new(words, "yes", "no"));
                 }
@@ -365,7 +364,14 @@ impl Screen for Class {
 
     fn view<'s>(&'s self, _cx: &'s Context) -> Option<View<'s, ClassAction>> {
         match &self.scene {
+            _ if self.paused => None,
             ClassScene::Unfinished(unfinished) => Some(unfinished.view()),
+            ClassScene::Play(play) => {
+                let list = play.host_page.as_ref()?.panel(&play.session)?;
+                let mut panel = Panel::new(list.title.clone());
+                panel.part(ClassAction::Hosting, |panel| *panel = list);
+                Some(View::alone(|room| SplitLayout::text_of(room, 100), panel))
+            }
             _ => None,
         }
     }

@@ -1,14 +1,16 @@
 //! A round being played: where it is, and the way through it.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::hosting::{Hosting, HostingAction, Scene};
+use super::hosting::{self, HostPage, HostingAction};
 use super::shown::ClassReveal;
 use super::tally_entry::TallyEntry;
 use super::vote_entry::VoteEntry;
 use super::{ClassAction, view, vote_view};
-use crate::class::protocol::PupilStep;
-use crate::class::{ClassPlace, ClassRound, ClassStep, Vote, WayOfVoting};
+use crate::class::{
+    ClassPlace, ClassRound, ClassStep, HandInOnItsWay, Session, SessionEffect, Vote, WayOfVoting,
+};
 use crate::messages::{HostNews, Key, Mouse, MouseKind, StoreAnswer, StoreReply, StoreRequest};
 use crate::quiz::Question;
 use crate::screens::{Context, Next};
@@ -19,7 +21,7 @@ use crate::widgets::{AnswerAction, Outcome, Scroll};
 /// A round being played.
 #[derive(Debug, Clone)]
 pub(super) struct ClassPlay {
-    pub(super) round: ClassRound,
+    pub(super) session: Session,
     pub(super) phase: ClassPhase,
     pub(super) scroll: Scroll,
     /// The page of the words of a step, from 0.
@@ -38,8 +40,10 @@ pub(super) struct ClassPlay {
     ticket: u64,
     /// Whether it could not be saved as it stands: what is left now is lost.
     pub(super) unsaved: bool,
-    /// The pupils, where they vote on devices of their own.
-    pub(super) hosting: Option<Box<Hosting>>,
+    /// What was handed in and is on its way to the disk, by its ticket.
+    hand_ins: BTreeMap<u64, HandInOnItsWay>,
+    /// The page about pupils on devices that is open.
+    pub(super) host_page: Option<HostPage>,
 }
 
 /// What there is to do at a step, where that is more than to look and go on.
@@ -83,11 +87,13 @@ impl ClassPlay {
             question if question <= furthest => ClassStep::Scores,
             _ => ClassStep::Describe,
         });
-        let hosted = round.way() == WayOfVoting::Devices;
+        let steps = steps.collect();
+        let session = Session::new(round);
         let mut play = Self {
-            hosting: hosted.then(|| Box::new(Hosting::open(&round, cx))),
-            steps: steps.collect(),
-            round,
+            hand_ins: BTreeMap::new(),
+            host_page: session.gathers().then_some(HostPage::Door),
+            steps,
+            session,
             phase: ClassPhase::Look,
             scroll: Scroll::default(),
             page: 0,
@@ -99,22 +105,28 @@ impl ClassPlay {
             unsaved: false,
         };
         play.arrive(cx);
+        play.flush(cx);
         play
+    }
+
+    /// The round as it stands.
+    pub(super) fn round(&self) -> &ClassRound {
+        self.session.round()
     }
 
     /// The question at hand.
     pub(super) fn question(&self) -> Option<&Question> {
-        self.round.questions().get(self.number())
+        self.session.round().questions().get(self.number())
     }
 
     /// Its number, from 0.
     pub(super) fn number(&self) -> usize {
-        self.round.place().question
+        self.session.round().place().question
     }
 
     /// The step at hand.
     pub(super) fn step(&self) -> ClassStep {
-        self.round.place().step
+        self.session.round().place().step
     }
 
     /// Whether the last question is behind.
@@ -125,36 +137,30 @@ impl ClassPlay {
     /// Whether leaving now would end something: a round in its midst, or one that is not
     /// kept.
     pub(super) fn asks_before_leaving(&self) -> bool {
-        self.round.is_begun() && (self.unsaved || !self.is_over())
-    }
-
-    /// How many questions have their points: those before this one, this one once the
-    /// truth is told, and at the end all.
-    pub(super) fn asked(&self) -> usize {
-        match self.step() {
-            _ if self.is_over() => self.round.questions().len(),
-            ClassStep::Scores => self.number() + 1,
-            _ => self.number(),
-        }
+        self.session.round().is_begun() && (self.unsaved || !self.is_over())
     }
 
     /// Begins what there is to do at the place at hand.
     fn arrive(&mut self, cx: &Context) {
-        let ClassPlace { question, step } = self.round.place();
+        let ClassPlace { question, step } = self.session.round().place();
         self.furthest = self.furthest.max(question);
         if let Some(kept) = self.steps.get_mut(question) {
             *kept = step;
         }
-        let vote = |vote| match self.round.way() {
-            WayOfVoting::Teams => ClassPhase::Vote(VoteEntry::new(&self.round, question, vote)),
-            WayOfVoting::Tally => ClassPhase::Tally(TallyEntry::new(&self.round, question, vote)),
+        let vote = |vote| match self.session.round().way() {
+            WayOfVoting::Teams => {
+                ClassPhase::Vote(VoteEntry::new(self.session.round(), question, vote))
+            }
+            WayOfVoting::Tally => {
+                ClassPhase::Tally(TallyEntry::new(self.session.round(), question, vote))
+            }
             WayOfVoting::Devices => ClassPhase::Look,
         };
         self.phase = match step {
             ClassStep::FirstVote => vote(Vote::First),
             ClassStep::SecondVote => vote(Vote::Second),
             ClassStep::Shot => {
-                let shown = ClassReveal::new(&self.round, question, cx.settings.pace());
+                let shown = ClassReveal::new(self.session.round(), question, cx.settings.pace());
                 shown.map_or(ClassPhase::Look, |it| ClassPhase::Shot(Box::new(it)))
             }
             _ => ClassPhase::Look,
@@ -166,72 +172,56 @@ impl ClassPlay {
     }
 
     fn go(&mut self, question: usize, step: ClassStep, cx: &mut Context) {
-        self.round.go(ClassPlace { question, step });
+        self.session.go(ClassPlace { question, step });
         self.arrive(cx);
-        self.save(cx);
-        self.tell_pupils(cx);
+        self.flush(cx);
     }
 
-    /// What pupils on devices are told besides what they said.
-    fn scene(&self) -> Scene {
-        let gathers = self.hosting.as_ref().is_some_and(|it| it.gathers);
-        Scene {
-            ticket: self.ticket,
-            asked: self.asked(),
-            step: match () {
-                () if gathers => PupilStep::Lobby,
-                () if self.is_over() => PupilStep::End,
-                () => PupilStep::Asked(self.step()),
-            },
+    /// Asks for what the session wants of the world.
+    fn flush(&mut self, cx: &mut Context) {
+        for effect in self.session.take_effects() {
+            match effect {
+                SessionEffect::Host(call) => cx.host(call),
+                SessionEffect::Save(round) => {
+                    cx.keep(self.ticket, StoreRequest::SaveClass(round));
+                }
+                SessionEffect::Note(changes, round) => {
+                    cx.keep(self.ticket, StoreRequest::NoteClass { changes, round });
+                }
+                SessionEffect::KeepHandIn(on_its_way, file) => {
+                    let ticket = cx.ask(StoreRequest::KeepHandIn(file));
+                    self.hand_ins.insert(ticket, on_its_way);
+                }
+                SessionEffect::Tell(words) => cx.tell(words),
+            }
         }
-    }
-
-    /// Tells all pupils on devices where the class is.
-    fn tell_pupils(&mut self, cx: &mut Context) {
-        let scene = self.scene();
-        if let Some(hosting) = &mut self.hosting {
-            hosting.moved(&self.round, scene, cx);
+        if let Some(page) = &mut self.host_page {
+            page.renew(&self.session);
         }
     }
 
     /// Takes in what was heard of pupils on devices.
     pub(super) fn take_news(&mut self, news: &[HostNews], cx: &mut Context) {
-        let scene = self.scene();
-        if let Some(hosting) = &mut self.hosting {
-            hosting.take_news(news, &mut self.round, scene, cx);
-        }
+        self.session.take_news(news);
+        self.flush(cx);
     }
 
     /// Does what a key means for pupils on devices.
     pub(super) fn host(&mut self, action: HostingAction, cx: &mut Context) {
-        let scene = self.scene();
-        let Some(hosting) = &mut self.hosting else {
-            return;
-        };
-        let gathered = hosting.gathers;
-        hosting.act(action, &mut self.round, scene, cx);
-        if gathered && !hosting.gathers {
-            self.tell_pupils(cx);
-        }
+        let page = self.host_page.take();
+        self.host_page = HostPage::act(page, action, &mut self.session);
+        self.flush(cx);
     }
 
-    /// Lets pupils on devices go: those of a round that is over cannot come back.
+    /// Lets pupils on devices go.
     pub(super) fn leave(&mut self, cx: &mut Context) {
-        let scene = self.scene();
-        let is_over = self.is_over();
-        let Some(hosting) = &mut self.hosting else {
-            return;
-        };
-        Hosting::close(cx);
-        if is_over {
-            self.round.close();
-            hosting.save(&self.round, scene, cx);
-        }
+        self.session.close();
+        self.flush(cx);
     }
 
     /// The step so many further in the question; on devices all predict where they vote.
     fn step_beside(&self, beside: impl Fn(ClassStep) -> Option<ClassStep>) -> Option<ClassStep> {
-        let skips = self.round.way() == WayOfVoting::Devices;
+        let skips = self.session.round().way() == WayOfVoting::Devices;
         match beside(self.step())? {
             ClassStep::Predict if skips => beside(ClassStep::Predict),
             step => Some(step),
@@ -287,24 +277,14 @@ impl ClassPlay {
         self.furthest = self.steps.len();
         self.phase = ClassPhase::End(EndPage::Board);
         self.scroll = Scroll::default();
-        self.tell_pupils(cx);
+        self.session.end();
+        self.flush(cx);
     }
 
     fn turn_page(&mut self, page: EndPage, by: isize) {
         let to = (page as usize).saturating_add_signed(by);
         self.phase = ClassPhase::End(EndPage::ALL[to.min(EndPage::ALL.len() - 1)]);
         self.scroll = Scroll::default();
-    }
-
-    /// Has it kept as it stands, once there is a vote in it.
-    fn save(&mut self, cx: &mut Context) {
-        let scene = self.scene();
-        if let Some(hosting) = &mut self.hosting {
-            hosting.save(&self.round, scene, cx);
-        } else if self.round.is_begun() {
-            let round = Box::new(self.round.clone());
-            cx.keep(self.ticket, StoreRequest::SaveClass(round));
-        }
     }
 
     /// Takes in what came of saving and exporting.
@@ -319,15 +299,13 @@ impl ClassPlay {
                     ));
                 }
                 self.unsaved = saved.is_err();
-                let scene = self.scene();
-                if let Some(hosting) = &mut self.hosting {
-                    hosting.saved(&self.round, scene, cx);
-                }
+                self.session.saved();
+                self.flush(cx);
             }
             StoreReply::HandedIn(folder) => {
-                let scene = self.scene();
-                if let Some(hosting) = &mut self.hosting {
-                    hosting.keeps_hand_in(answer.ticket, folder, &self.round, scene, cx);
+                if let Some(on_its_way) = self.hand_ins.remove(&answer.ticket) {
+                    self.session.keeps_hand_in(on_its_way, folder);
+                    self.flush(cx);
                 }
             }
             StoreReply::Exported(exported) => cx.tell(match exported {
@@ -345,7 +323,8 @@ impl ClassPlay {
             ShowTyped, Tables, TakeBack, Team, Teams, ToTheShot, TurnPage, Vote, Watch, WordsAlone,
         };
         let keys = KeyTable::new("class");
-        if let Some(page) = self.hosting.as_ref().and_then(|it| it.page_keys()) {
+        if let Some(page) = &self.host_page {
+            let page = page.keys(&self.session);
             let free = page.exact(Key::Escape).is_none();
             return keys
                 .with(page, ClassAction::Hosting)
@@ -358,7 +337,7 @@ impl ClassPlay {
             keys.or([(' ', Forward)])
         };
         let read = |name| forward(name).on('z', WordsAlone, "words alone");
-        let is_last = self.number() + 1 == self.round.questions().len();
+        let is_last = self.number() + 1 == self.session.round().questions().len();
         let step =
             match (&self.phase, self.step()) {
                 (ClassPhase::Vote(entry), _) => match &entry.input {
@@ -376,13 +355,13 @@ impl ClassPlay {
                         );
                     }
                     None => {
-                        let count = self.round.teams().len();
+                        let count = self.session.round().participants().len();
                         let numbers = ('1'..).zip((0..count).map(Team));
                         keys.with(ListView::keys("give a vote"), Teams)
                             .each(numbers, "a team")
                             .on('x', TakeBack, "take back")
                             .or([(Key::Delete, TakeBack)])
-                            .when(entry.has_voted(&self.round))
+                            .when(entry.has_voted(self.session.round()))
                     }
                 },
                 (ClassPhase::Tally(_), _) => keys.on(Key::Enter, Count, "take it"),
@@ -398,7 +377,7 @@ impl ClassPlay {
                 (ClassPhase::End(page), _) => forward("next page")
                     .when(*page != EndPage::Items)
                     .by([Key::Left, Key::Right], TurnPage, [-1, 1], ""),
-                (_, ClassStep::Describe) if self.hosting.is_some() => read("the vote"),
+                (_, ClassStep::Describe) if self.session.is_hosted() => read("the vote"),
                 (_, ClassStep::FirstVote) => read("talk"),
                 (_, ClassStep::SecondVote) => read("the shot"),
                 (_, ClassStep::Describe) => read("predict"),
@@ -421,12 +400,12 @@ impl ClassPlay {
         } else {
             "names"
         };
-        let step = match &self.hosting {
-            Some(hosting) => step
-                .with(hosting.keys(), ClassAction::Hosting)
+        let step = match self.session.is_hosted() {
+            true => step
+                .with(hosting::step_keys(), ClassAction::Hosting)
                 .on('n', BoardNames, names)
                 .when(is_board),
-            None => step,
+            false => step,
         };
         scrolled(
             step.on('e', Tables, tables)
@@ -457,7 +436,7 @@ impl ClassPlay {
             (ClassAction::Watch(action), ClassPhase::Shot(shown)) => shown.reveal.act(action),
             (ClassAction::Count, ClassPhase::Tally(entry)) => {
                 let entry = entry.clone();
-                if entry.give(&mut self.round) {
+                if entry.give(&mut self.session) {
                     self.forward(cx);
                 }
             }
@@ -474,24 +453,29 @@ impl ClassPlay {
                 self.scroll = Scroll::default();
             }
             (ClassAction::Tables, _) => {
-                cx.ask(StoreRequest::ExportClass(Box::new(self.round.clone())));
+                cx.ask(StoreRequest::ExportClass(self.session.shared_round()));
             }
             (ClassAction::Teams(action), ClassPhase::Vote(entry)) => {
-                let outcome = entry.teams.act(action, self.round.teams().len() + 1);
+                let outcome = entry
+                    .teams
+                    .act(action, self.session.round().participants().len() + 1);
                 self.open(outcome, cx);
             }
-            (ClassAction::Team(team), ClassPhase::Vote(entry)) => entry.open(team, &self.round),
+            (ClassAction::Team(team), ClassPhase::Vote(entry)) => {
+                entry.open(team, self.session.round())
+            }
             (ClassAction::TakeBack, ClassPhase::Vote(entry)) => {
-                entry.take_back(&mut self.round);
-                self.save(cx);
+                let change = entry.take_back(self.session.round());
+                self.session.enter(&change);
+                self.flush(cx);
             }
             (ClassAction::Vote(action), ClassPhase::Vote(entry)) => {
                 let outcome = entry.input.as_mut().map(|input| input.act(action));
                 // A choice is given by one key.
                 let is_chosen = matches!(action, AnswerAction::Choose(_));
                 if is_chosen || outcome == Some(Outcome::Done(())) {
-                    entry.give(&mut self.round);
-                    self.save(cx);
+                    entry.give(&mut self.session);
+                    self.flush(cx);
                 }
             }
             (ClassAction::ShowTyped, ClassPhase::Vote(entry)) => entry.is_open = !entry.is_open,
@@ -502,21 +486,17 @@ impl ClassPlay {
 
     /// Takes a key of what is typed.
     pub(super) fn typed(&mut self, key: Key) -> bool {
-        let hosting = self.hosting.as_mut();
+        let page = self.host_page.as_mut();
         match &mut self.phase {
             ClassPhase::Tally(entry) => entry.typed(key),
-            _ => hosting.is_some_and(|hosting| hosting.typed(key)),
+            _ => page.is_some_and(|page| page.typed(key)),
         }
     }
 
     /// Takes the mouse: it chooses a team or makes its vote; the wheel scrolls what is long.
     pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let hosting = self.hosting.as_deref_mut();
-        if let Some(hosting) = hosting.filter(|it| it.page_keys().is_some()) {
-            if let Some(action) = hosting.mouse(mouse, cx.body) {
-                self.host(action, cx);
-            }
-            return Next::Stay;
+        if self.host_page.is_some() {
+            return Next::Ignored;
         }
         let (cell, look) = (mouse.cell(), cx.settings.look());
         let Some(step) = self.step_view(cx.room(), &look) else {
@@ -524,11 +504,13 @@ impl ClassPlay {
         };
         let (foot, picture, choice) = (step.foot(), step.picture(), step.choice_at(cell));
         let number = self.number();
-        let (round, pressed) = (&self.round, mouse.kind == MouseKind::Down);
+        let (round, pressed) = (self.session.round(), mouse.kind == MouseKind::Down);
         match (&mut self.phase, mouse.kind) {
             (ClassPhase::Vote(entry), _) if entry.input.is_none() => {
                 let row = vote_view::row_at(round, entry, foot, cell);
-                let outcome = entry.teams.mouse(mouse, round.teams().len() + 1, row);
+                let outcome = entry
+                    .teams
+                    .mouse(mouse, round.participants().len() + 1, row);
                 self.open(outcome, cx);
             }
             (ClassPhase::Vote(entry), MouseKind::Down | MouseKind::Drag) => {
@@ -538,8 +520,8 @@ impl ClassPlay {
                     match choice.filter(|_| pressed).map(AnswerAction::Choose) {
                         Some(choose) => {
                             input.act(choose);
-                            entry.give(&mut self.round);
-                            self.save(cx);
+                            entry.give(&mut self.session);
+                            self.flush(cx);
                         }
                         None => {
                             input.point(question, picture, mouse.place(), pressed);
@@ -556,10 +538,10 @@ impl ClassPlay {
 
     /// Lets a team vote, or after the last one goes on.
     fn open(&mut self, row: Outcome<usize>, cx: &mut Context) {
-        let count = self.round.teams().len();
+        let count = self.session.round().participants().len();
         match (row, &mut self.phase) {
             (Outcome::Done(team), ClassPhase::Vote(entry)) if team < count => {
-                entry.open(team, &self.round);
+                entry.open(team, self.session.round());
             }
             (Outcome::Done(_), _) => self.forward(cx),
             _ => {}
@@ -568,9 +550,7 @@ impl ClassPlay {
 
     /// Lets time pass.
     pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
-        if let Some(hosting) = &mut self.hosting {
-            hosting.advance(passed);
-        }
+        self.session.advance(passed);
         self.countdown = self.countdown.map(|left| left.saturating_sub(passed));
         if let ClassPhase::Shot(shown) = &mut self.phase {
             shown.reveal.advance(passed, pace);
@@ -589,7 +569,7 @@ impl ClassPlay {
             0 => Duration::from_secs(1),
             nanos => Duration::from_nanos(nanos.into()),
         });
-        let door = self.hosting.as_ref().and_then(|hosting| hosting.wake());
+        let door = self.session.wake();
         shot.into_iter().chain(second).chain(door).min()
     }
 }

@@ -13,7 +13,7 @@ pub(super) fn paragraphs(
     question: &Question,
     vote: Option<Vote>,
 ) -> Vec<Paragraph> {
-    let votes = vote.map(|vote| play.round.said(play.number(), vote).collect::<Vec<_>>());
+    let votes = vote.map(|vote| play.round().said(play.number(), vote).collect::<Vec<_>>());
     let mut paragraphs = vec![Paragraph::new(question.text.as_str(), Role::Title)];
     for (i, choice) in choices(play, question).iter().enumerate() {
         let words = format!("{}: {}", letter(i), in_short(question, choice));
@@ -52,8 +52,8 @@ fn in_short(question: &Question, choice: &Response) -> String {
 /// counted, answers of every question.
 fn choices(play: &ClassPlay, question: &Question) -> Vec<Response> {
     let has_any = matches!(question.form, Form::Choice { .. });
-    match has_any || play.round.way() == WayOfVoting::Tally {
-        true => play.round.choices(play.number()),
+    match has_any || play.round().way() == WayOfVoting::Tally {
+        true => play.round().choices(play.number()),
         false => Vec::new(),
     }
 }

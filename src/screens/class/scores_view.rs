@@ -63,15 +63,15 @@ pub(super) fn text(play: &ClassPlay, area: Rect) -> Option<Text<'_>> {
 /// A row for each of the teams; for each of the questions where there are no names, or none that
 /// all may see.
 fn rows(play: &ClassPlay) -> Vec<ScoreRow> {
-    let has_names = match play.round.way() {
+    let has_names = match play.round().way() {
         WayOfVoting::Tally => false,
         WayOfVoting::Teams => true,
         WayOfVoting::Devices => play.names_shown,
     };
-    let asked = play.asked();
+    let asked = play.session.with_points();
     match has_names {
-        true => of_teams(&play.round, asked),
-        false => of_questions(&play.round, asked),
+        true => of_teams(play.round(), asked),
+        false => of_questions(play.round(), asked),
     }
 }
 
@@ -89,7 +89,7 @@ impl ScoreRow {
 fn of_teams(round: &ClassRound, asked: usize) -> Vec<ScoreRow> {
     let most = Grade::MOST * asked.max(1) as f64;
     let standings = standings(round, asked).into_iter().map(|it| ScoreRow {
-        name: format!("{}. {}", it.place, round.teams()[it.team]),
+        name: format!("{}. {}", it.place, round.name_of(it.team)),
         points: numbers::points(it.points),
         gain: format!("+{}", numbers::points(it.gain)),
         share: it.points / most,

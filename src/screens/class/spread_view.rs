@@ -31,9 +31,9 @@ pub(super) fn said(play: &ClassPlay, question: &Question) -> Vec<Paragraph> {
 /// Writes the commonest of what was said of each ray, how many have said nothing, and what the
 /// votes advise.
 pub(super) fn write_more(play: &ClassPlay, question: &Question, lines: &mut Lines) {
-    let votes: Vec<_> = play.round.said(play.number(), Vote::First).collect();
-    let advice = Advice::of(&play.round, play.number());
-    if play.round.way() == WayOfVoting::Tally {
+    let votes: Vec<_> = play.round().said(play.number(), Vote::First).collect();
+    let advice = Advice::of(play.round(), play.number());
+    if play.round().way() == WayOfVoting::Tally {
         lines.line(
             advice.map_or("Nobody has counted.", Advice::words),
             Role::Key,
@@ -53,10 +53,14 @@ pub(super) fn write_more(play: &ClassPlay, question: &Question, lines: &mut Line
             }
         }
     }
-    let missing = play.round.teams().len().saturating_sub(votes.len());
+    let missing = play
+        .round()
+        .participants()
+        .len()
+        .saturating_sub(votes.len());
     let missing = match missing {
         0 => String::new(),
-        count => format!("{} without a vote", voters(play.round.way(), count)),
+        count => format!("{} without a vote", voters(play.round().way(), count)),
     };
     let advice = advice.map_or("", Advice::words);
     if text::width(advice) + text::width(&missing) + 2 <= lines.width().into() {
@@ -69,7 +73,7 @@ pub(super) fn write_more(play: &ClassPlay, question: &Question, lines: &mut Line
 /// The picture that shows the spread: that of the question with all rays, or numbers on a line.
 pub(super) fn beside(play: &ClassPlay, question: &Question) -> Beside {
     match question.form {
-        _ if play.round.way() == WayOfVoting::Tally => question_view::beside(question),
+        _ if play.round().way() == WayOfVoting::Tally => question_view::beside(question),
         Form::Choice { .. } => question_view::beside(question),
         Form::Rays { .. } | Form::Number { .. } | Form::Shot(_) => Beside::Needed,
     }
@@ -83,9 +87,9 @@ pub(super) fn draw(
     buf: &mut Buffer,
     look: &Look,
 ) {
-    let votes: Vec<_> = play.round.said(play.number(), Vote::First).collect();
+    let votes: Vec<_> = play.round().said(play.number(), Vote::First).collect();
     let votes = votes.as_slice();
-    let is_tally = play.round.way() == WayOfVoting::Tally;
+    let is_tally = play.round().way() == WayOfVoting::Tally;
     let unit = match &question.form {
         Form::Choice { .. } => return draw_question(area, buf, look, question, None),
         Form::Rays { .. } => {

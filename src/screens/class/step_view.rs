@@ -233,7 +233,7 @@ impl<'a> StepView<'a> {
 /// What is said at a step, and what is told on a key.
 fn said(play: &ClassPlay, question: &Question) -> Vec<Vec<Paragraph>> {
     match (&play.phase, play.step()) {
-        (ClassPhase::Shot(shown), _) => shown_view::said(play.round.way(), question, shown),
+        (ClassPhase::Shot(shown), _) => shown_view::said(play.round().way(), question, shown),
         (ClassPhase::Look, ClassStep::Talk) => vec![spread_view::said(play, question)],
         (ClassPhase::Tally(entry), _) => {
             // Before the second vote is counted all see the first.
@@ -337,7 +337,7 @@ mod tests {
         let mut fault = |what: &str| {
             faults.push(format!(
                 "{} {} {:?} {rows} {:?}: {what}",
-                play.round.code(),
+                play.round().code(),
                 play.number() + 1,
                 play.step(),
                 cx.settings.charset

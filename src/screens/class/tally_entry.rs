@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::play::ClassPlay;
-use crate::class::{ClassRound, MOST_PEOPLE, Vote};
+use crate::class::{ClassChange, ClassRound, MOST_PEOPLE, Session, Vote};
 use crate::messages::Key;
 use crate::quiz::letter;
 use crate::widgets::flow::Run;
@@ -79,16 +79,20 @@ impl TallyEntry {
     }
 
     /// Puts what is typed into the round; says whether there is nothing to be put right first.
-    pub(super) fn give(&self, round: &mut ClassRound) -> bool {
-        match self.counts(round) {
-            Ok(counts) => round.count(self.question, self.vote, counts.as_deref()),
-            Err(_) => false,
-        }
+    pub(super) fn give(&self, session: &mut Session) -> bool {
+        let counts = self.counts(session.round());
+        counts.is_ok_and(|counts| {
+            session.enter(&ClassChange::Count {
+                question: self.question,
+                vote: self.vote,
+                counts,
+            })
+        })
     }
 
     /// Draws what is typed, with what is to be done.
     pub(super) fn draw(&self, play: &ClassPlay, foot: Rect, buf: &mut Buffer, look: &Look) {
-        let round = &play.round;
+        let round = play.round();
         let choices = round.choices(self.question).len();
         let letters: Vec<String> = (0..choices).map(|i| letter(i).to_string()).collect();
         let mut lines = Lines::new(foot, buf, *look);

@@ -70,7 +70,7 @@ impl Unfinished {
             .iter()
             .filter_map(|it| Some((it, it.content.as_ref().ok()?)));
         let (latest, round) = rounds.find(|(_, round)| is_meant(round))?;
-        let is_stopped = round.door().is_some() && !round.teams().is_empty();
+        let is_stopped = round.door().is_some() && !round.participants().is_empty();
         is_stopped.then_some(latest)
     }
 

@@ -4,6 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::heading::{Heading, below, centred};
+use super::hosting::door_page;
 use super::play::{ClassPhase, ClassPlay, EndPage};
 use super::step_view::StepView;
 use super::{ending_view, scores_view};
@@ -23,7 +24,7 @@ impl ClassPlay {
         let (texts, line): (&[&str], String) = match (&self.phase, self.step()) {
             (ClassPhase::End(EndPage::Board), _) => {
                 let tables = "e: write the answers as tables for a spreadsheet";
-                let handed = self.hosting.as_ref().map_or(0, |it| it.handed_in());
+                let handed = self.session.handed_in();
                 let line = match handed {
                     0 => tables.into(),
                     handed => format!("{handed} handed in their own answers. {tables}"),
@@ -76,7 +77,6 @@ impl ClassPlay {
 
     /// How many have voted on devices of their own.
     fn turnout(&self) -> Option<Heading> {
-        let hosting = self.hosting.as_ref()?;
         let (vote, line) = match self.step() {
             ClassStep::SecondVote => (
                 Vote::Second,
@@ -87,14 +87,14 @@ impl ClassPlay {
                 "Everyone predicts in silence, and votes on their own device.",
             ),
         };
-        let words = hosting.turnout(&self.round, vote);
+        let words = self.session.turnout(vote);
         Some(Heading::new(&[&words], line))
     }
 
     /// "right at first: 1 of 3, after talking: 2 of 3"
     fn right_in_words(&self) -> String {
         let [first, second] = Vote::BOTH.map(|vote| {
-            let grades = self.round.grades(self.number(), vote);
+            let grades = self.round().grades(self.number(), vote);
             let right = grades.iter().filter(|grade| grade.right).count();
             format!("{right} of {}", grades.len())
         });
@@ -118,9 +118,8 @@ impl ClassPlay {
 /// Draws a round.
 pub(super) fn draw(play: &ClassPlay, room: Room, buf: &mut Buffer, look: &Look) {
     let area = room.area;
-    let hosting = play.hosting.as_ref();
-    if hosting.is_some_and(|it| it.draw(&play.round, area, buf, look)) {
-        return;
+    if play.host_page.is_some() {
+        return door_page::draw(&play.session, area, buf, look);
     }
     if let Some(step) = play.step_view(room, look) {
         return step.draw(buf, look);

@@ -1,6 +1,7 @@
 //! The teams giving their votes.
 
-use crate::class::{ClassRound, Vote};
+use crate::class::{ClassChange, ClassRound, Said, Session, Vote};
+use crate::quiz::Response;
 use crate::widgets::AnswerInput;
 use crate::widgets::input::ListView;
 
@@ -39,7 +40,7 @@ impl VoteEntry {
 
     /// The row of the mark: a team, or how many teams there are at going on.
     pub(super) fn at(&self, round: &ClassRound) -> usize {
-        self.teams.chosen(round.teams().len() + 1)
+        self.teams.chosen(round.participants().len() + 1)
     }
 
     /// Whether the team at the mark has a vote that it can take back.
@@ -50,8 +51,13 @@ impl VoteEntry {
 
     /// Puts the mark at the team that is next to vote, or at going on.
     fn choose_next(&mut self, round: &ClassRound) {
-        let count = round.teams().len();
-        let waits = |team: &usize| round.ballot(self.question, *team).first.is_none();
+        let count = round.participants().len();
+        let waits = |team: &usize| {
+            round
+                .ballot(self.question, *team)
+                .vote(Vote::First)
+                .is_none()
+        };
         let waiting = (0..count).find(|team| self.vote == Vote::First && waits(team));
         self.teams.choose(waiting.unwrap_or(count));
     }
@@ -70,16 +76,26 @@ impl VoteEntry {
         });
     }
 
-    /// Takes back the vote of the team at the mark.
-    pub(super) fn take_back(&self, round: &mut ClassRound) {
-        round.vote(self.question, self.at(round), self.vote, None);
+    /// What takes back the vote of the team at the mark.
+    pub(super) fn take_back(&self, round: &ClassRound) -> ClassChange {
+        self.change(self.at(round), None)
+    }
+
+    fn change(&self, person: usize, said: Option<Response>) -> ClassChange {
+        ClassChange::Vote {
+            question: self.question,
+            vote: self.vote,
+            person,
+            said: said.map(Said::from),
+        }
     }
 
     /// Gives the vote that was made, and goes to the next team.
-    pub(super) fn give(&mut self, round: &mut ClassRound) {
+    pub(super) fn give(&mut self, session: &mut Session) {
+        let round = session.round();
         let team = self.at(round);
         let said = self.input.take().and_then(|input| input.said());
-        let before = round.ballot(self.question, team).first;
+        let before = round.ballot(self.question, team).vote(Vote::First);
         // Whoever says the same again has kept the vote.
         let same = match (round.questions().get(self.question), said, before) {
             (Some(question), Some(said), Some(before)) => {
@@ -88,7 +104,7 @@ impl VoteEntry {
             _ => false,
         };
         let kept = self.vote == Vote::Second && same;
-        round.vote(self.question, team, self.vote, said.filter(|_| !kept));
-        self.choose_next(round);
+        session.enter(&self.change(team, said.filter(|_| !kept)));
+        self.choose_next(session.round());
     }
 }

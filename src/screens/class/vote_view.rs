@@ -28,7 +28,7 @@ impl TeamGrid {
     /// The teams as close together as their names go.
     fn new(round: &ClassRound, at: usize, place: Rect) -> Self {
         let per_row = per_row(round, place.width);
-        let at = at.min(round.teams().len().saturating_sub(1)) as u16 / per_row;
+        let at = at.min(round.participants().len().saturating_sub(1)) as u16 / per_row;
         Self {
             place,
             per_row,
@@ -60,7 +60,7 @@ fn per_row(round: &ClassRound, columns: u16) -> u16 {
 
 /// Rows of the teams, and of going on below them.
 fn team_rows(round: &ClassRound, area: Rect) -> u16 {
-    let needed = (round.teams().len() as u16).div_ceil(per_row(round, area.width));
+    let needed = (round.participants().len() as u16).div_ceil(per_row(round, area.width));
     needed.min((area.height * MOST_ROWS / 10).max(1))
 }
 
@@ -73,7 +73,7 @@ pub(super) fn foot_rows(
     look: &Look,
 ) -> u16 {
     match &entry.input {
-        None => team_rows(&play.round, area) + 1,
+        None => team_rows(play.round(), area) + 1,
         Some(input) => rehearsed(area, *look, |lines| {
             write_booth(play, question, entry, input, lines);
             lines.written()
@@ -92,10 +92,10 @@ pub(super) fn row_at(
         return None;
     }
     if cell.1 + 1 == foot.bottom() {
-        return Some(round.teams().len());
+        return Some(round.participants().len());
     }
     let grid = TeamGrid::new(round, entry.at(round), above_last(foot));
-    (0..round.teams().len()).find(|team| grid.cell(*team).contains(cell.into()))
+    (0..round.participants().len()).find(|team| grid.cell(*team).contains(cell.into()))
 }
 
 /// An area but for its last row.
@@ -119,7 +119,7 @@ pub(super) fn draw(
         let mut lines = Lines::new(foot, buf, *look);
         return write_booth(play, question, entry, input, &mut lines);
     }
-    let round = &play.round;
+    let round = play.round();
     let at = entry.at(round);
     let grid = TeamGrid::new(round, at, above_last(foot));
     for (team, name) in round.teams().iter().enumerate() {
@@ -131,7 +131,7 @@ pub(super) fn draw(
             lines.line(&format!("{mark} {} {name} {sign}", team + 1), role);
         });
     }
-    let last = round.teams().len();
+    let last = round.participants().len();
     let next = match entry.vote {
         Vote::First => "Go on: talk",
         Vote::Second => "Go on: the shot",
@@ -150,7 +150,7 @@ pub(super) fn draw(
 /// A sign of what a team has done: it has voted or changed its vote; it keeps it; nothing.
 fn sign(round: &ClassRound, question: usize, team: usize, vote: Vote) -> &'static str {
     let ballot = round.ballot(question, team);
-    match (vote, ballot.first, ballot.second) {
+    match (vote, ballot.vote(Vote::First), ballot.vote(Vote::Second)) {
         (Vote::First, Some(_), _) | (Vote::Second, _, Some(_)) => "[x]",
         (Vote::Second, Some(_), None) => "[=]",
         (_, None, _) => "[ ]",
@@ -159,7 +159,7 @@ fn sign(round: &ClassRound, question: usize, team: usize, vote: Vote) -> &'stati
 
 /// How many have voted, changed their vote, keep it.
 fn note(round: &ClassRound, question: usize, vote: Vote) -> String {
-    let all = round.teams().len();
+    let all = round.participants().len();
     let missing = all - round.said(question, Vote::Second).count();
     let missing = match missing {
         0 => String::new(),
@@ -182,17 +182,12 @@ fn write_booth(
     input: &AnswerInput,
     lines: &mut Lines,
 ) {
-    let name = play.round.teams().get(entry.at(&play.round));
+    let name = play.round().name_of(entry.at(play.round()));
     let hidden = match entry.is_open {
         true => "v: hide what is typed",
         false => "what is typed is hidden; v shows it",
     };
-    lines.pair(
-        name.map_or("", String::as_str),
-        hidden,
-        Role::Title,
-        Role::Key,
-    );
+    lines.pair(name, hidden, Role::Title, Role::Key);
     if let Form::Choice { options, .. } = &question.form {
         let letters: Vec<String> = (0..options.len()).map(|i| letter(i).to_string()).collect();
         let words = format!("One key is the vote: {}.", letters.join(", "));

@@ -4,8 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::qr::Qr;
-use super::{DoorState, Hosting, PATIENCE};
-use crate::class::ClassRound;
+use crate::class::{DoorState, Session};
 use crate::messages::OpenDoor;
 use crate::screens::class::heading::{below, centred};
 use crate::screens::class::view::column;
@@ -26,14 +25,13 @@ const LEAST_WORDS: u16 = 24;
 const OPENLY: &str = "Whoever is in this network can see names and votes: nicknames will do.";
 
 /// Draws the page.
-pub(super) fn draw(
-    hosting: &Hosting,
-    round: &ClassRound,
+pub(in crate::screens::class) fn draw(
+    session: &Session,
     area: Rect,
     buf: &mut Buffer,
     look: &Look,
 ) {
-    let door = match &hosting.door {
+    let door = match session.door() {
         DoorState::Open(door) => door,
         DoorState::Opening => {
             return centred("The door is being opened ..", area, buf, look, Role::Text);
@@ -53,7 +51,7 @@ pub(super) fn draw(
     let qr = Qr::of(&link, look).filter(|_| door.page.is_ok());
     let beside = qr.and_then(|qr| BesideQr::new(qr, address, body, look));
     // Beside a picture there is room for what to do when nobody comes.
-    let waits = hosting.presence.is_empty() && hosting.waited >= PATIENCE;
+    let waits = session.waits_long();
     let [body, foot_place] = above_foot(waits && beside.is_none(), door, area, look);
     let mut words = body;
     let mut address_below = None;
@@ -65,15 +63,7 @@ pub(super) fn draw(
     if let Some((big, place)) = address_below {
         big.draw(*place, buf, look, Role::Title, Align::Centre);
     }
-    let below = draw_words(
-        hosting,
-        round,
-        door,
-        address_below.is_some(),
-        words,
-        buf,
-        look,
-    );
+    let below = draw_words(session, door, address_below.is_some(), words, buf, look);
     if waits && beside.is_some() {
         Lines::new(below, buf, *look).paragraph(HINT, Role::Warn);
     }
@@ -173,8 +163,7 @@ fn large_address(address: &str, area: Rect, look: &Look) -> Option<Big> {
 /// The address, unless it stands `below` all that, and the code, as large as they fit, and how
 /// many are in; gives the place that is left.
 fn draw_words(
-    hosting: &Hosting,
-    round: &ClassRound,
+    session: &Session,
     door: &OpenDoor,
     address_is_below: bool,
     area: Rect,
@@ -183,7 +172,7 @@ fn draw_words(
 ) -> Rect {
     let address = &address(door);
     let code = door.code.to_string();
-    let in_words = match (hosting.present(), round.teams().len()) {
+    let in_words = match (session.present(), session.round().participants().len()) {
         (0, 0) => "Nobody is in yet.".to_owned(),
         (1, 1) => "One is in.".to_owned(),
         (present, all) if present == all => format!("{all} are in."),
@@ -228,7 +217,7 @@ fn draw_words(
     };
     let mut lines = Lines::new(place, buf, *look);
     lines.line(&in_words, Role::Title);
-    if hosting.shut {
+    if session.is_shut() {
         lines.line("The door is closed: nobody new can come in.", Role::Warn);
     }
     for other in door.addresses.iter().skip(1).take(2) {

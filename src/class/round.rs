@@ -1,0 +1,485 @@
+//! A round that a class plays: who plays it, how they come in, and all their votes.
+
+use std::net::SocketAddrV4;
+use std::sync::Arc;
+
+use super::ballot::{Ballot, Said, Vote, unsure};
+use super::device::Device;
+use super::door::{DoorCode, SeatToken};
+use super::names::{folded, free_name, tidy};
+use super::step::ClassPlace;
+use super::way::WayOfVoting;
+use crate::quiz::{Answer, Clue, Code, Diagnosis, Grade, Misconception, Question, Response, Round};
+
+/// Somebody who votes: a team, or a pupil on a device of their own.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Participant {
+    name: String,
+    /// What brings them back to their place; nothing for a team, or where no device was seen.
+    pub(super) seat: Option<SeatToken>,
+    /// One a question.
+    ballots: Vec<Ballot>,
+    /// How they are reached; it is not kept.
+    pub(super) device: Device,
+}
+
+impl Participant {
+    /// What they are called.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Whether their device is connected.
+    pub fn is_present(&self) -> bool {
+        self.device.line.is_some()
+    }
+
+    /// Whether something that they handed in is kept.
+    pub fn has_handed_in(&self) -> bool {
+        self.device.has_handed_in
+    }
+
+    /// What they said to a question; nothing where there is no such question.
+    pub fn ballot(&self, question: usize) -> Ballot {
+        self.ballots.get(question).copied().unwrap_or_default()
+    }
+
+    /// Whether they never voted, nor handed anything in.
+    pub(super) fn is_idle(&self) -> bool {
+        !self.device.has_handed_in && self.ballots.iter().all(|it| it.counts().is_none())
+    }
+}
+
+/// A round that a class plays, with all its votes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ClassRound {
+    /// Its questions never change.
+    round: Arc<Round>,
+    way: WayOfVoting,
+    pub(super) participants: Vec<Participant>,
+    /// For each question the counts of both votes, one a choice; empty where nobody has
+    /// counted.
+    pub(super) tallies: Vec<[Vec<u32>; 2]>,
+    /// How pupils come in on devices of their own, as long as they may come back.
+    pub(super) door: Option<Door>,
+    place: ClassPlace,
+    /// What the class is called; perhaps nothing.
+    class: String,
+    /// How many votes in its file fit none of its questions and were dropped.
+    pub(super) dropped: usize,
+}
+
+/// How pupils come in.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Door {
+    /// The code that lets them in.
+    pub(super) code: DoorCode,
+    /// Where their devices found it last.
+    pub(super) address: Option<SocketAddrV4>,
+    /// Who was removed and has not been let in again.
+    pub(super) removed: Vec<Removed>,
+}
+
+/// Somebody whom the teacher has removed: the device, if it was seen, and the name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Removed {
+    pub(super) seat: Option<SeatToken>,
+    pub(super) name: String,
+}
+
+impl ClassRound {
+    /// A round of these teams in which nobody has voted yet. The names are those that
+    /// [`team_names`](super::team_names) gave.
+    pub fn new(code: Code, teams: Vec<String>) -> Self {
+        let mut round = Self::voting(WayOfVoting::Teams, code);
+        teams
+            .into_iter()
+            .for_each(|name| round.seat_new(name, None));
+        round
+    }
+
+    /// A round in which hands or cards are counted.
+    pub fn with_tally(code: Code) -> Self {
+        Self::voting(WayOfVoting::Tally, code)
+    }
+
+    /// A round on devices of their own, to which nobody has come yet.
+    pub fn with_devices(code: Code) -> Self {
+        Self::voting(WayOfVoting::Devices, code)
+    }
+
+    /// A round that nobody plays yet.
+    pub(super) fn voting(way: WayOfVoting, code: Code) -> Self {
+        let round = Round::of(code);
+        Self {
+            tallies: vec![Default::default(); round.questions().len()],
+            round: Arc::new(round),
+            way,
+            participants: Vec::new(),
+            door: None,
+            place: ClassPlace::default(),
+            class: String::new(),
+            dropped: 0,
+        }
+    }
+
+    /// Seats somebody behind all who are there.
+    pub(super) fn seat_new(&mut self, name: String, seat: Option<SeatToken>) {
+        self.participants.push(Participant {
+            name,
+            seat,
+            ballots: vec![Ballot::default(); self.questions().len()],
+            device: Device::default(),
+        });
+    }
+
+    /// The same round of a class of this name, tidied; perhaps nothing.
+    #[must_use]
+    pub fn of_class(self, name: &str) -> Self {
+        let class = tidy(name);
+        Self { class, ..self }
+    }
+
+    /// What the class is called; perhaps nothing.
+    pub fn class(&self) -> &str {
+        &self.class
+    }
+
+    /// Whether it is of a class of this name, tidied.
+    pub fn is_of_class(&self, name: &str) -> bool {
+        self.class == tidy(name)
+    }
+
+    /// How many votes in its file do not fit their question and were dropped when it was read.
+    pub fn dropped_votes(&self) -> usize {
+        self.dropped
+    }
+
+    /// How the class votes.
+    pub fn way(&self) -> WayOfVoting {
+        self.way
+    }
+
+    /// The code that lets pupils in on devices of their own, while the door is there.
+    pub fn door(&self) -> Option<DoorCode> {
+        self.door.as_ref().map(|door| door.code)
+    }
+
+    /// Where pupils' devices found the round last, and look for it.
+    pub fn address(&self) -> Option<SocketAddrV4> {
+        self.door.as_ref()?.address
+    }
+
+    /// Puts a door in: from now on pupils may come in with this code, at this address. A code
+    /// that is there already stays as it is.
+    pub fn open(&mut self, code: DoorCode, address: Option<SocketAddrV4>) {
+        let door = self.door.get_or_insert(Door {
+            code,
+            address,
+            removed: Vec::new(),
+        });
+        door.address = address;
+    }
+
+    /// Takes the door away with all that would bring somebody back; names and votes stay.
+    pub fn close(&mut self) {
+        self.door = None;
+        self.participants.iter_mut().for_each(|it| it.seat = None);
+    }
+
+    /// Who has this token, counted from 0.
+    pub fn seat(&self, token: SeatToken) -> Option<usize> {
+        let mut all = self.participants.iter();
+        all.position(|it| it.seat == Some(token))
+    }
+
+    /// The names of those who were removed and have not been let in again.
+    pub fn removed(&self) -> impl Iterator<Item = &str> {
+        let removed = self.door.iter().flat_map(|door| &door.removed);
+        removed.map(|it| it.name.as_str())
+    }
+
+    /// Whether somebody with this token or this name was removed and has not been let in again.
+    pub fn is_removed(&self, token: Option<SeatToken>, name: &str) -> bool {
+        let name = folded(&tidy(name));
+        let mut removed = self.door.iter().flat_map(|door| &door.removed);
+        removed.any(|it| {
+            let is_same_device = token.is_some() && it.seat == token;
+            is_same_device || folded(&it.name) == name
+        })
+    }
+
+    /// Another name for somebody, tidied; `None` if nothing of it is left, or somebody else
+    /// has it.
+    pub fn renamed(&self, person: usize, name: &str) -> Option<String> {
+        let name = tidy(name);
+        let mut others = self.participants.iter().enumerate();
+        let taken = others.any(|(i, other)| i != person && folded(&other.name) == folded(&name));
+        (!name.is_empty() && !taken).then_some(name)
+    }
+
+    /// The name that somebody who calls themselves so would have here: tidied, and with a
+    /// number where it is taken; `None` if nothing of it is left.
+    pub fn name_for(&self, name: &str) -> Option<String> {
+        let name = tidy(name);
+        (!name.is_empty()).then(|| free_name(&name, &self.teams()))
+    }
+
+    /// Somebody by their number.
+    fn participant(&mut self, person: usize) -> Result<&mut Participant, String> {
+        let count = self.participants.len();
+        let found = self.participants.get_mut(person);
+        found.ok_or_else(|| format!("expected one of {count} people"))
+    }
+
+    /// Lets somebody in under a name that nobody has. What brings them back needs a door.
+    pub(super) fn join(&mut self, name: &str, seat: Option<SeatToken>) -> Result<(), String> {
+        if self.participants.len() >= self.way.most() {
+            return Err(format!("expected {} people at most", self.way.most()));
+        }
+        if self.name_for(name).as_deref() != Some(name) {
+            return Err(format!("expected a name that nobody has, found {name:?}"));
+        }
+        if self.door.is_none() && seat.is_some() {
+            return Err("expected somebody to join where there is a door".into());
+        }
+        self.seat_new(name.to_owned(), seat);
+        Ok(())
+    }
+
+    /// Gives somebody another name.
+    pub(super) fn rename(&mut self, person: usize, name: &str) -> Result<(), String> {
+        if self.renamed(person, name).as_deref() != Some(name) {
+            return Err(format!("expected a name that nobody has, found {name:?}"));
+        }
+        self.participant(person)?.name = name.to_owned();
+        Ok(())
+    }
+
+    /// Removes somebody with all they said; they stay out until they are let in again.
+    pub(super) fn remove(&mut self, person: usize) -> Result<(), String> {
+        let Participant { seat, name, .. } = self.participant(person)?.clone();
+        self.vacate(person)?;
+        if let Some(door) = &mut self.door {
+            door.removed.push(Removed { seat, name });
+            let surplus = door.removed.len().saturating_sub(self.way.most());
+            door.removed.drain(..surplus);
+        }
+        Ok(())
+    }
+
+    /// Lets somebody come in again who was removed.
+    pub(super) fn readmit(&mut self, removed: usize) -> Result<(), String> {
+        let all = self.door.as_mut().map(|door| &mut door.removed);
+        match all.filter(|all| removed < all.len()) {
+            Some(all) => {
+                all.remove(removed);
+                Ok(())
+            }
+            None => Err("expected somebody who was removed".into()),
+        }
+    }
+
+    /// Frees somebody's place, with all they said; they may come in again.
+    pub(super) fn vacate(&mut self, person: usize) -> Result<(), String> {
+        self.participant(person)?;
+        self.participants.remove(person);
+        Ok(())
+    }
+
+    /// Makes one of two: somebody came back as a stranger. What the stranger said goes before
+    /// what was said earlier, and their device keeps its place.
+    pub(super) fn merge(&mut self, from: usize, into: usize) -> Result<(), String> {
+        let people = self.participants.len();
+        if from == into || from.max(into) >= people {
+            return Err(format!("expected two of {people} people"));
+        }
+        let stranger = self.participants[from].clone();
+        let one = &mut self.participants[into];
+        for (ballot, later) in one.ballots.iter_mut().zip(&stranger.ballots) {
+            for vote in Vote::BOTH {
+                ballot.put(vote, later.given(vote).or(ballot.given(vote)));
+            }
+        }
+        one.seat = stranger.seat.or(one.seat);
+        one.device = stranger.device.or_earlier(&one.device);
+        self.vacate(from)
+    }
+
+    /// The code that fixes its questions.
+    pub fn code(&self) -> &Code {
+        self.round.code()
+    }
+
+    /// Its questions in order.
+    pub fn questions(&self) -> &[Question] {
+        self.round.questions()
+    }
+
+    /// Who plays it, in the order in which they came.
+    pub fn participants(&self) -> &[Participant] {
+        &self.participants
+    }
+
+    /// The names of the teams, or of the people.
+    pub fn teams(&self) -> Vec<&str> {
+        self.participants.iter().map(Participant::name).collect()
+    }
+
+    /// What somebody is called; nothing where there is nobody.
+    pub fn name_of(&self, person: usize) -> &str {
+        self.participants.get(person).map_or("", Participant::name)
+    }
+
+    /// Where in the round the class is.
+    pub fn place(&self) -> ClassPlace {
+        self.place
+    }
+
+    /// Goes to a place in the round; to one behind the last question it does not.
+    pub fn go(&mut self, place: ClassPlace) {
+        if place.question < self.questions().len() {
+            self.place = place;
+        }
+    }
+
+    /// What a team said to a question, both counted from 0; nothing where there is no
+    /// such team or question.
+    pub fn ballot(&self, question: usize, team: usize) -> Ballot {
+        let team = self.participants.get(team);
+        team.map(|it| it.ballot(question)).unwrap_or_default()
+    }
+
+    /// Takes a team's vote on a question, in the place of an earlier one; `None` takes it
+    /// back. A vote that the question's form does not [accept](crate::quiz::Form::accepts) is
+    /// not taken.
+    pub fn vote(&mut self, question: usize, team: usize, vote: Vote, said: Option<Response>) {
+        self.put(question, team, vote, said.map(Said::from));
+    }
+
+    /// The same with how sure they are; says whether it was taken.
+    pub(super) fn put(
+        &mut self,
+        question: usize,
+        team: usize,
+        vote: Vote,
+        said: Option<Said>,
+    ) -> bool {
+        let fits = |said: &Said| {
+            let question = self.questions().get(question);
+            question.is_some_and(|question| question.form.accepts(&said.response))
+        };
+        if said.as_ref().is_some_and(|said| !fits(said)) {
+            return false;
+        }
+        let team = self.participants.get_mut(team);
+        let ballot = team.and_then(|it| it.ballots.get_mut(question));
+        ballot.map(|ballot| ballot.put(vote, said)).is_some()
+    }
+
+    /// The ballots on a question, one a team; none where there is no such question.
+    fn ballots(&self, question: usize) -> impl Iterator<Item = &Ballot> {
+        let all = self.participants.iter();
+        all.filter_map(move |it| it.ballots.get(question))
+    }
+
+    /// How many gave this vote on a question.
+    pub fn voted(&self, question: usize, vote: Vote) -> usize {
+        if self.way == WayOfVoting::Tally {
+            let counts = self.tally(question, vote).unwrap_or_default();
+            return counts.iter().map(|count| *count as usize).sum();
+        }
+        let given = self.ballots(question).filter_map(|it| it.vote(vote));
+        given.count()
+    }
+
+    /// What those who have voted say to a question at a vote, as [`Ballot::said`]: one a team,
+    /// or one a hand that was counted.
+    pub fn said(&self, question: usize, vote: Vote) -> impl Iterator<Item = Response> {
+        self.answers(question, vote).into_iter().map(|it| it.said)
+    }
+
+    /// The same as answers: with how sure they were, where that was asked.
+    fn answers(&self, question: usize, vote: Vote) -> Vec<Answer> {
+        match self.way {
+            WayOfVoting::Tally => self.counted(question, vote).map(unsure).collect(),
+            WayOfVoting::Teams | WayOfVoting::Devices => self
+                .ballots(question)
+                .filter_map(|it| it.answer(vote))
+                .collect(),
+        }
+    }
+
+    /// How good that was.
+    pub fn grades(&self, question: usize, vote: Vote) -> Vec<Grade> {
+        let said = self.said(question, vote);
+        said.filter_map(|said| self.grade(question, Some(said)))
+            .collect()
+    }
+
+    /// The misconceptions that it fitted, each with what was said.
+    pub fn held(
+        &self,
+        question: usize,
+        vote: Vote,
+    ) -> impl Iterator<Item = (Misconception, Response)> {
+        self.said(question, vote).filter_map(move |said| {
+            let diagnosis = self.diagnose(question, Some(said))?;
+            Some((diagnosis.misconception, said))
+        })
+    }
+
+    /// What the votes on a question say of misconceptions, one a team that has voted.
+    pub fn clues(&self, question: usize, vote: Vote) -> Vec<Clue> {
+        let Some(asked) = self.questions().get(question) else {
+            return Vec::new();
+        };
+        let answers = self.answers(question, vote);
+        answers.iter().map(|it| Clue::new(asked, it)).collect()
+    }
+
+    /// What the votes of a team say of misconceptions, one a question on which it has voted.
+    pub fn clues_of(&self, team: usize, vote: Vote) -> Vec<Clue> {
+        let asked = self.questions().iter().enumerate();
+        let said = asked.filter_map(|(i, asked)| Some((asked, self.ballot(i, team).answer(vote)?)));
+        said.map(|(asked, said)| Clue::new(asked, &said)).collect()
+    }
+
+    /// Whether anybody has voted at all.
+    pub fn is_begun(&self) -> bool {
+        (0..self.questions().len()).any(|question| self.has_votes(question))
+    }
+
+    /// Questions on which anybody has voted, from the first on without a gap.
+    pub fn begun(&self) -> usize {
+        let empty = (0..self.questions().len()).find(|question| !self.has_votes(*question));
+        empty.unwrap_or(self.questions().len())
+    }
+
+    fn has_votes(&self, question: usize) -> bool {
+        let given = self.ballots(question).any(|it| it.counts().is_some());
+        given
+            || Vote::BOTH
+                .iter()
+                .any(|vote| self.tally(question, *vote).is_some())
+    }
+
+    /// How good a vote was; `None` where none was given.
+    pub fn grade(&self, question: usize, said: Option<Response>) -> Option<Grade> {
+        let question = self.questions().get(question)?;
+        Some(Grade::new(question, &unsure(said?)))
+    }
+
+    /// The misconception that a vote fits.
+    pub fn diagnose(&self, question: usize, said: Option<Response>) -> Option<Diagnosis> {
+        self.questions().get(question)?.diagnose(&unsure(said?))
+    }
+
+    /// Points of a team for a question, 0 to [`Grade::MOST`], by how near its vote is;
+    /// how sure a team is, is not asked.
+    pub fn points(&self, question: usize, team: usize) -> f64 {
+        let said = self.ballot(question, team).counts();
+        let credit = self.grade(question, said).map_or(0.0, |grade| grade.credit);
+        Grade::MOST * credit
+    }
+}

@@ -1,0 +1,670 @@
+//! A round as it is played: where the class is, who is in and what they say, and, on devices of
+//! their own, what each of them is told.
+//!
+//! Nothing is told of a vote before it is kept: changes are collected, asked to be kept all
+//! at once, and whoever they are of hears of it when that is done.
+
+use std::collections::BTreeSet;
+use std::net::IpAddr;
+use std::sync::Arc;
+use std::time::Duration;
+
+use serde_json::Value;
+
+use super::ballot::{Said, Vote};
+use super::change::ClassChange;
+use super::device::LineId;
+use super::door::SeatToken;
+use super::host::{HostCall, HostNews, OpenDoor};
+use super::limits::NewSeats;
+use super::protocol::{HandedIn, NotTaken, PupilStep, Refusal};
+use super::round::{ClassRound, Participant};
+use super::step::{ClassPlace, ClassStep};
+use super::told::Told;
+use super::way::WayOfVoting;
+use crate::gradebook::HandIn;
+
+/// How long nobody may have come before it is said what may be in the way.
+const PATIENCE: Duration = Duration::from_secs(60);
+/// How often somebody may hand in while the door is open.
+const MOST_HAND_INS: usize = 20;
+/// Most bytes that all may hand in while it is open.
+const MOST_BYTES: usize = 1 << 26;
+
+/// A round as it is played.
+#[derive(Debug, Clone)]
+pub struct Session {
+    round: Arc<ClassRound>,
+    /// Whether the last question is behind.
+    over: bool,
+    /// Whether the class still gathers.
+    gathers: bool,
+    door: DoorState,
+    /// Whether nobody new is let in.
+    shut: bool,
+    /// Whether the round has a file: one that nobody has joined needs none.
+    has_file: bool,
+    keeping: Keeping,
+    /// How many bytes all have handed in, and the folder where that is.
+    handed_bytes: usize,
+    handed_in_where: Option<String>,
+    new_seats: NewSeats,
+    /// How long the door has been open without anybody coming in.
+    waited: Duration,
+    effects: Vec<SessionEffect>,
+}
+
+/// Whether pupils can come in.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum DoorState {
+    /// It is being opened, where one is needed.
+    Opening,
+    /// They can.
+    Open(OpenDoor),
+    /// They cannot: why.
+    Failed(String),
+}
+
+/// What is on its way to the disk, and who waits for it.
+#[derive(Debug, Clone, Default)]
+struct Keeping {
+    /// Changes that nobody was asked to keep yet, and the connections that they came by.
+    changes: Vec<ClassChange>,
+    later: BTreeSet<LineId>,
+    /// How many requests are under way, and the connections to be told when they are done.
+    asked: usize,
+    waiting: BTreeSet<LineId>,
+}
+
+/// What a session asks of the world.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SessionEffect {
+    /// Something of whoever serves the class.
+    Host(HostCall),
+    /// That the round be kept as it stands.
+    Save(Arc<ClassRound>),
+    /// That these changes be kept, after which the round stands so.
+    Note(Vec<ClassChange>, Arc<ClassRound>),
+    /// That something handed in be kept.
+    KeepHandIn(HandInOnItsWay, Box<HandIn>),
+    /// That the teacher be told something.
+    Tell(String),
+}
+
+/// Something handed in that is on its way to the disk.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct HandInOnItsWay {
+    line: LineId,
+    n: u64,
+    answers: usize,
+}
+
+impl Session {
+    /// A round as it was left; its door is asked to be opened, if it needs one.
+    pub fn new(round: ClassRound) -> Self {
+        let is_hosted = round.way() == WayOfVoting::Devices;
+        let open = is_hosted.then(|| HostCall::Open {
+            code: round.door(),
+            address: round.address(),
+        });
+        Self {
+            over: false,
+            gathers: is_hosted,
+            door: DoorState::Opening,
+            shut: false,
+            has_file: round.door().is_some(),
+            keeping: Keeping::default(),
+            handed_bytes: 0,
+            handed_in_where: None,
+            new_seats: NewSeats::default(),
+            waited: Duration::ZERO,
+            effects: open.into_iter().map(SessionEffect::Host).collect(),
+            round: Arc::new(round),
+        }
+    }
+
+    /// The round as it stands.
+    pub fn round(&self) -> &ClassRound {
+        &self.round
+    }
+
+    /// The same, to be kept by somebody else.
+    pub fn shared_round(&self) -> Arc<ClassRound> {
+        Arc::clone(&self.round)
+    }
+
+    fn round_mut(&mut self) -> &mut ClassRound {
+        Arc::make_mut(&mut self.round)
+    }
+
+    /// What it asks of the world since the last call.
+    pub fn take_effects(&mut self) -> Vec<SessionEffect> {
+        std::mem::take(&mut self.effects)
+    }
+
+    fn host(&mut self, call: HostCall) {
+        self.effects.push(SessionEffect::Host(call));
+    }
+
+    fn refuse(&mut self, line: Option<LineId>, why: Refusal) {
+        if let Some(line) = line {
+            self.host(HostCall::Refuse(line, why));
+        }
+    }
+
+    /// Whether everyone votes on a device of their own.
+    pub fn is_hosted(&self) -> bool {
+        self.round.way() == WayOfVoting::Devices
+    }
+
+    /// Whether the last question is behind.
+    pub fn is_over(&self) -> bool {
+        self.over
+    }
+
+    /// Whether the class still gathers.
+    pub fn gathers(&self) -> bool {
+        self.gathers
+    }
+
+    /// Whether pupils can come in.
+    pub fn door(&self) -> &DoorState {
+        &self.door
+    }
+
+    /// Whether nobody new is let in.
+    pub fn is_shut(&self) -> bool {
+        self.shut
+    }
+
+    /// Lets nobody new in, or lets them in again.
+    pub fn turn_key(&mut self) {
+        self.shut = !self.shut;
+    }
+
+    /// The folder with what was handed in, once there is something.
+    pub fn handed_in_where(&self) -> Option<&str> {
+        self.handed_in_where.as_deref()
+    }
+
+    /// How many are in just now.
+    pub fn present(&self) -> usize {
+        let all = self.round.participants().iter();
+        all.filter(|it| it.is_present()).count()
+    }
+
+    /// How many have handed in something that is kept.
+    pub fn handed_in(&self) -> usize {
+        let all = self.round.participants().iter();
+        all.filter(|it| it.has_handed_in()).count()
+    }
+
+    /// Those who are away and never voted, nor handed anything in.
+    pub fn away(&self) -> Vec<usize> {
+        let all = self.round.participants().iter().enumerate();
+        let away = all.filter(|(_, it)| !it.is_present() && it.is_idle());
+        away.map(|(person, _)| person).collect()
+    }
+
+    /// "27 of 32 have voted": of those who are in, and those who have voted and are away.
+    pub fn turnout(&self, vote: Vote) -> String {
+        let question = self.round.place().question;
+        let voted = |it: &Participant| it.ballot(question).said(vote).is_some();
+        let all = self.round.participants().iter();
+        let all: Vec<_> = all.filter(|it| it.is_present() || voted(it)).collect();
+        match vote {
+            Vote::First => {
+                let count = all.iter().filter(|it| voted(it)).count();
+                format!("{count} of {} have voted", all.len())
+            }
+            Vote::Second => {
+                let changed = self.round.voted(question, Vote::Second);
+                format!("{changed} of {} have voted again", all.len())
+            }
+        }
+    }
+
+    /// How many questions have their points: those before this one, this one once the
+    /// truth is told, and at the end all.
+    pub fn with_points(&self) -> usize {
+        let ClassPlace { question, step } = self.round.place();
+        match step {
+            _ if self.over => self.round.questions().len(),
+            ClassStep::Scores => question + 1,
+            _ => question,
+        }
+    }
+
+    /// Where the class is, for pupils.
+    fn step(&self) -> PupilStep {
+        match () {
+            () if self.gathers => PupilStep::Lobby,
+            () if self.over => PupilStep::End,
+            () => PupilStep::Asked(self.round.place().step),
+        }
+    }
+
+    /// The vote that is open.
+    pub fn open_vote(&self) -> Option<Vote> {
+        self.step().vote()
+    }
+
+    /// Goes to a place of the round, and tells all.
+    pub fn go(&mut self, place: ClassPlace) {
+        self.over = false;
+        self.round_mut().go(place);
+        self.save();
+        self.moved();
+    }
+
+    /// Goes to the end, and tells all.
+    pub fn end(&mut self) {
+        self.over = true;
+        self.moved();
+    }
+
+    /// The class has gathered.
+    pub fn begin(&mut self) {
+        if std::mem::take(&mut self.gathers) {
+            self.moved();
+        }
+    }
+
+    /// Lets pupils go: those of a round that is over cannot come back.
+    pub fn close(&mut self) {
+        if !self.is_hosted() {
+            return;
+        }
+        self.host(HostCall::Close);
+        if self.over {
+            self.round_mut().close();
+            self.save();
+        }
+    }
+
+    /// Takes or takes back a vote of a team or a count, which the teacher enters; says whether it
+    /// fits.
+    pub fn enter(&mut self, change: &ClassChange) -> bool {
+        let fits = self.round_mut().change(change).is_ok();
+        self.save();
+        fits
+    }
+
+    /// Takes in what was heard of the class.
+    pub fn take_news(&mut self, news: &[HostNews]) {
+        for it in news {
+            match it {
+                HostNews::Opened(Ok(door)) => self.opened(door),
+                HostNews::Opened(Err(reason)) => self.door = DoorState::Failed(reason.clone()),
+                HostNews::Came {
+                    line,
+                    name,
+                    seat,
+                    fresh,
+                    address,
+                    at,
+                } => match self.place_for(*seat, name, *fresh, (*address, *at)) {
+                    Ok((person, is_new)) => self.seat(person, *line, *address, is_new),
+                    Err(why) => self.refuse(Some(*line), why),
+                },
+                HostNews::Voted {
+                    line,
+                    question,
+                    vote,
+                    said,
+                    n,
+                } => self.voted(*line, (*question, *vote), said, *n),
+                HostNews::HandedIn { line, n, file } => self.hand_in(*line, *n, file),
+                HostNews::Gone(line) => {
+                    if let Some(person) = self.person(*line) {
+                        self.participant(person).device.line = None;
+                    }
+                }
+            }
+        }
+        self.go_on();
+    }
+
+    fn opened(&mut self, door: &OpenDoor) {
+        let address = door.addresses.first().copied();
+        let before = self.round.address().filter(|it| Some(*it) != address);
+        if let (Some(before), Some(now)) = (before, address) {
+            self.effects.push(SessionEffect::Tell(format!(
+                "This round was at {before} and is now at {now}. Devices cannot come back by \
+                 themselves: ask your pupils to open the new address."
+            )));
+        }
+        self.round_mut().open(door.code, address);
+        self.door = DoorState::Open(door.clone());
+        self.save();
+    }
+
+    /// Who is reached by a connection.
+    fn person(&self, line: LineId) -> Option<usize> {
+        let mut all = self.round.participants().iter();
+        all.position(|it| it.device.line == Some(line))
+    }
+
+    fn participant(&mut self, person: usize) -> &mut Participant {
+        &mut self.round_mut().participants[person]
+    }
+
+    /// The place of somebody, and whether it is a new one.
+    fn place_for(
+        &mut self,
+        seat: Option<SeatToken>,
+        name: &str,
+        fresh: SeatToken,
+        (address, at): (IpAddr, Duration),
+    ) -> Result<(usize, bool), Refusal> {
+        if let Some(person) = seat.and_then(|seat| self.round.seat(seat)) {
+            return Ok((person, false));
+        }
+        if self.round.is_removed(seat, name) {
+            return Err(Refusal::Kicked);
+        }
+        if self.shut || self.step() == PupilStep::End {
+            return Err(Refusal::Closed);
+        }
+        if !self.new_seats.has_one(address, at) {
+            return Err(Refusal::Later);
+        }
+        let name = self.round.name_for(name).ok_or(Refusal::Name)?;
+        if self.round.participants().len() >= self.round.way().most() {
+            let person = self.who_gives_way(address).ok_or(Refusal::Full)?;
+            self.change_people(&ClassChange::Vacate { person });
+        }
+        let seat = Some(fresh);
+        self.change(ClassChange::Join { seat, name })
+            .map_err(|_| Refusal::Full)?;
+        self.new_seats.take(address, at);
+        Ok((self.round.participants().len() - 1, true))
+    }
+
+    /// Puts somebody in their place; whoever sat there has to leave.
+    fn seat(&mut self, person: usize, line: LineId, address: IpAddr, is_new: bool) {
+        let device = &mut self.participant(person).device;
+        device.rev = 0;
+        device.address = Some(address);
+        let before = device.line.replace(line);
+        self.refuse(before, Refusal::Elsewhere);
+        match is_new {
+            true => self.keeping.wait_for_changes(line),
+            false => self.keeping.wait(line),
+        }
+    }
+
+    /// In a full class, the person whose seat goes to a newcomer from this address. Only somebody who
+    /// has never voted nor handed anything in loses a seat: if they are away, or if more than half of
+    /// all seats belong to their address, which may be one device. The address with the most seats
+    /// gives way first, and of its seats the last.
+    fn who_gives_way(&self, address: IpAddr) -> Option<usize> {
+        let people = self.round.participants();
+        let held = |by: &Participant| {
+            let same = people
+                .iter()
+                .filter(|it| it.device.address == by.device.address);
+            same.count()
+        };
+        let idle = people.iter().enumerate().filter(|(_, it)| {
+            let holds_most = 2 * held(it) > people.len() && it.device.address != Some(address);
+            (!it.is_present() || holds_most) && it.is_idle()
+        });
+        let last = idle.max_by_key(|(person, it)| (!it.is_present(), held(it), *person));
+        last.map(|(person, _)| person)
+    }
+
+    /// Takes a vote. One that does not fit the question changes nothing and is not kept.
+    fn voted(&mut self, line: LineId, (question, vote): (usize, Vote), text: &str, n: u64) {
+        let Some(person) = self.person(line) else {
+            return;
+        };
+        let is_open = self.open_vote() == Some(vote) && question == self.round.place().question;
+        let device = &mut self.participant(person).device;
+        let is_new = n > device.n;
+        device.n = device.n.max(n);
+        if !is_open || !is_new {
+            return self.keeping.wait(line);
+        }
+        let said = Said::parse(text);
+        let change = ClassChange::Vote {
+            question,
+            vote,
+            person,
+            said,
+        };
+        let fits = (text.is_empty() || said.is_some()) && self.change(change).is_ok();
+        self.participant(person).device.misfit = (!fits).then_some((question, vote));
+        match fits {
+            true => self.keeping.wait_for_changes(line),
+            false => self.keeping.wait(line),
+        }
+    }
+
+    /// Takes what somebody hands in: read as what may come from anybody, and kept before they are
+    /// told so.
+    fn hand_in(&mut self, line: LineId, n: u64, file: &Value) {
+        let Some(person) = self.person(line) else {
+            return;
+        };
+        let device = &mut self.participant(person).device;
+        if device.handed.is_none_or(|it| it.n < n) {
+            device.times += 1;
+            let times = device.times;
+            match self.read_hand_in(times, file) {
+                Ok(mut hand_in) => {
+                    // Under the name that the class knows, whatever stands in the file.
+                    self.round.name_of(person).clone_into(&mut hand_in.name);
+                    if !self.round.class().is_empty() {
+                        self.round.class().clone_into(&mut hand_in.class);
+                    }
+                    let answers = hand_in.attempts.len();
+                    let on_its_way = HandInOnItsWay { line, n, answers };
+                    let keep = SessionEffect::KeepHandIn(on_its_way, Box::new(hand_in));
+                    return self.effects.push(keep);
+                }
+                Err(why) => {
+                    let kept = Err(why);
+                    self.participant(person).device.handed = Some(HandedIn { n, kept });
+                }
+            }
+        }
+        self.keeping.wait(line);
+    }
+
+    /// What is in a file that may be anything, unless there were too many.
+    fn read_hand_in(&mut self, times: usize, file: &Value) -> Result<HandIn, NotTaken> {
+        let bytes = self.handed_bytes + file.to_string().len();
+        if times > MOST_HAND_INS || bytes > MOST_BYTES {
+            return Err(NotTaken::TooMany);
+        }
+        self.handed_bytes = bytes;
+        let read = HandIn::of_value(file.clone()).map_err(|_| NotTaken::Format)?;
+        match read.attempts.is_empty() {
+            true => Err(NotTaken::Format),
+            false => Ok(read),
+        }
+    }
+
+    /// What was handed in is kept in this folder, or why it is not; whoever it is of is told.
+    pub fn keeps_hand_in(&mut self, it: HandInOnItsWay, folder: &Result<String, String>) {
+        let kept = match folder {
+            Ok(folder) => {
+                self.handed_in_where = Some(folder.clone());
+                Ok(it.answers)
+            }
+            Err(reason) => {
+                self.effects.push(SessionEffect::Tell(format!(
+                    "What a pupil handed in cannot be kept: {reason}."
+                )));
+                Err(NotTaken::NotWritten)
+            }
+        };
+        // Who has lost the connection meanwhile hands in again.
+        if let Some(person) = self.person(it.line) {
+            let device = &mut self.participant(person).device;
+            device.handed = Some(HandedIn { n: it.n, kept });
+            device.has_handed_in |= kept.is_ok();
+            self.keeping.wait(it.line);
+            self.go_on();
+        }
+    }
+
+    /// Lets something change, to be kept.
+    fn change(&mut self, change: ClassChange) -> Result<(), String> {
+        self.round_mut().change(&change)?;
+        self.keeping.changes.push(change);
+        Ok(())
+    }
+
+    /// Has the round kept as it stands, if it has a file or there is something in it.
+    fn save(&mut self) {
+        let is_needed = match self.round.way() {
+            WayOfVoting::Devices => self.has_file || !self.round.participants().is_empty(),
+            WayOfVoting::Teams | WayOfVoting::Tally => self.round.is_begun(),
+        };
+        if is_needed {
+            // What has changed is in it.
+            self.keeping.changes.clear();
+            self.has_file = true;
+            self.keeping.ask();
+            self.effects.push(SessionEffect::Save(self.shared_round()));
+        }
+    }
+
+    /// The round is kept, or it cannot be: the teacher was told so, and the class goes on.
+    pub fn saved(&mut self) {
+        self.keeping.asked = self.keeping.asked.saturating_sub(1);
+        self.go_on();
+    }
+
+    /// The class is somewhere else: everybody is told, once all is kept.
+    fn moved(&mut self) {
+        let lines = self
+            .round
+            .participants()
+            .iter()
+            .filter_map(|it| it.device.line);
+        lines.for_each(|line| self.keeping.wait(line));
+        self.go_on();
+    }
+
+    /// While nothing is on its way to the disk: tells those who wait for what is there, and
+    /// sends what has changed since.
+    fn go_on(&mut self) {
+        if self.keeping.asked > 0 {
+            return;
+        }
+        let waiting = std::mem::take(&mut self.keeping.waiting);
+        self.tell(&waiting);
+        if !self.keeping.changes.is_empty() {
+            let changes = std::mem::take(&mut self.keeping.changes);
+            self.has_file = true;
+            self.keeping.ask();
+            self.effects
+                .push(SessionEffect::Note(changes, self.shared_round()));
+        }
+    }
+
+    /// Tells pupils how things stand.
+    fn tell(&mut self, lines: &BTreeSet<LineId>) {
+        if lines.is_empty() {
+            return;
+        }
+        for it in &mut self.round_mut().participants {
+            let is_told = it.device.line.is_some_and(|line| lines.contains(&line));
+            it.device.rev += u64::from(is_told);
+        }
+        let told = Told::new(&self.round, self.step(), self.with_points());
+        let people = self.round.participants().iter().enumerate();
+        let states = people.filter_map(|(person, it)| {
+            let line = it.device.line.filter(|line| lines.contains(line))?;
+            Some((line, told.state(person, it)?))
+        });
+        let states = states.collect();
+        self.host(HostCall::Tell(states));
+    }
+
+    /// Lets the list of people change; whoever loses their place hears why.
+    pub fn change_people(&mut self, change: &ClassChange) {
+        let line = |person: usize| self.round.participants().get(person)?.device.line;
+        let (lost, renewed) = match change {
+            ClassChange::Vacate { person } => (line(*person).zip(Some(Refusal::Full)), None),
+            ClassChange::Remove { person } => (line(*person).zip(Some(Refusal::Kicked)), None),
+            ClassChange::Merge { from, into } => {
+                let before = line(*into).filter(|_| line(*from).is_some());
+                (before.zip(Some(Refusal::Elsewhere)), line(*from))
+            }
+            ClassChange::Rename { person, .. } => (None, line(*person)),
+            _ => (None, None),
+        };
+        if self.change(change.clone()).is_err() {
+            return;
+        }
+        if let Some((line, why)) = lost {
+            self.refuse(Some(line), why);
+        }
+        if let Some(line) = renewed {
+            self.keeping.wait(line);
+        }
+    }
+
+    /// Does what the teacher does to the list of people.
+    pub fn edit_people(&mut self, change: &ClassChange) {
+        self.change_people(change);
+        self.go_on();
+    }
+
+    /// Takes all off the list who are away and never voted.
+    pub fn remove_away(&mut self) {
+        // From the last on, so that nobody moves up before it is their turn.
+        for person in self.away().into_iter().rev() {
+            self.change_people(&ClassChange::Vacate { person });
+        }
+        self.go_on();
+    }
+
+    /// Lets time pass.
+    pub fn advance(&mut self, passed: Duration) {
+        if self.waits() {
+            self.waited += passed;
+        }
+    }
+
+    /// When it next needs time: when it may have to say what is in the way.
+    pub fn wake(&self) -> Option<Duration> {
+        let left = PATIENCE.checked_sub(self.waited)?;
+        (self.waits() && !left.is_zero()).then_some(left)
+    }
+
+    /// Whether the door is open and nobody has come yet.
+    fn waits(&self) -> bool {
+        matches!(self.door, DoorState::Open(_)) && self.round.participants().is_empty()
+    }
+
+    /// Whether nobody has come for so long that something may be in the way.
+    pub fn waits_long(&self) -> bool {
+        self.waits() && self.waited >= PATIENCE
+    }
+}
+
+impl Keeping {
+    /// Somebody is to be told when all is kept that was asked for so far.
+    fn wait(&mut self, line: LineId) {
+        if !self.later.contains(&line) {
+            self.waiting.insert(line);
+        }
+    }
+
+    /// Somebody is to be told when what has changed last is kept.
+    fn wait_for_changes(&mut self, line: LineId) {
+        self.waiting.remove(&line);
+        self.later.insert(line);
+    }
+
+    /// One more request is under way, with all that has changed.
+    fn ask(&mut self) {
+        self.asked += 1;
+        self.waiting.append(&mut self.later);
+    }
+}

@@ -1,0 +1,97 @@
+//! What pupils on devices are told: each how things stand for them.
+
+use super::asked::{AskedQuestion, ToldTruth};
+use super::ballot::{Said, Vote};
+use super::protocol::{PupilState, PupilStep, VERSION};
+use super::round::{ClassRound, Participant};
+use super::scores::standings;
+use super::step::ClassStep;
+use crate::quiz::{Answer, Confidence, Form, Question, Response, explain};
+
+/// What all pupils are told alike.
+pub(super) struct Told<'r> {
+    round: &'r ClassRound,
+    step: PupilStep,
+    question: Option<&'r Question>,
+    asked: Option<AskedQuestion>,
+    spread: Vec<u32>,
+    /// Points and place of each, once there are any.
+    scores: Vec<Option<(f64, usize)>>,
+}
+
+impl<'r> Told<'r> {
+    /// How things stand at a step, when so many questions have their points.
+    pub(super) fn new(round: &'r ClassRound, step: PupilStep, with_points: usize) -> Self {
+        let number = round.place().question;
+        let question = round.questions().get(number);
+        let is = |steps: [ClassStep; 2]| steps.map(PupilStep::Asked).contains(&step);
+        let mut spread = Vec::new();
+        if let Some(Form::Choice { options, .. }) = question.map(|it| &it.form)
+            && is([ClassStep::Talk, ClassStep::SecondVote])
+        {
+            spread = vec![0; options.len()];
+            for said in round.said(number, Vote::First) {
+                if let Response::Choice(choice) = said
+                    && let Some(count) = spread.get_mut(choice)
+                {
+                    *count += 1;
+                }
+            }
+        }
+        let mut scores = vec![None; round.participants().len()];
+        if [PupilStep::Asked(ClassStep::Scores), PupilStep::End].contains(&step) {
+            for it in standings(round, with_points) {
+                if let Some(score) = scores.get_mut(it.team) {
+                    *score = Some((it.points, it.place));
+                }
+            }
+        }
+        let asked = question.filter(|_| matches!(step, PupilStep::Asked(_)));
+        Self {
+            round,
+            step,
+            question: question.filter(|_| is([ClassStep::Shot, ClassStep::Scores])),
+            asked: asked.map(AskedQuestion::new),
+            spread,
+            scores,
+        }
+    }
+
+    /// How things stand for one of them.
+    pub(super) fn state(&self, person: usize, one: &Participant) -> Option<PupilState> {
+        let q = self.round.place().question;
+        let ballot = one.ballot(q);
+        let text = |vote| ballot.given(vote).map(Said::to_text).unwrap_or_default();
+        let open = self.step.vote();
+        Some(PupilState {
+            v: VERSION,
+            rev: one.device.rev,
+            seat: one.seat?,
+            name: one.name().to_owned(),
+            q,
+            of: self.round.questions().len(),
+            step: self.step,
+            n: one.device.n,
+            misfit: open.is_some_and(|vote| one.device.misfit == Some((q, vote))),
+            first: text(Vote::First),
+            second: text(Vote::Second),
+            question: self.asked.clone(),
+            spread: self.spread.clone(),
+            told: self.question.map(|it| self.truth(it, person, one)),
+            score: self.scores.get(person).copied().flatten(),
+            handed: one.device.handed,
+        })
+    }
+
+    /// The truth, with what is to be said to what this pupil said.
+    fn truth(&self, question: &Question, person: usize, one: &Participant) -> ToldTruth {
+        let number = self.round.place().question;
+        let said = one.ballot(number).counts();
+        let why = match said {
+            Some(said) => explain(question, &Answer::new(said, Confidence::ThinkSo)).text,
+            None => question.why.clone(),
+        };
+        let points = said.map(|_| self.round.points(number, person));
+        ToldTruth::new(question, why, points)
+    }
+}
