@@ -34,6 +34,7 @@
 //!   ─────────────────────────────────────────────────────────────
 //!   class/         a round for a class: who votes and how, two votes, scores, what each
 //!                  question showed; what devices and the host say to each other
+//!   ─────────────────────────────────────────────────────────────
 //!   gradebook/     what a class has handed in: each pupil, each round, each question
 //!   ─────────────────────────────────────────────────────────────
 //!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)

@@ -234,7 +234,7 @@ impl Files {
                 if let [first, .., name] = path.as_slice()
                     && files
                         .code
-                        .contains_key(&[module.as_slice(), &[first.clone()]].concat())
+                        .contains_key(&[module.as_slice(), std::slice::from_ref(first)].concat())
                 {
                     let from = [module, &path[..]].concat();
                     files.taken.insert((module.clone(), name.clone()), from);

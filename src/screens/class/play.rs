@@ -462,7 +462,7 @@ impl ClassPlay {
                 self.open(outcome, cx);
             }
             (ClassAction::Team(team), ClassPhase::Vote(entry)) => {
-                entry.open(team, self.session.round())
+                entry.open(team, self.session.round());
             }
             (ClassAction::TakeBack, ClassPhase::Vote(entry)) => {
                 let change = entry.take_back(self.session.round());
