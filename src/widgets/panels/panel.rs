@@ -22,26 +22,8 @@ const ASCII: border::Set<'static> = border::Set {
     horizontal_bottom: "-",
 };
 
-/// A framed block with a title, for use with any widget of ratatui: `+- title --+`
-/// in ASCII, rounded lines in Unicode. An empty title leaves the frame whole.
-#[must_use]
-pub(crate) fn panel(title: &str, charset: Charset, theme: &Theme) -> Block<'static> {
-    let lines = match charset {
-        Charset::Ascii => ASCII,
-        Charset::Unicode => border::ROUNDED,
-    };
-    let block = Block::bordered()
-        .border_set(lines)
-        .border_style(theme.style(Role::Border));
-    if title.is_empty() {
-        return block;
-    }
-    let stub = Span::styled(lines.horizontal_top, theme.style(Role::Border));
-    let title = format!(" {} ", charset.text(title));
-    block.title(vec![stub, Span::styled(title, theme.style(Role::Title))])
-}
-
-/// Draws an empty [`panel`] and says what room is inside it.
+/// Draws an empty frame with a title, `+- title --+` in ASCII, rounded lines in Unicode, and
+/// says what room is inside it. An empty title leaves the frame whole.
 pub(crate) fn draw_panel(
     buffer: &mut Buffer,
     area: Rect,
@@ -49,8 +31,19 @@ pub(crate) fn draw_panel(
     charset: Charset,
     theme: &Theme,
 ) -> Rect {
-    sheet::frame(area, &charset.text(title));
-    let block = panel(title, charset, theme);
+    let title = charset.text(title);
+    sheet::frame(area, &title);
+    let lines = match charset {
+        Charset::Ascii => ASCII,
+        Charset::Unicode => border::ROUNDED,
+    };
+    let style = theme.style(Role::Border);
+    let mut block = Block::bordered().border_set(lines).border_style(style);
+    if !title.is_empty() {
+        let stub = Span::styled(lines.horizontal_top, style);
+        let title = Span::styled(format!(" {title} "), theme.style(Role::Title));
+        block = block.title(vec![stub, title]);
+    }
     let inside = block.inner(area);
     block.render(area.intersection(buffer.area), buffer);
     inside

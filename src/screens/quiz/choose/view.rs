@@ -28,44 +28,80 @@ pub(super) fn view<'s>(choosing: &Choosing, book: &Book) -> View<'s, ChoosingAct
     View::panels(list, about)
 }
 
-/// What a choice is called, and what is said of it beside.
-fn words(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> (&'static str, String) {
-    let questions = |kind: &CourseKind| format!("{} questions", kind.length());
+/// A choice in words.
+struct ChoiceWords {
+    name: &'static str,
+    /// What stands beside it.
+    beside: String,
+    /// What it is about.
+    about: &'static str,
+}
+
+fn words(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> ChoiceWords {
+    let of = |name, beside, about| ChoiceWords {
+        name,
+        beside,
+        about,
+    };
     match choice {
         RoundChoice::Always(kind) => {
-            let beside = match kind {
-                CourseKind::Hits => "where will they go?".into(),
-                CourseKind::FindOut => format!("up to {}", questions(kind)),
-                kind => questions(kind),
+            let questions = format!("{} questions", kind.length());
+            let (beside, about) = match kind {
+                CourseKind::Hits => (
+                    "where will they go?".into(),
+                    "Ten hits on the board: say where the striker and the coin will go. Masses and losses change from hit to hit.",
+                ),
+                CourseKind::FindOut => (
+                    format!("up to {questions}"),
+                    "Up to twelve questions, each chosen by your answers before it. You hear nothing until the end; then you see what you seem to believe about hits, which answers say so, and what settles it.",
+                ),
+                CourseKind::Quick => (
+                    questions,
+                    "Five questions, each of another kind, the first ones in their plainest form. Any kind may come up, even one you have not met yet: just right for a short break.",
+                ),
+                CourseKind::Even => (
+                    questions,
+                    "Ten questions of all kinds, in any order, so that every idea is met. Nobody tells you what kind comes next.",
+                ),
+                _ => (
+                    questions,
+                    "Fifteen questions of all kinds. You hear nothing until the end; then you can open each one with its picture and its why.",
+                ),
             };
-            (kind.name(), beside)
+            of(kind.name(), beside, about)
         }
-        RoundChoice::Topic => {
-            let topics = CourseKind::topics().count();
-            ("one topic", format!("{topics} to choose from"))
-        }
-        RoundChoice::Read => {
-            let beside = match chapters_read(book) {
+        RoundChoice::Topic => of(
+            "one topic",
+            format!("{} to choose from", CourseKind::topics().count()),
+            "Six questions of one kind, which get harder: good when you have just read about it. Then come back to mixed rounds.",
+        ),
+        RoundChoice::Read => of(
+            "what you have read",
+            match chapters_read(book) {
                 None => "nothing read yet".into(),
                 Some(_) => counted(book.read_through().count(), "chapter"),
-            };
-            ("what you have read", beside)
-        }
-        RoundChoice::Code => ("a round by its code", String::new()),
+            },
+            "Ten questions about what the chapters teach that you have read to their end, in any order.",
+        ),
+        RoundChoice::Code => of(
+            "a round by its code",
+            String::new(),
+            "A friend or a teacher gave you a code? With it you get the very same questions.",
+        ),
         RoundChoice::Own => {
             let own = &choosing.own;
             let beside = match own.problems.len() {
                 0 => format!("of {}", own.concepts.len()),
                 left => format!("of {}, {left} left out", own.concepts.len()),
             };
-            ("your own questions", beside)
+            of("your own questions", beside, "")
         }
         RoundChoice::Review => {
             let beside = match choosing.due().now.len() {
                 0 => "nothing due".into(),
                 due => format!("{due} due"),
             };
-            ("review what is due", beside)
+            of("review what is due", beside, "")
         }
     }
 }
@@ -80,7 +116,7 @@ fn rounds(choosing: &Choosing, book: &Book) -> Panel<ChoosingAction> {
     let mut panel = Panel::new("choose a round");
     let chosen = choosing.rounds.chosen(choosing.choices().len());
     for (i, (_, choice)) in choosing.choices().iter().enumerate() {
-        let (name, beside) = words(choosing, choice, book);
+        let ChoiceWords { name, beside, .. } = words(choosing, choice, book);
         let role = match is_open(choosing, choice, book) {
             true => Role::Text,
             false => Role::Dim,
@@ -100,35 +136,9 @@ fn rounds(choosing: &Choosing, book: &Book) -> Panel<ChoosingAction> {
 fn about_round(choosing: &Choosing, book: &Book) -> Panel<ChoosingAction> {
     let mut panel = Panel::new("this round");
     let choice = choosing.choice();
-    let text = match choice {
-        RoundChoice::Always(CourseKind::Quick) => {
-            "Five questions, each of another kind, the first ones in their plainest form. Any kind may come up, even one you have not met yet: just right for a short break."
-        }
-        RoundChoice::Always(CourseKind::FindOut) => {
-            "Up to twelve questions, each chosen by your answers before it. You hear nothing until the end; then you see what you seem to believe about hits, which answers say so, and what settles it."
-        }
-        RoundChoice::Always(CourseKind::Even) => {
-            "Ten questions of all kinds, in any order, so that every idea is met. Nobody tells you what kind comes next."
-        }
-        RoundChoice::Always(CourseKind::Hits) => {
-            "Ten hits on the board: say where the striker and the coin will go. Masses and losses change from hit to hit."
-        }
-        RoundChoice::Always(_) => {
-            "Fifteen questions of all kinds. You hear nothing until the end; then you can open each one with its picture and its why."
-        }
-        RoundChoice::Topic => {
-            "Six questions of one kind, which get harder: good when you have just read about it. Then come back to mixed rounds."
-        }
-        RoundChoice::Code => {
-            "A friend or a teacher gave you a code? With it you get the very same questions."
-        }
-        RoundChoice::Read => {
-            "Ten questions about what the chapters teach that you have read to their end, in any order."
-        }
-        RoundChoice::Own | RoundChoice::Review => "",
-    };
-    if !text.is_empty() {
-        panel.paragraph(text, Role::Text);
+    let about = words(choosing, choice, book).about;
+    if !about.is_empty() {
+        panel.paragraph(about, Role::Text);
     }
     match choice {
         RoundChoice::Read => {
