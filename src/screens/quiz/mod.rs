@@ -21,8 +21,8 @@ use crate::numbers;
 use crate::physics::Collision;
 use crate::progress::Attempt;
 use crate::quiz::{
-    Answer, Code, Confidence, Course, CourseKind, Form, Grade, Misconception, Passage, Question,
-    Response, Round, Summary, explain,
+    Answer, Code, Course, CourseKind, Form, Grade, Misconception, Passage, Question, Response,
+    Round, Summary, explain,
 };
 use crate::widgets::hit::{Overlays, Reveal, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
@@ -156,13 +156,9 @@ impl Quiz {
         self.round.course().tells_at_end()
     }
 
-    /// Takes the answer, if there is one, and shows what happens, or asks on.
-    fn answer(&mut self, said: Response, confidence: Confidence, cx: &mut Context) {
-        let QuizPhase::Asked(asked) = &self.phase else {
-            return;
-        };
-        let (question, code) = (asked.question.clone(), self.round.code());
-        let answer = Answer::new(said, confidence);
+    /// Takes an answer, and shows what happens, or asks on.
+    fn answer(&mut self, question: Question, answer: Answer, cx: &mut Context) {
+        let code = self.round.code();
         self.answers.push(answer);
         let number = self.answers.len() as u32;
         let attempt = Attempt::of_quiz(&cx.settings.player, code, number, &question, &answer);
@@ -186,31 +182,6 @@ impl Quiz {
         watched.opened = Some(at);
         watched.reveal.at_once();
         self.phase = QuizPhase::Watch(Box::new(watched));
-    }
-
-    /// Goes back to the look back, to the question that was opened.
-    fn close(&mut self, at: usize) {
-        self.phase = QuizPhase::Summary(ListView::at(at));
-    }
-
-    /// Moves the mark of the look back, or opens its line; at its ends the text goes on.
-    fn look_back(&mut self, action: ListAction, cx: &Context) -> Next {
-        let QuizPhase::Summary(list) = &mut self.phase else {
-            return Next::Stay;
-        };
-        let count = self.answers.len();
-        let before = list.chosen(count);
-        let outcome = list.act(action, count);
-        let is_at_end = list.chosen(count) == before;
-        match (outcome, action) {
-            (Outcome::Done(at), _) => self.open(at, cx),
-            (_, ListAction::Choose(by)) if is_at_end => return scroll(by as i16),
-            (_, ListAction::Page(by) | ListAction::End(by)) if is_at_end => {
-                return scroll(Scroll::PAGE * by as i16);
-            }
-            _ => {}
-        }
-        Next::Stay
     }
 
     /// Plays another round of the same kind. What is due is another matter after every
@@ -275,17 +246,12 @@ impl Quiz {
         }
     }
 
-    /// Goes on from a hit that was watched, or from its explanation.
-    fn go_on(&mut self) {
-        let QuizPhase::Watch(watched) = &mut self.phase else {
-            return;
-        };
-        if let Some(remedy) = watched.remedy.take() {
-            return watched.reveal.show(remedy);
-        }
-        self.layers = watched.reveal.layers().unwrap_or(self.layers);
-        match watched.opened {
-            Some(at) => self.close(at),
+    /// Puts a question away that was answered: on to the next one, or back to the list in
+    /// which it was `opened`.
+    fn put_away(&mut self, opened: Option<usize>, layers: Option<Overlays>) {
+        self.layers = layers.unwrap_or(self.layers);
+        match opened {
+            Some(at) => self.phase = QuizPhase::Summary(ListView::at(at)),
             None => self.ask(),
         }
     }
@@ -293,15 +259,11 @@ impl Quiz {
     /// Leaves the round: at once while nothing has been answered, else the player is asked.
     /// Whoever leaves an exam has yet to hear of what was answered.
     fn leave(&mut self) -> Next {
-        if let QuizPhase::Asked(asked) = &mut self.phase
-            && asked.asking.back()
-        {
-            return Next::Stay;
-        }
-        match &self.phase {
+        match &mut self.phase {
+            QuizPhase::Asked(asked) if asked.asking.back() => Next::Stay,
             QuizPhase::Watch(watched) if watched.opened.is_some() => {
-                self.layers = watched.reveal.layers().unwrap_or(self.layers);
-                self.close(watched.opened.unwrap_or(0));
+                let (opened, layers) = (watched.opened, watched.reveal.layers());
+                self.put_away(opened, layers);
                 Next::Stay
             }
             QuizPhase::Summary(_) => CHOOSE,
@@ -462,12 +424,33 @@ impl Screen for Quiz {
         match (action, &mut self.phase) {
             (QuizAction::Ask(action), QuizPhase::Asked(asked)) => {
                 if let Outcome::Done((said, sure)) = asked.asking.act(action) {
-                    self.answer(said, sure, cx);
+                    let question = asked.question.clone();
+                    self.answer(question, Answer::new(said, sure), cx);
                 }
             }
             (QuizAction::Watch(action), QuizPhase::Watch(watched)) => watched.reveal.act(action),
-            (QuizAction::GoOn, _) => self.go_on(),
-            (QuizAction::LookBack(action), _) => return self.look_back(action, cx),
+            (QuizAction::GoOn, QuizPhase::Watch(watched)) => match watched.remedy.take() {
+                Some(remedy) => watched.reveal.show(remedy),
+                None => {
+                    let (opened, layers) = (watched.opened, watched.reveal.layers());
+                    self.put_away(opened, layers);
+                }
+            },
+            (QuizAction::LookBack(action), QuizPhase::Summary(list)) => {
+                let count = self.answers.len();
+                let before = list.chosen(count);
+                let outcome = list.act(action, count);
+                // At its ends the text goes on.
+                let is_at_end = list.chosen(count) == before;
+                match (outcome, action) {
+                    (Outcome::Done(at), _) => self.open(at, cx),
+                    (_, ListAction::Choose(by)) if is_at_end => return scroll(by as i16),
+                    (_, ListAction::Page(by) | ListAction::End(by)) if is_at_end => {
+                        return scroll(Scroll::PAGE * by as i16);
+                    }
+                    _ => {}
+                }
+            }
             (QuizAction::Another, _) => return self.again(cx),
             (QuizAction::ReadUp, _) => return leads::open(self.passage(), cx),
             (QuizAction::Check, _) => self.check(),
@@ -509,7 +492,9 @@ impl Screen for Quiz {
 
     fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
         match &mut self.phase {
-            QuizPhase::Summary(_) => return self.look_back(ListAction::Choose(by.into()), cx),
+            QuizPhase::Summary(_) => {
+                return self.act(QuizAction::LookBack(ListAction::Choose(by.into())), cx);
+            }
             QuizPhase::Watch(watched) => watched.reveal.act(WatchAction::Step(-by)),
             QuizPhase::Asked(_) => return scroll(by.into()),
         }

@@ -12,6 +12,7 @@ use super::{HitLayout, Overlay, Overlays, moment::Moment, stage::time_in_sight};
 use crate::messages::Key;
 use crate::physics::{Collision, CollisionOutcome, Frame, Shot};
 use crate::quiz::{AimTask, Rays};
+use crate::widgets::panels::{impact_angle, masses, offset, separation};
 use crate::widgets::{Role, input::KeyTable, panel::Panel, picture::Picture};
 
 /// Share of the whole that `<` and `>` scrub by.
@@ -234,6 +235,33 @@ impl Watch {
             panel.gap();
         }
         panel.paragraph(words, Role::Text);
+    }
+
+    /// Writes where the two meet and what they are, but for masses that are `secret`, and what
+    /// else is told of them by now. Says whether the reason is to follow: once all is told, on
+    /// the board.
+    pub(crate) fn write_facts<A>(&self, secret: [bool; 2], panel: &mut Panel<A>) -> bool {
+        offset(&self.collision, panel);
+        impact_angle(&self.collision, panel);
+        masses(&self.collision, secret, panel);
+        if !self.is_told() {
+            panel.gap();
+            self.write_telling(panel);
+            return false;
+        }
+        separation(&self.collision, panel);
+        panel.gap();
+        let seen = match self.frame {
+            Frame::Laboratory => return true,
+            Frame::CentreOfMass => {
+                "From the centre of mass the two always fly back to back: momentum is zero before and after."
+            }
+            Frame::Target => {
+                "Riding with body 2: here it lies still before the hit, so all you know of a resting coin holds."
+            }
+        };
+        panel.paragraph(seen, Role::Text);
+        false
     }
 
     /// What it explains just now, with its heading once the two have met.

@@ -5,7 +5,6 @@ use super::made_shot::{MadeShot, asked};
 use super::{LevelAction, LevelPhase, LevelPlay, PendingShot};
 use crate::levels::{FEW_SHOTS, Win};
 use crate::numbers;
-use crate::physics::Frame;
 use crate::quiz::{Ray, why};
 use crate::screens::Context;
 use crate::screens::levels::words;
@@ -13,7 +12,7 @@ use crate::widgets::hit::Watch;
 use crate::widgets::input::{EntryAction, FormAction};
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::{
-    contact_distance, impact_angle, masses, offset, reason, said_and_true, separation,
+    contact_distance, impact_angle, masses, offset, reason, said_and_true,
 };
 use crate::widgets::replay::{ShotAction, ShotImpact};
 use crate::widgets::{RayInput, Role};
@@ -111,7 +110,9 @@ fn say(play: &LevelPlay, pending: &PendingShot) -> LevelPanel {
     } else {
         impact_angle(collision, &mut panel);
     }
-    bodies(&pending.impact, &play.level().unknown_mass, &mut panel);
+    let secret = &play.level().unknown_mass;
+    let secret = pending.impact.discs.map(|disc| secret.contains(&disc));
+    masses(collision, secret, &mut panel);
     panel.gap();
     panel.heading("The first hit");
     panel.part(LevelAction::Say, |panel| {
@@ -122,12 +123,6 @@ fn say(play: &LevelPlay, pending: &PendingShot) -> LevelPanel {
         pending.rays.write_prompt(panel, name, "shoot!");
     });
     panel
-}
-
-/// What the two are, but for the masses of `secret` discs.
-fn bodies(impact: &ShotImpact, secret: &[usize], panel: &mut LevelPanel) {
-    let secret = impact.discs.map(|disc| secret.contains(&disc));
-    masses(&impact.collision, secret, panel);
 }
 
 fn watching(play: &LevelPlay, made: &MadeShot) -> LevelPanel {
@@ -240,27 +235,8 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
         Some(_) => &[],
         None => play.level().unknown_mass.as_slice(),
     };
-    offset(&impact.collision, &mut panel);
-    impact_angle(&impact.collision, &mut panel);
-    bodies(impact, secret, &mut panel);
-    if !watch.is_told() {
-        panel.gap();
-        watch.write_telling(&mut panel);
-        return panel;
-    }
-    separation(&impact.collision, &mut panel);
-    let seen = match watch.frame() {
-        Frame::Laboratory => None,
-        Frame::CentreOfMass => Some(
-            "From the centre of mass the two always fly back to back: momentum is zero before and after.",
-        ),
-        Frame::Target => Some(
-            "Riding with body 2: here it lies still before the hit, so all you know of a resting coin holds.",
-        ),
-    };
-    if let Some(text) = seen {
-        panel.gap();
-        panel.paragraph(text, Role::Text);
+    let is_secret = impact.discs.map(|disc| secret.contains(&disc));
+    if !watch.write_facts(is_secret, &mut panel) {
         return panel;
     }
     let said = made.said.as_ref().filter(|_| number == 0);
@@ -268,7 +244,7 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
         answers(play, made, impact, &mut panel);
     }
     panel.gap();
-    if impact.discs.iter().any(|disc| secret.contains(disc)) {
+    if is_secret.contains(&true) {
         let text = "A mass here is for you to find. The angles of the first hit tell it: where nothing is lost, m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁.";
         panel.paragraph(text, Role::Text);
     } else {
