@@ -12,6 +12,7 @@ use crate::physics::rutherford::FM;
 use crate::quiz::{Response, letter};
 use crate::screens::Context;
 use crate::widgets::flow::Run;
+use crate::widgets::input::SettingsForm;
 use crate::widgets::panel::Panel;
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
@@ -150,7 +151,7 @@ pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Conte
     let Some(run) = &foil.run else {
         let throw = |words| (words, FoilAction::Throw);
         panel.prompts(match cx.settings.predict {
-            _ if foil.form.is_typing() => vec![("set it", super::SET)],
+            _ if foil.form.is_typing() => vec![("set it", FoilAction::Set(SettingsForm::SET))],
             true => vec![throw("say what will happen, then throw")],
             false => vec![
                 throw("throw the beam"),

@@ -20,7 +20,7 @@ use super::place::FoilPage;
 use super::{Context, Next, Screen, View};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::quiz::Response;
-use crate::widgets::input::{EntryAction, FormAction, KeyTable, SettingsForm};
+use crate::widgets::input::{FormAction, KeyTable, SettingsForm};
 use crate::widgets::{AnswerAction, AnswerInput, Outcome, svg};
 
 pub(crate) use plot::{FoilFigure, FoilFigureAction};
@@ -63,9 +63,6 @@ pub(crate) enum FoilAction {
     /// back
     Back,
 }
-
-/// Sets the number that was typed.
-const SET: FoilAction = FoilAction::Set(FormAction::Number(EntryAction::Enter));
 
 /// The foil.
 #[derive(Debug, Clone, Default)]

@@ -8,7 +8,7 @@ use crate::physics::{Bond, Frame, Meeting};
 use crate::quiz::Rays;
 use crate::screens::Context;
 use crate::widgets::hit::{VelocityNames, Watch, degrees};
-use crate::widgets::input::{EntryAction, FormAction};
+use crate::widgets::input::SettingsForm;
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::{reason, said_and_true, separation};
 use crate::widgets::{RayInput, Role, shown};
@@ -27,7 +27,7 @@ pub(super) fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
     panel.worth(1, Panel::gap);
     panel.worth(2, |panel| lab.form.write_about(&lab.settings, panel));
     panel.worth(3, Panel::gap);
-    let set = LabAction::Set(FormAction::Number(EntryAction::Enter));
+    let set = LabAction::Set(SettingsForm::SET);
     let next = if lab.form.is_typing() {
         vec![("set it", set)]
     } else if live {

@@ -170,6 +170,9 @@ pub struct SettingsForm {
 }
 
 impl SettingsForm {
+    /// Sets the number that was typed.
+    pub const SET: FormAction = FormAction::Number(EntryAction::Enter);
+
     /// A form with this field selected.
     pub fn at(at: usize) -> Self {
         Self {

@@ -9,7 +9,7 @@ use crate::quiz::{Ray, why};
 use crate::screens::Context;
 use crate::screens::levels::words;
 use crate::widgets::hit::Watch;
-use crate::widgets::input::{EntryAction, FormAction};
+use crate::widgets::input::SettingsForm;
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::{
     contact_distance, impact_angle, masses, offset, reason, said_and_true,
@@ -60,7 +60,7 @@ fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
         panel.gap();
     }
     let says = !play.level().say_first.is_empty();
-    let set = LevelAction::Set(FormAction::Number(EntryAction::Enter));
+    let set = LevelAction::Set(SettingsForm::SET);
     let shoot = ("shoot", LevelAction::Go);
     panel.prompts(match (says, cx.settings.predict) {
         _ if play.form.is_typing() => vec![("set it", set)],
