@@ -15,15 +15,15 @@ pub(super) struct FoilFields {
     pub(super) setup: FoilSetup,
 }
 
-type Row = FieldRow<FoilSetup>;
+type FoilRow = FieldRow<FoilSetup>;
 
 impl FoilFields {
     /// Those that mean something on the page, in the order of its panel.
-    pub(super) fn rows(&self) -> Vec<&'static Row> {
+    pub(super) fn rows(&self) -> Vec<&'static FoilRow> {
         let is_foil = self.setup.obstacle == Obstacle::Nucleus;
         // On a board there is only one way to count.
         let in_space = self.setup.counted_for().is_some();
-        let rows: &[(&Row, bool)] = match self.page {
+        let rows: &[(&FoilRow, bool)] = match self.page {
             FoilPage::Tracks => &[
                 (&OBSTACLE, true),
                 (&METAL, is_foil),
@@ -72,7 +72,7 @@ const fn number(value: f64, range: (f64, f64), step: f64, unit: &'static str) ->
     }
 }
 
-static OBSTACLE: Row = Row {
+static OBSTACLE: FoilRow = FoilRow {
     name: "target",
     about: "what stands in the way",
     value: |setup| choice(setup.obstacle as usize, 2),
@@ -80,7 +80,7 @@ static OBSTACLE: Row = Row {
     put: |setup, at| setup.obstacle = [Obstacle::Hard, Obstacle::Nucleus][at as usize],
 };
 
-static BEAM: Row = Row {
+static BEAM: FoilRow = FoilRow {
     name: "beam",
     about: "spread evenly over a line or a disc",
     value: |setup| choice(setup.beam as usize, 2),
@@ -89,7 +89,7 @@ static BEAM: Row = Row {
 };
 
 /// The metal, and with it Z.
-static METAL: Row = Row {
+static METAL: FoilRow = FoilRow {
     name: "metal",
     about: "what the foil is made of",
     value: |setup| choice(setup.metal, METALS.len()),
@@ -97,7 +97,7 @@ static METAL: Row = Row {
     put: |setup, at| setup.metal = at as usize,
 };
 
-static ENERGY: Row = Row {
+static ENERGY: FoilRow = FoilRow {
     name: "energy",
     about: "of the α particles",
     // Slower α particles than this hardly pass a foil.
@@ -106,7 +106,7 @@ static ENERGY: Row = Row {
     put: |setup, energy| setup.energy_mev = energy,
 };
 
-static THICKNESS: Row = Row {
+static THICKNESS: FoilRow = FoilRow {
     name: "foil",
     about: "how thick the foil is",
     value: |setup| number(setup.thickness_um, (0.05, 2.0), 0.05, " µm"),
@@ -115,7 +115,7 @@ static THICKNESS: Row = Row {
 };
 
 /// Impact parameter of one particle.
-pub(super) static OFFSET: Row = Row {
+pub(super) static OFFSET: FoilRow = FoilRow {
     name: "offset b",
     about: "how far off-centre it flies",
     value: |setup| match setup.obstacle {
@@ -135,7 +135,7 @@ pub(super) static OFFSET: Row = Row {
 /// The least and the greatest power of ten of the particles in a beam.
 const EXPONENTS: [u32; 2] = [3, 9];
 
-static PARTICLES: Row = Row {
+static PARTICLES: FoilRow = FoilRow {
     name: "particles",
     about: "how many in a beam",
     value: |setup| {
@@ -147,7 +147,7 @@ static PARTICLES: Row = Row {
     put: |setup, at| setup.particles_exponent = EXPONENTS[0] + at as u32,
 };
 
-static COUNTED_FOR: Row = Row {
+static COUNTED_FOR: FoilRow = FoilRow {
     name: "counts",
     about: "on a small screen or in rings of 5°",
     value: |setup| choice(setup.counted_for as usize, 2),
@@ -167,7 +167,7 @@ pub(super) const fn shown_counts(counted_for: CountedFor) -> &'static str {
 mod tests {
     use super::*;
 
-    const ALL: [&Row; 8] = [
+    const ALL: [&FoilRow; 8] = [
         &OBSTACLE,
         &BEAM,
         &METAL,

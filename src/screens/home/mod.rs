@@ -81,14 +81,14 @@ const LAB: usize = 1;
 const CLASS: usize = 3;
 
 /// A line of the menu.
-struct Entry {
+struct MenuEntry {
     key: char,
     name: &'static str,
     about: &'static str,
     place: Place,
 }
 
-impl Entry {
+impl MenuEntry {
     const fn new(key: char, name: &'static str, about: &'static str, place: Place) -> Self {
         Self {
             key,
@@ -99,16 +99,16 @@ impl Entry {
     }
 }
 
-static ENTRIES: [Entry; 9] = [
-    Entry::new('e', "Learn", "chapters, read by doing", Place::Learn),
-    Entry::new('l', "Lab", "set a hit, say, watch", Place::Lab),
-    Entry::new(
+static ENTRIES: [MenuEntry; 9] = [
+    MenuEntry::new('e', "Learn", "chapters, read by doing", Place::Learn),
+    MenuEntry::new('l', "Lab", "set a hit, say, watch", Place::Lab),
+    MenuEntry::new(
         'z',
         "Quiz",
         "find out what you know",
         Place::Quiz { code: None },
     ),
-    Entry::new(
+    MenuEntry::new(
         'c',
         "Class",
         "teams, one shared screen",
@@ -118,11 +118,11 @@ static ENTRIES: [Entry; 9] = [
             name: String::new(),
         },
     ),
-    Entry::new('t', "Table", "carrom, hits explained", Place::Table),
-    Entry::new('v', "Levels", "puzzles, solved by aiming", Place::Levels),
-    Entry::new('f', "Foil", "beams: from board to atom", Place::Foil),
-    Entry::new('p', "Progress", "how far you have come", Place::Progress),
-    Entry::new('s', "Settings", "colours, motion, player", Place::Settings),
+    MenuEntry::new('t', "Table", "carrom, hits explained", Place::Table),
+    MenuEntry::new('v', "Levels", "puzzles, solved by aiming", Place::Levels),
+    MenuEntry::new('f', "Foil", "beams: from board to atom", Place::Foil),
+    MenuEntry::new('p', "Progress", "how far you have come", Place::Progress),
+    MenuEntry::new('s', "Settings", "colours, motion, player", Place::Settings),
 ];
 
 impl Screen for Home {

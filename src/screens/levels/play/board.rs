@@ -119,7 +119,7 @@ fn discs(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
 }
 
 /// The board with the shot as it is aimed, up to the first thing it meets.
-pub(super) fn of_aim(level: &Level, scene: &Scene, met: Option<Met>, area: Rect) -> Picture {
+pub(super) fn of_aim(level: &Level, scene: &Scene, met: Option<FirstMet>, area: Rect) -> Picture {
     let mut picture = ground(level, area);
     let places = scene.pieces.iter().map(|piece| piece.at).enumerate();
     let places: Vec<_> = places.collect();
@@ -145,10 +145,10 @@ pub(super) fn of_aim(level: &Level, scene: &Scene, met: Option<Met>, area: Rect)
 }
 
 /// Where a disc first meets something or stops, and whether it is another disc.
-pub(super) type Met = (DVec2, bool);
+pub(super) type FirstMet = (DVec2, bool);
 
 /// Where the disc of a scene's shot first meets something, or stops.
-pub(super) fn first_met(scene: &Scene) -> Option<Met> {
+pub(super) fn first_met(scene: &Scene) -> Option<FirstMet> {
     let (shot, aimed) = (scene.play_for_a_moment(), scene.stroke.disc);
     let (time, touches) = shot.events().iter().find_map(|event| {
         let touches = event.kind.partner(aimed).is_some();

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::board::{Met, first_met};
+use super::board::{FirstMet, first_met};
 use crate::levels::{Dial, Level, LevelAim, Range};
 use crate::physics::units::mm_from_m;
 use crate::screens::levels::words::dial_words;
@@ -14,7 +14,7 @@ pub(super) struct Dials {
     pub(super) level: Level,
     pub(super) aim: LevelAim,
     /// What the shot first meets as it is aimed.
-    pub(super) met: Option<Met>,
+    pub(super) met: Option<FirstMet>,
     /// What the mouse drags.
     dragged: Option<Dial>,
 }
