@@ -54,7 +54,7 @@ impl Home {
         let suggestions = self.suggestions(cx);
         Next::Open(match suggestions.get(line) {
             Some(suggestion) => suggestion.place(cx),
-            None => ENTRIES[line - suggestions.len()].place.clone(),
+            None => ENTRIES[line - suggestions.len()].3.clone(),
         })
     }
 }
@@ -80,35 +80,17 @@ const LEARN: usize = 0;
 const LAB: usize = 1;
 const CLASS: usize = 3;
 
-/// A line of the menu.
-struct MenuEntry {
-    key: char,
-    name: &'static str,
-    about: &'static str,
-    place: Place,
-}
-
-impl MenuEntry {
-    const fn new(key: char, name: &'static str, about: &'static str, place: Place) -> Self {
-        Self {
-            key,
-            name,
-            about,
-            place,
-        }
-    }
-}
-
-static ENTRIES: [MenuEntry; 9] = [
-    MenuEntry::new('e', "Learn", "chapters, read by doing", Place::Learn),
-    MenuEntry::new('l', "Lab", "set a hit, say, watch", Place::Lab),
-    MenuEntry::new(
+/// The lines of the menu: the letter, the name, what it is for, and where it leads.
+static ENTRIES: [(char, &str, &str, Place); 9] = [
+    ('e', "Learn", "chapters, read by doing", Place::Learn),
+    ('l', "Lab", "set a hit, say, watch", Place::Lab),
+    (
         'z',
         "Quiz",
         "find out what you know",
         Place::Quiz { code: None },
     ),
-    MenuEntry::new(
+    (
         'c',
         "Class",
         "teams, one shared screen",
@@ -118,11 +100,11 @@ static ENTRIES: [MenuEntry; 9] = [
             name: String::new(),
         },
     ),
-    MenuEntry::new('t', "Table", "carrom, hits explained", Place::Table),
-    MenuEntry::new('v', "Levels", "puzzles, solved by aiming", Place::Levels),
-    MenuEntry::new('f', "Foil", "beams: from board to atom", Place::Foil),
-    MenuEntry::new('p', "Progress", "how far you have come", Place::Progress),
-    MenuEntry::new('s', "Settings", "colours, motion, player", Place::Settings),
+    ('t', "Table", "carrom, hits explained", Place::Table),
+    ('v', "Levels", "puzzles, solved by aiming", Place::Levels),
+    ('f', "Foil", "beams: from board to atom", Place::Foil),
+    ('p', "Progress", "how far you have come", Place::Progress),
+    ('s', "Settings", "colours, motion, player", Place::Settings),
 ];
 
 impl Screen for Home {
@@ -135,7 +117,7 @@ impl Screen for Home {
     fn keys(&self, cx: &Context) -> KeyTable<HomeAction> {
         let suggested = self.suggestions(cx);
         let suggested = suggested.iter().map(Suggestion::key);
-        let letters = ENTRIES.iter().map(|entry| entry.key);
+        let letters = ENTRIES.iter().map(|(letter, ..)| *letter);
         let letters = letters.zip((0..).map(HomeAction::Open));
         KeyTable::new("home")
             .with(ListView::keys("open"), HomeAction::List)

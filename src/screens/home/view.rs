@@ -44,9 +44,9 @@ fn menu(home: &Home, cx: &Context) -> Panel<HomeAction> {
         panel.entry(it.key(), (it.text(), ""), style, point(line));
     }
     panel.gap();
-    for (line, it) in (suggestions.len()..).zip(&ENTRIES) {
+    for (line, (letter, name, about, _)) in (suggestions.len()..).zip(&ENTRIES) {
         let style = (Role::Text, line == chosen);
-        panel.entry(it.key, (it.name, it.about), style, point(line));
+        panel.entry(*letter, (*name, *about), style, point(line));
         // What is suggested is not known at once, and nothing is to move when it is.
         if home.history.is_known() {
             panel.worth(1, Panel::gap);
