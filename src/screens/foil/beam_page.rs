@@ -129,9 +129,9 @@ pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, panel: &mut Pan
     };
     panel.line(thrown_at, Role::Dim);
     panel.gap();
-    for (i, choice) in guess::CHOICES.iter().enumerate() {
+    for (i, (name, _)) in guess::CHOICES.iter().enumerate() {
         let is_said = said.said() == Some(Response::Choice(i));
-        let text = vec![Run::new(choice.name, Role::Text)];
+        let text = vec![Run::new(*name, Role::Text)];
         let say = FoilAction::Guess(AnswerAction::Choose(i));
         panel.choice(letter(i), text, is_said, Some(say));
     }

@@ -1,39 +1,23 @@
 //! What one says before a beam is thrown: how many are turned back.
 
-/// An answer to choose from.
-pub(crate) struct ShareChoice {
-    /// In words.
-    pub name: &'static str,
-    /// The share it means.
-    pub share: f64,
-}
-
-/// The answers to choose from. Steps of ten: for what is rare the order of magnitude is
-/// what matters.
-pub(crate) const CHOICES: [ShareChoice; 9] = [
-    choice("all of them", 1.0),
-    choice("seven in ten", 0.7),
-    choice("half of them", 0.5),
-    choice("1 in 10", 1e-1),
-    choice("1 in 100", 1e-2),
-    choice("1 in 1,000", 1e-3),
-    choice("1 in 10,000", 1e-4),
-    choice("1 in 100,000", 1e-5),
-    choice("1 in a million", 1e-6),
+/// The answers to choose from, in words, and the share that each means. Steps of ten: for what
+/// is rare the order of magnitude is what matters.
+pub(crate) const CHOICES: [(&str, f64); 9] = [
+    ("all of them", 1.0),
+    ("seven in ten", 0.7),
+    ("half of them", 0.5),
+    ("1 in 10", 1e-1),
+    ("1 in 100", 1e-2),
+    ("1 in 1,000", 1e-3),
+    ("1 in 10,000", 1e-4),
+    ("1 in 100,000", 1e-5),
+    ("1 in a million", 1e-6),
 ];
-
-const fn choice(name: &'static str, share: f64) -> ShareChoice {
-    ShareChoice { name, share }
-}
 
 /// What to say to an answer, now that the share is known.
 pub(crate) fn explain(said: f64, share: f64) -> String {
-    let off = |choice: &ShareChoice| (choice.share / share).log10().abs();
-    let nearest = CHOICES
-        .iter()
-        .min_by(|a, b| off(a).total_cmp(&off(b)))
-        .map_or(share, |choice| choice.share);
-    if said == nearest {
+    let off = |choice: f64| (choice / share).log10().abs();
+    if CHOICES.iter().all(|(_, other)| off(said) <= off(*other)) {
         return "You said so: none of the answers is nearer.".into();
     }
     let times = (said / share).max(share / said);

@@ -186,7 +186,7 @@ impl FoilScreen {
             && let Some(Response::Choice(chosen)) = guess.said()
         {
             self.guess = None;
-            let said = guess::CHOICES.get(chosen).map(|choice| choice.share);
+            let said = guess::CHOICES.get(chosen).map(|(_, share)| *share);
             self.begin(said, cx.seed());
         }
     }
