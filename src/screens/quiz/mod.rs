@@ -259,8 +259,12 @@ impl Quiz {
     /// Leaves the round: at once while nothing has been answered, else the player is asked.
     /// Whoever leaves an exam has yet to hear of what was answered.
     fn leave(&mut self) -> Next {
-        match &mut self.phase {
-            QuizPhase::Asked(asked) if asked.asking.back() => Next::Stay,
+        if let QuizPhase::Asked(asked) = &mut self.phase
+            && asked.asking.back()
+        {
+            return Next::Stay;
+        }
+        match &self.phase {
             QuizPhase::Watch(watched) if watched.opened.is_some() => {
                 let (opened, layers) = (watched.opened, watched.reveal.layers());
                 self.put_away(opened, layers);
