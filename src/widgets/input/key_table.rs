@@ -79,6 +79,7 @@ impl<A: Copy> KeyRow<A> {
 
 /// The keys that mean something at one moment, the most useful first.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct KeyTable<A> {
     group: &'static str,
     rows: Vec<KeyRow<A>>,
@@ -88,14 +89,12 @@ pub struct KeyTable<A> {
 
 impl<A: KeyAction> KeyTable<A> {
     /// Adds a key.
-    #[must_use]
     pub fn on(self, key: impl Into<Key>, action: A, name: &'static str) -> Self {
         self.each([(key, action)], name)
     }
 
     /// Adds keys that do one thing in several directions; what it is called in
     /// `keys.toml` and on the help page is the first one's.
-    #[must_use]
     pub fn each<K: Into<Key>>(
         mut self,
         keys: impl IntoIterator<Item = (K, A)>,
@@ -116,7 +115,6 @@ impl<A: KeyAction> KeyTable<A> {
     }
 
     /// Adds keys that do one thing by different amounts: the first by the first of them.
-    #[must_use]
     pub fn by<const N: usize, T>(
         self,
         keys: [impl Into<Key>; N],
@@ -139,7 +137,6 @@ impl<A: Copy> KeyTable<A> {
     }
 
     /// Other keys for what the last row does, which are not shown.
-    #[must_use]
     pub fn or<K: Into<Key>>(mut self, aliases: impl IntoIterator<Item = (K, A)>) -> Self {
         if let Some(row) = self.rows.last_mut().filter(|_| self.added) {
             let aliases = aliases.into_iter().map(|(key, a)| (key.into(), a));
@@ -149,7 +146,6 @@ impl<A: Copy> KeyTable<A> {
     }
 
     /// The last row only if `holds`.
-    #[must_use]
     pub fn when(mut self, holds: bool) -> Self {
         if !holds && std::mem::take(&mut self.added) {
             self.rows.pop();
@@ -158,7 +154,6 @@ impl<A: Copy> KeyTable<A> {
     }
 
     /// Another name in the bottom line for the rows that do this.
-    #[must_use]
     pub fn renamed(mut self, name: &'static str, is: impl Fn(A) -> bool) -> Self {
         for row in &mut self.rows {
             if row.keys.first().is_some_and(|(_, action)| is(*action)) {
@@ -169,7 +164,6 @@ impl<A: Copy> KeyTable<A> {
     }
 
     /// The same without the rows that do this.
-    #[must_use]
     pub fn without(mut self, is: impl Fn(A) -> bool) -> Self {
         self.rows
             .retain(|row| !row.keys.first().is_some_and(|(_, action)| is(*action)));
@@ -177,14 +171,12 @@ impl<A: Copy> KeyTable<A> {
     }
 
     /// The same without these keys, which mean something else on the screen.
-    #[must_use]
     pub fn without_keys(mut self, keys: &[Key]) -> Self {
         self.rows.iter_mut().for_each(|row| row.lose(keys));
         self
     }
 
     /// Another id for the rows whose only shown key is this one.
-    #[must_use]
     pub fn identified(mut self, key: Key, id: &str) -> Self {
         for row in &mut self.rows {
             if let [(own, _)] = row.keys.as_slice()
@@ -198,7 +190,6 @@ impl<A: Copy> KeyTable<A> {
 
     /// The same without keys that an earlier row has already, without rows that have none
     /// left, and with one row for each id: what a later one has are other keys for it.
-    #[must_use]
     pub fn distinct(mut self) -> Self {
         let mut taken = Vec::new();
         let mut rows: Vec<KeyRow<A>> = Vec::new();
@@ -218,7 +209,6 @@ impl<A: Copy> KeyTable<A> {
     }
 
     /// Adds the keys of a part of the screen.
-    #[must_use]
     pub fn with<B: Copy>(mut self, part: KeyTable<B>, action: impl Fn(B) -> A) -> Self {
         self.rows.extend(part.map(action).rows);
         self.added = false;
@@ -244,7 +234,6 @@ impl<A: Copy> KeyTable<A> {
 
     /// The table as the player has it: rebound rows have their own keys, which no other
     /// row has any more.
-    #[must_use]
     pub fn rebound(mut self, rebound: &Rebound) -> Self {
         if rebound.is_empty() {
             return self;

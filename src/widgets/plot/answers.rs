@@ -17,7 +17,6 @@ const MOST_MARKS: usize = 120;
 /// The error of each of the last answers, and the mean of the last few; of many answers,
 /// the means of groups of them. With how many are in a group. `None` where no answer had
 /// an angle to be off.
-#[must_use]
 pub(crate) fn errors_picture(
     attempts: &[Attempt],
     last: usize,
@@ -64,7 +63,6 @@ pub(crate) fn errors_picture(
 
 /// Of each confidence the share that was right among the `reach` answers before, for the
 /// last answers. `None` where too few were given.
-#[must_use]
 pub(crate) fn sureness_picture(
     attempts: &[Attempt],
     last: usize,

@@ -23,7 +23,6 @@ enum AxisScale {
 impl Axis {
     /// An axis with equal steps for equal differences. `name` should hold the unit,
     /// `from` be below `to`.
-    #[must_use]
     pub(crate) fn linear(name: impl Into<String>, from: f64, to: f64) -> Self {
         Self {
             name: name.into(),
@@ -36,7 +35,6 @@ impl Axis {
 
     /// An axis with equal steps for equal ratios, for 0 < `from` < `to`. Values of 0
     /// and below have no place on it.
-    #[must_use]
     pub(crate) fn log(name: impl Into<String>, from: f64, to: f64) -> Self {
         Self {
             scale: AxisScale::Log,
@@ -53,7 +51,6 @@ impl Axis {
     }
 
     /// What it measures.
-    #[must_use]
     pub(crate) fn name(&self) -> &str {
         &self.name
     }

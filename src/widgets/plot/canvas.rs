@@ -21,7 +21,6 @@ pub(crate) struct Plot {
 impl Plot {
     /// An empty plot that fills `area`: the name of `y` in the first row, that of `x`
     /// in the last.
-    #[must_use]
     pub(crate) fn new(area: Rect, look: Look, x: Axis, y: Axis) -> Self {
         let rows = area.height.saturating_sub(3);
         let y_ticks = y.ticks(usize::from(rows / 3).max(1));
@@ -54,14 +53,12 @@ impl Plot {
     }
 
     /// The cells between the axes, theirs included.
-    #[must_use]
     pub(crate) fn paper(&self) -> Rect {
         self.picture.view().area()
     }
 
     /// The values in the middle of a cell (column, row), where it lies on the
     /// [`Plot::paper`].
-    #[must_use]
     pub(crate) fn values_at(&self, (column, row): (u16, u16)) -> Option<DVec2> {
         self.paper().contains((column, row).into()).then(|| {
             let place = self.picture.view().world_at(column, row);
@@ -70,7 +67,6 @@ impl Plot {
     }
 
     /// The least value of y whose mark is clear of the x axis.
-    #[must_use]
     pub(crate) fn least_clear(&self) -> f64 {
         let (low, _) = self.axes[1].ends();
         self.axes[1].value(low + self.picture.view().per_row())
@@ -152,7 +148,6 @@ impl Plot {
     }
 
     /// What has been made.
-    #[must_use]
     pub(crate) fn picture(self) -> Picture {
         self.picture
     }
