@@ -63,15 +63,6 @@ const fn choice(at: usize, count: usize) -> FieldValue {
     FieldValue::Choice { at, count }
 }
 
-const fn number(value: f64, range: (f64, f64), step: f64, unit: &'static str) -> FieldValue {
-    FieldValue::Number {
-        value,
-        range,
-        step,
-        unit,
-    }
-}
-
 static OBSTACLE: FoilRow = FoilRow {
     name: "target",
     about: "what stands in the way",
@@ -101,7 +92,7 @@ static ENERGY: FoilRow = FoilRow {
     name: "energy",
     about: "of the α particles",
     // Slower α particles than this hardly pass a foil.
-    value: |setup| number(setup.energy_mev, (4.0, 10.0), 0.25, " MeV"),
+    value: |setup| FieldValue::number(setup.energy_mev, (4.0, 10.0), 0.25, " MeV"),
     shown: |setup| format!("{:.2} MeV", setup.energy_mev),
     put: |setup, energy| setup.energy_mev = energy,
 };
@@ -109,7 +100,7 @@ static ENERGY: FoilRow = FoilRow {
 static THICKNESS: FoilRow = FoilRow {
     name: "foil",
     about: "how thick the foil is",
-    value: |setup| number(setup.thickness_um, (0.05, 2.0), 0.05, " µm"),
+    value: |setup| FieldValue::number(setup.thickness_um, (0.05, 2.0), 0.05, " µm"),
     shown: |setup| format!("{:.2} µm", setup.thickness_um),
     put: |setup, thickness| setup.thickness_um = thickness,
 };
@@ -119,8 +110,8 @@ pub(super) static OFFSET: FoilRow = FoilRow {
     name: "offset b",
     about: "how far off-centre it flies",
     value: |setup| match setup.obstacle {
-        Obstacle::Hard => number(setup.offset_share, (-1.5, 1.5), 0.05, " R"),
-        Obstacle::Nucleus => number(setup.offset_fm, (-60.0, 60.0), 1.0, " fm"),
+        Obstacle::Hard => FieldValue::number(setup.offset_share, (-1.5, 1.5), 0.05, " R"),
+        Obstacle::Nucleus => FieldValue::number(setup.offset_fm, (-60.0, 60.0), 1.0, " fm"),
     },
     shown: |setup| match setup.obstacle {
         Obstacle::Hard => fixed(setup.offset_share, 2) + " R",

@@ -138,12 +138,7 @@ impl LabField {
                 at: value as usize,
                 count: 2,
             },
-            _ => FieldValue::Number {
-                value,
-                range,
-                step,
-                unit,
-            },
+            _ => FieldValue::number(value, range, step, unit),
         };
         Field::new(name, shown, value, about)
     }

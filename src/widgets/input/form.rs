@@ -72,6 +72,16 @@ pub enum FieldValue {
 }
 
 impl FieldValue {
+    /// A number; see [`FieldValue::Number`].
+    pub const fn number(value: f64, range: (f64, f64), step: f64, unit: &'static str) -> Self {
+        Self::Number {
+            value,
+            range,
+            step,
+            unit,
+        }
+    }
+
     /// The value so many steps further, onto the grid of steps.
     pub fn stepped(self, steps: f64) -> f64 {
         match self {

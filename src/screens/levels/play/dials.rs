@@ -29,12 +29,7 @@ impl FormFields for Dials {
                 _ => ((range.from, range.to), dial.step()),
             };
             let (name, unit, about) = dial_words(dial);
-            let value = FieldValue::Number {
-                value: self.aim.get(dial),
-                range: range_held,
-                step,
-                unit,
-            };
+            let value = FieldValue::number(self.aim.get(dial), range_held, step, unit);
             let [from, to] = [range.from, range.to].map(|end| number(dial, end));
             let about = format!("{about}, from {from} to {to}{unit}");
             Field::new(name, with_unit(dial, self.aim.get(dial)), value, about)
