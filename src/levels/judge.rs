@@ -133,10 +133,10 @@ impl Goal {
                 let name = measure
                     .disc()
                     .map_or(String::new(), |disc| scene.name(disc));
-                let number = match FirstImpact::of(shot).map(|hit| hit.shows(*measure, shot)) {
-                    Some(Ok(number)) => number,
-                    Some(Err(missing)) => return found(false, missing.told(&name)),
-                    None => return found(false, Missing::Part.told(&name)),
+                let hit = FirstImpact::of(shot).ok_or(Missing::Part);
+                let number = match hit.and_then(|hit| hit.shows(*measure, shot)) {
+                    Ok(number) => number,
+                    Err(missing) => return found(false, missing.told(&name)),
                 };
                 let told = match measure {
                     HitMeasure::Speed(_) => format!("{name} left the hit at {} m/s", tidy(number)),
