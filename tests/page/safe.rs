@@ -1,10 +1,15 @@
 //! The page asks nothing of any network, says so in its policy, and has its words for those
 //! who do not see.
 
+use std::fs;
+use std::thread;
+use std::time::Duration;
+
 use serde_json::{Value, json};
 
 use crate::browser::{Browser, SCREEN, page, press, wait_until_ready};
 use crate::chromium::Chromium;
+use crate::folder::Folder;
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
@@ -17,7 +22,7 @@ fn nothing_is_asked_of_a_network() {
         chromium.open(&address);
         wait_until_ready(&mut chromium);
         press(&mut chromium, &["Enter", " ", "Enter", "e"]);
-        std::thread::sleep(std::time::Duration::from_millis(300));
+        thread::sleep(Duration::from_millis(300));
         // What the page hands to itself has no network in it.
         let mut asked = chromium.requests();
         asked.retain(|it| !it.starts_with("data:") && !it.starts_with("blob:"));
@@ -25,7 +30,7 @@ fn nothing_is_asked_of_a_network() {
     }
     // A watch that sees nothing would prove nothing.
     chromium.run("new Image().src = 'http://127.0.0.1:9/seen'", &[]);
-    std::thread::sleep(std::time::Duration::from_millis(300));
+    thread::sleep(Duration::from_millis(300));
     let policy = "return document.querySelector('meta[http-equiv]').content";
     let policy = chromium.run(policy, &[]);
     assert!(policy.as_str().unwrap().contains("connect-src 'none'"));
@@ -59,7 +64,7 @@ fn a_file_that_is_none_is_told() {
             dropped.items.add(new File([arguments[1]], arguments[0]));
             dispatchEvent(new DragEvent('drop', { dataTransfer: dropped }));";
         chromium.run(drop, &[Value::from(name), Value::from(text)]);
-        std::thread::sleep(std::time::Duration::from_millis(200));
+        thread::sleep(Duration::from_millis(200));
         let screen = chromium.run(SCREEN, &[]);
         let screen = screen.as_str().unwrap();
         assert!(
@@ -128,7 +133,30 @@ fn a_screen_reader_has_every_question_and_answer_as_text() {
             document.getElementById('line').value = arguments[0];
             document.getElementById('answer').requestSubmit();";
         chromium.run(say, &[Value::from(line)]);
-        std::thread::sleep(std::time::Duration::from_millis(300));
+        thread::sleep(Duration::from_millis(300));
     }
     panic!("the round has no end: {:?}", tree(&mut chromium));
+}
+
+/// A browser that cannot read the program's script runs nothing of it.
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn an_old_browser_is_told_within_a_second() {
+    let path = page().replacen("file://", "", 1);
+    let page = fs::read_to_string(path).unwrap();
+    let unread = page.replacen("\"use strict\";", "\"use strict\"; let let;", 1);
+    assert_ne!(unread, page);
+    let folder = Folder::new("old-browser");
+    let file = folder.file("carrom.html", unread);
+    let mut chromium = Chromium::start((1000, 700), false);
+    chromium.open(&format!("file://{file}"));
+    thread::sleep(Duration::from_secs(1));
+    let words = chromium.run("return document.getElementById('words').textContent", &[]);
+    let words = words.as_str().unwrap();
+    assert!(words.starts_with("This browser is too old"), "{words}");
+    let early = include_str!("../../web/page/early.js");
+    let newer = [
+        "=>", "const ", "let ", "`", "?.", "??", "||=", "class ", "...",
+    ];
+    assert!(newer.iter().all(|it| !early.contains(it)), "{early}");
 }

@@ -16,8 +16,7 @@ const page = (() => {
   const seen = { first: 0, frames: 0, wakes: 0 };
 
   async function start() {
-    const missing = lacking();
-    if (missing) return say(missing);
+    if (!isAble()) return tooOld();
     try {
       await Promise.all([keeper.opened, program.load()]);
       await open();
@@ -48,17 +47,14 @@ const page = (() => {
     });
   }
 
-  // What this browser would need and has not, in words.
-  function lacking() {
+  // Whether this browser has all that is needed.
+  function isAble() {
     // One function that uses vectors of the processor.
     const simd = new Uint8Array([
       0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253,
       15, 253, 98, 11,
     ]);
-    const able = self.WebAssembly && WebAssembly.validate(simd) && self.DecompressionStream;
-    return able ? "" :
-      "This browser is too old for carrom.\n" +
-      "It needs Chrome or Edge 97, Firefox 113 or Safari 16.4, or a later one.";
+    return self.WebAssembly && WebAssembly.validate(simd) && self.DecompressionStream;
   }
 
   const reopen = () => open().catch(fail);
