@@ -6,6 +6,7 @@
 
 mod chrome;
 mod layer;
+mod route;
 
 use std::collections::BTreeSet;
 use std::sync::Arc;

@@ -43,7 +43,6 @@ pub use options::GlobalOptions;
 use crate::app::{App, Data};
 use crate::class::{DoorCode, team_names};
 use crate::files::{LONGEST_QUOTE, escape_control, escape_control_lines, quoted, write_json};
-use crate::lessons::ChapterLibrary;
 use crate::quiz::{Code, concepts};
 use crate::screens::{KeptSettings, Place, code_of, host_of};
 use crate::shells::host::HostOptions;
@@ -199,6 +198,8 @@ enum OpenCommand {
     /// Open the table: carrom itself, the whole board
     Table,
     Progress(progress::Args),
+    /// Open the settings: looks, motion, the player
+    Settings,
     /// Open the levels: small puzzles on the board, solved by aiming
     Levels {
         /// A level to play at once: its id, or PACK/ID
@@ -256,6 +257,7 @@ impl OpenCommand {
                 "carrom simulate FILE plays a shot, carrom replay FILE an exported game, carrom \
                  tape FILE a script"
             }
+            Self::Settings => "the options of carrom --help set the same",
             Self::Progress(_) => {
                 "carrom progress --csv or --json prints it, --report FILE writes a page of it"
             }
@@ -272,13 +274,7 @@ impl OpenCommand {
     /// If there is no level or chapter of that name, or no question for a code, in words.
     fn place(&self, data: &Data, options: &GlobalOptions) -> Result<Place, String> {
         Ok(match self {
-            Self::Learn { chapter: None, .. } => Place::Learn,
-            Self::Learn {
-                chapter: Some(name),
-                ..
-            } => Place::Chapter {
-                number: find_chapter(data.book.library(), name)?,
-            },
+            Self::Learn { chapter, .. } => named(data, "learn", chapter.as_deref())?,
             Self::Lab { .. } => Place::Lab,
             Self::Quiz { code, .. } => Place::Quiz {
                 code: round(code.as_ref(), options, &data.own)?,
@@ -311,12 +307,8 @@ impl OpenCommand {
             Self::Foil => Place::Foil,
             Self::Table => Place::Table,
             Self::Progress(_) => Place::Progress,
-            Self::Levels { name: None } => Place::Levels,
-            Self::Levels { name: Some(name) } => {
-                let what = "the id of a level, such as dead-stop";
-                let number = data.shelf.find(name).ok_or_else(|| unknown(what, name))?;
-                Place::Level { number }
-            }
+            Self::Settings => Place::Settings,
+            Self::Levels { name } => named(data, "levels", name.as_deref())?,
         })
     }
 }
@@ -341,18 +333,14 @@ fn filled(code: Option<&Code>, own: &Arc<concepts::Library>) -> Result<Option<Co
     code.cloned().map(|code| code.with_own(own)).transpose()
 }
 
-/// The place of a chapter by its number or its name, from 0.
+/// The place of this name that shows something; all of it where nothing is said.
 ///
 /// # Errors
-/// If there is none, in words.
-fn find_chapter(library: &ChapterLibrary, name: &str) -> Result<usize, String> {
-    let what = "the number or the name of a chapter, such as 2 or the-line-of-impact";
-    library.find(name).ok_or_else(|| unknown(what, name))
-}
-
-/// What is said of a name that nothing has.
-fn unknown(what: &str, name: &str) -> String {
-    format!("expected {what}, found {}", quoted(name))
+/// If there is no such thing, in words.
+fn named(data: &Data, name: &str, value: Option<&str>) -> Result<Place, String> {
+    let value = value.unwrap_or_default();
+    let place = data.place(name, value);
+    place.map_err(|expected| format!("expected {expected}, found {}", quoted(value)))
 }
 
 /// The app as the options have it, at a screen (`None`: the first one).

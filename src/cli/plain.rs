@@ -7,6 +7,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::play::any_seed;
 use super::{Failure, GlobalOptions, solve};
+use crate::files::quoted;
 use crate::messages::StoreCall;
 use crate::quiz::Code;
 use crate::shells::plain::{self, Leave, Recorder, Talk};
@@ -24,10 +25,15 @@ pub(super) fn learn(chapter: Option<&str>, options: &GlobalOptions) -> Result<()
     let book = options.book();
     let library = book.library();
     let chapter = chapter
-        .map(|name| super::find_chapter(library, name))
+        .map(|name| library.find(name).ok_or_else(|| unknown(name)))
         .transpose()
         .map_err(Failure::input)?;
     with_recorder(options, |recorder| plain::learn(recorder, library, chapter))
+}
+
+fn unknown(name: &str) -> String {
+    let what = "the number or the name of a chapter, such as 2 or the-line-of-impact";
+    format!("expected {what}, found {}", quoted(name))
 }
 
 /// The lab.

@@ -70,36 +70,16 @@ struct LinkTarget {
 
 impl LinkTarget {
     fn take(&mut self, name: &str, value: &str, data: &Data) -> Result<(), String> {
-        let number = data.book.library();
         match name {
-            "home" | "plain" => {}
-            "learn" | "lesson" if value.is_empty() => self.place = Place::Learn,
-            "learn" | "lesson" => {
-                let found = number.find(value);
-                let expected = "the number or the name of a chapter, such as 2";
-                self.place = Place::Chapter {
-                    number: found.ok_or(expected)?,
-                };
-            }
-            "lab" => self.place = Place::Lab,
-            "foil" => self.place = Place::Foil,
-            "table" => self.place = Place::Table,
-            "progress" => self.place = Place::Progress,
-            "quiz" => {
-                self.place = Place::Quiz {
-                    code: code(value, data)?,
-                }
-            }
+            "plain" => {}
             "class" => {
-                let teams = match &self.place {
-                    Place::Class { teams, .. } => teams.clone(),
-                    _ => Vec::new(),
-                };
-                self.place = Place::Class {
-                    code: code(value, data)?,
-                    teams,
-                    name: String::new(),
-                };
+                let place = data.place(name, value)?;
+                let before = std::mem::replace(&mut self.place, place);
+                if let Place::Class { teams: named, .. } = before
+                    && let Place::Class { teams, .. } = &mut self.place
+                {
+                    *teams = named;
+                }
             }
             "code" => {
                 let expected = "the six letters of a class, such as BCDFGH";
@@ -114,33 +94,14 @@ impl LinkTarget {
                     *again = true;
                 }
             }
-            "join" => {
-                self.place = Place::Join {
-                    address: None,
-                    code: None,
-                    again: false,
-                }
-            }
             "teams" => {
                 let names = team_names(value.split(',')).map_err(|error| error.to_string())?;
-                match &mut self.place {
-                    Place::Class { teams, .. } => *teams = names,
-                    place => {
-                        *place = Place::Class {
-                            code: None,
-                            teams: names,
-                            name: String::new(),
-                        }
-                    }
+                if !matches!(self.place, Place::Class { .. }) {
+                    self.place = data.place("class", "")?;
                 }
-            }
-            "levels" | "level" if value.is_empty() => self.place = Place::Levels,
-            "levels" | "level" => {
-                let found = data.shelf.find(value);
-                let expected = "the id of a level, such as dead-stop";
-                self.place = Place::Level {
-                    number: found.ok_or(expected)?,
-                };
+                if let Place::Class { teams, .. } = &mut self.place {
+                    *teams = names;
+                }
             }
             "player" if is_player_name(value.trim()) => self.settings.player = tidy_name(value),
             "player" => return Err("a name of 1 to 40 visible letters".into()),
@@ -162,20 +123,10 @@ impl LinkTarget {
                     _ => return Err("dark or light".into()),
                 }
             }
-            _ => return Err("a screen, such as quiz, or player".into()),
+            _ => self.place = data.place(name, value)?,
         }
         Ok(())
     }
-}
-
-/// The round of a code; none where nothing is said.
-fn code(value: &str, data: &Data) -> Result<Option<Code>, String> {
-    if value.is_empty() {
-        return Ok(None);
-    }
-    let expected = "the code of a round, such as mixed-7";
-    let code = Code::parse(value).ok_or(expected)?;
-    code.with_own(&data.own).map(Some)
 }
 
 /// A part of an address as it was before it was spelt for one: `%20` and `+` are blanks.
