@@ -50,12 +50,14 @@ impl Board {
     }
 
     /// Radius of a pocket in metres; 0 for none.
+    #[inline]
     pub fn pocket_radius(&self) -> f64 {
         0.5 * self.pocket_diameter
     }
 
     /// The centres of the pockets: lower left, lower right, upper left, upper right; none
     /// if it has no pockets.
+    #[inline]
     pub fn pockets(&self) -> impl Iterator<Item = DVec2> + use<> {
         let reach = 0.5 * (self.side - self.pocket_diameter);
         let there = self.pocket_diameter > 0.0;

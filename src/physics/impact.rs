@@ -47,6 +47,7 @@ impl Contact {
     /// v₁ = u₁ − (J/m₁) n and v₂ = u₂ + (J/m₂) n with J = (1+e) μ (u₁ₙ − u₂ₙ), which
     /// is the decomposition in n and t put together again. A body that is brought
     /// to rest comes out with a velocity of exactly zero, not with rounding noise.
+    #[inline]
     pub(crate) fn resolve(&self) -> Option<Impact> {
         let approach = self.approach_speed();
         if approach.is_nan() || approach <= 0.0 {

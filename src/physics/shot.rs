@@ -165,6 +165,7 @@ impl Shot {
     }
 
     /// A disc takes up a new motion.
+    #[inline]
     pub(super) fn push_leg(&mut self, disc: usize, time: f64, motion: Motion, pocketed: bool) {
         self.legs[disc].push(LegStart {
             time,
@@ -173,6 +174,7 @@ impl Shot {
         });
     }
 
+    #[inline]
     pub(super) fn push_event(&mut self, event: Event) {
         self.events.push(event);
     }

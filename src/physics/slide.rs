@@ -44,6 +44,7 @@ pub(super) fn relative_deceleration(speed: f64, deceleration: f64) -> f64 {
 /// speed, if it loses the part `relative_deceleration` = a/v of that speed a second; `None` if
 /// it stops before. This form of the root of s = v t − ½ a t² loses no digits however
 /// short the way, and holds at a = 0.
+#[inline]
 pub(super) fn slowed(time: f64, relative_deceleration: f64) -> Option<f64> {
     let left = 1.0 - 2.0 * relative_deceleration * time;
     (left >= 0.0).then(|| 2.0 * time / (1.0 + left.sqrt()))
@@ -52,6 +53,7 @@ pub(super) fn slowed(time: f64, relative_deceleration: f64) -> Option<f64> {
 /// When |d + w t| first comes down to `distance`, if |d|² − `distance`² = `gap` > 0:
 /// the smaller root of the quadratic, in the form that keeps its digits. `None` if it
 /// never does.
+#[inline]
 pub(super) fn time_to_distance(d: DVec2, w: DVec2, distance: f64, gap: f64) -> Option<f64> {
     let ahead = -d.dot(w);
     if ahead <= 0.0 {

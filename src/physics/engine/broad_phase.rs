@@ -41,6 +41,7 @@ impl BroadPhase {
 
     /// Takes down where a disc can be from a time until its slide ends by itself. A meeting
     /// may end it before: the box stays as it is, as a new one costs more than it saves.
+    #[inline]
     pub(super) fn expect(&mut self, i: usize, body: &Body, from: f64, until: f64) {
         self.boxes[i / 2].set(i % 2, sides(body, from, until));
     }
@@ -48,6 +49,7 @@ impl BroadPhase {
     /// Finds the discs that the seeker could meet before either's forecast, and returns how
     /// many: see [`Self::partner`]. They come in the order of their numbers, or of the cells of
     /// the grid.
+    #[inline]
     pub(super) fn find(&mut self, scan: &Scan, grid: &Grid, work: &mut Work) -> usize {
         let i = scan.disc;
         let limits = self.boxes[i / 2].limits(i % 2);
@@ -88,6 +90,7 @@ impl BroadPhase {
     }
 
     /// One of the discs found by the latest scan.
+    #[inline]
     pub(super) fn partner(&self, n: usize) -> usize {
         self.partners[n]
     }
@@ -119,11 +122,11 @@ impl Candidates {
         let times = &scan.times[..bodies.len()];
         let mut count = 0;
         while let Some((one, other)) = self.next_two() {
-            let two = [disc(one), disc(other)];
-            let missed = seeker.misses(two.map(|k| &bodies[k]), two.map(|k| times[k]));
-            partners[count] = two[0];
+            let (a, b) = (disc(one), disc(other));
+            let missed = seeker.misses([&bodies[a], &bodies[b]], [times[a], times[b]]);
+            partners[count] = a;
             count += usize::from(missed & 1 == 0);
-            partners[count] = two[1];
+            partners[count] = b;
             count += usize::from((missed & 2 == 0) & (one != other));
         }
         count
@@ -156,19 +159,21 @@ impl TwoBoxes {
     /// No boxes: they overlap none.
     const NOWHERE: Self = Self([f64x2::new([f64::NAN; 2]); 4]);
 
+    #[inline]
     fn set(&mut self, lane: usize, sides: [f64; 4]) {
         // Both lanes are written as they will be read: a processor waits for what it has
         // written in parts.
         let is_it = f64x2::splat(lane as f64).simd_eq(f64x2::new([0.0, 1.0]));
-        for (both, side) in self.0.iter_mut().zip(sides) {
-            *both = is_it.select(f64x2::splat(side), *both);
-        }
+        let set = |at: usize| (is_it & f64x2::splat(sides[at])) | (!is_it & self.0[at]);
+        self.0 = [set(0), set(1), set(2), set(3)];
     }
 
     /// How far the sides of other boxes may go to overlap this one.
+    #[inline]
     fn limits(&self, lane: usize) -> [f64x2; 4] {
-        let [left, bottom, right, top] = self.0.map(|side| f64x2::splat(-side.to_array()[lane]));
-        [right, top, left, bottom]
+        let limit = |side: f64x2| f64x2::splat(-side.to_array()[lane]);
+        let [left, bottom, right, top] = self.0;
+        [limit(right), limit(top), limit(left), limit(bottom)]
     }
 
     /// Which of the two overlap the box with these limits, a bit each.
@@ -185,6 +190,7 @@ impl TwoBoxes {
 
 /// The box of a disc from one time of its slide to another: as it goes straight, the two ends
 /// of its way span it.
+#[inline]
 fn sides(body: &Body, from: f64, until: f64) -> [f64; 4] {
     // Contacts are sought a little beyond the forecast. A way without end is followed for the
     // longest finite time.
@@ -209,6 +215,7 @@ pub(super) struct Seeker {
 
 impl Seeker {
     /// A disc as a seeker of meetings between `now` and `until`.
+    #[inline]
     pub(super) fn new(body: &Body, now: f64, until: f64) -> Self {
         Self {
             now,

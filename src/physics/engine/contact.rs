@@ -28,6 +28,7 @@ const ROUNDING: f64 = 1e-14;
 
 /// Seconds until a seeker and another disc meet, approaching, if they do so within
 /// `end` seconds and neither changes its slide before.
+#[inline]
 pub(super) fn contact(a: &Seeker, b: &Body, end: f64) -> Option<f64> {
     let (at_a, at_b) = (a.here, b.at(a.now));
     let pair = Pair {

@@ -33,6 +33,7 @@ pub(super) struct FrameSide {
 impl FrameSide {
     /// The side that something at this velocity comes to first, and when, if it takes `x`
     /// seconds to the one ahead of it along x and `y` to the one along y.
+    #[inline]
     pub(super) fn ahead(velocity: DVec2, x: f64, y: f64) -> (f64, Self) {
         let (time, axis) = if x <= y { (x, 0) } else { (y, 1) };
         let beyond = velocity[axis] >= 0.0;
@@ -40,11 +41,13 @@ impl FrameSide {
     }
 
     /// 1 for the side of greater coordinates, −1 for the other.
+    #[inline]
     pub(super) fn sign(self) -> f64 {
         if self.beyond { 1.0 } else { -1.0 }
     }
 
     /// The unit vector into the cushion.
+    #[inline]
     pub(super) fn normal(self) -> DVec2 {
         let mut normal = DVec2::ZERO;
         normal[self.axis] = self.sign();
@@ -57,6 +60,7 @@ impl FrameSide {
 ///
 /// Everything in the way is first timed at the constant first speed: what comes
 /// first so comes first with friction too.
+#[inline]
 pub(super) fn end(
     board: &Board,
     radius: f64,
@@ -93,6 +97,7 @@ pub(super) fn end(
 
 /// Time to the first of the lines |x| = `wall` and |y| = `wall` at constant velocity;
 /// 0 for a disc that is past it by rounding and still going outward.
+#[inline]
 fn cushion_ahead(position: DVec2, velocity: DVec2, wall: f64) -> (f64, FrameSide) {
     let to = |place: f64, speed: f64| {
         if speed == 0.0 {
@@ -109,6 +114,7 @@ fn cushion_ahead(position: DVec2, velocity: DVec2, wall: f64) -> (f64, FrameSide
 
 /// Time until a point at constant velocity, now at `place` as seen from a centre, comes
 /// within `radius` of it; 0 if it is there already, `None` if it passes by.
+#[inline]
 fn time_to_circle(place: DVec2, velocity: DVec2, radius: f64) -> Option<f64> {
     let outside = place.length_squared() - radius * radius;
     if outside <= 0.0 {

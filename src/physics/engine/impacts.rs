@@ -28,8 +28,9 @@ impl ShotInPlay<'_> {
     }
 
     fn impact_of_two(&mut self, discs: [usize; 2], time: f64) {
-        let motions = discs.map(|disc| self.bodies[disc].at(time));
-        let contact = self.contact_of(discs, motions);
+        let [i, k] = discs;
+        let (a, b) = (self.bodies[i].at(time), self.bodies[k].at(time));
+        let contact = self.contact_of(discs, [a, b]);
         let Some(impact) = contact.resolve() else {
             return;
         };
@@ -43,7 +44,7 @@ impl ShotInPlay<'_> {
                 after,
             },
         );
-        let position = self.unpressed(discs, motions.map(|motion| motion.position));
+        let position = self.unpressed(discs, [a.position, b.position]);
         for (side, disc) in discs.into_iter().enumerate() {
             self.release(disc, time, Motion::new(position[side], after[side]));
         }

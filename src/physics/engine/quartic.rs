@@ -12,6 +12,7 @@ const DEPTH: u32 = 50;
 /// one root (J. M. Lane and R. F. Riesenfeld, "Bounds on a polynomial", BIT 21 (1981)
 /// 112). Otherwise the interval is halved and the left half searched first, so
 /// no root is passed over. A double root (a graze) counts as no root.
+#[inline]
 pub(super) fn first_root(c: [f64; 5], end: f64) -> Option<f64> {
     // On the unit interval.
     let e2 = end * end;
@@ -32,8 +33,8 @@ fn search(c: &[f64; 5], b: [f64; 5], low: f64, high: f64, depth: u32) -> Option<
     if p0 & p1 & p2 & p3 & p4 {
         return None;
     }
-    let changes = [p0 ^ p1, p1 ^ p2, p2 ^ p3, p3 ^ p4].map(u8::from);
-    if changes.iter().sum::<u8>() == 1 {
+    let change = |a: bool, b: bool| u8::from(a ^ b);
+    if change(p0, p1) + change(p1, p2) + change(p2, p3) + change(p3, p4) == 1 {
         return Some(polish(c, low, high));
     }
     if depth == 0 {

@@ -46,27 +46,31 @@ impl Schedule {
             .resize(discs, Forecast::Alone(SlideEnd::Never));
     }
 
+    #[inline]
     pub(super) fn set(&mut self, disc: usize, time: f64, forecast: Forecast) {
         self.times[disc] = time;
         self.forecasts[disc] = forecast;
         self.earliest[disc / BLOCK] = None;
     }
 
+    #[inline]
     pub(super) fn time(&self, disc: usize) -> f64 {
         self.times[disc]
     }
 
+    #[inline]
     pub(super) fn forecast(&self, disc: usize) -> Forecast {
         self.forecasts[disc]
     }
 
     /// The disc whose forecast comes first, and its time; the lowest number if equal.
+    #[inline]
     pub(super) fn first(&mut self) -> Option<(usize, f64)> {
         let blocks = self.times.as_chunks::<BLOCK>().0;
         let mut least = f64::INFINITY;
         let mut first = None;
-        for (b, (block, earliest)) in blocks.iter().zip(&mut self.earliest).enumerate() {
-            let time = *earliest.get_or_insert_with(|| minimum(block));
+        for (b, earliest) in self.earliest.iter_mut().enumerate() {
+            let time = *earliest.get_or_insert_with(|| minimum(&blocks[b]));
             if time < least {
                 least = time;
                 first = Some(b);
@@ -77,6 +81,7 @@ impl Schedule {
     }
 
     /// How many discs have a forecast up to a time.
+    #[inline]
     pub(super) fn due(&self, time: f64) -> usize {
         let blocks = self.times.as_chunks::<BLOCK>().0;
         let may = |&(_, earliest): &(_, &Option<f64>)| earliest.is_none_or(|t| t <= time);
@@ -87,6 +92,7 @@ impl Schedule {
 }
 
 /// The least of a block, four at a time.
+#[inline]
 fn minimum(block: &[f64; BLOCK]) -> f64 {
     let mut least = [f64x2::splat(f64::INFINITY); 2];
     for &[a, b, c, d] in block.as_chunks().0 {
@@ -99,6 +105,7 @@ fn minimum(block: &[f64; BLOCK]) -> f64 {
 
 /// The place of the first time in a block that is not beyond `time`: without a branch, as a
 /// processor cannot guess where it is.
+#[inline]
 fn first_up_to(block: &[f64; BLOCK], time: f64) -> usize {
     let mut found = 0;
     for (n, &two) in block.as_chunks().0.iter().enumerate() {
