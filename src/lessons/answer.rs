@@ -1,70 +1,9 @@
-//! How good an answer at a checkpoint is, and how it is kept.
+//! How an answer at a checkpoint is kept.
 
 use serde_json::{Value, json};
 
-use super::{Checkpoint, CheckpointKind, GivenAnswer};
-use crate::physics::Collision;
-use crate::quiz::{Rays, RaysGrade, Response};
-
-impl Checkpoint {
-    /// Credit from 0 to 1 for an answer. `figure` is the collision as the page's figure
-    /// has it.
-    ///
-    /// Rays are marked as in the quiz. A number earns full credit within the
-    /// tolerance, and then less in a straight line, down to none at four times it.
-    pub fn credit(&self, said: &Response, figure: Option<&Collision>) -> f64 {
-        match (said, &self.asked) {
-            (Response::Rays(rays), CheckpointKind::Rays) => {
-                grade(rays, figure).map_or(0.0, |grade| grade.credit())
-            }
-            (
-                Response::Number(number),
-                CheckpointKind::Number {
-                    expected,
-                    tolerance,
-                },
-            ) => {
-                let truth = expected.value(figure).unwrap_or(f64::INFINITY);
-                let beyond = (number - truth).abs() / tolerance - 1.0;
-                (1.0 - (beyond - ROUNDING).max(0.0) / 3.0).max(0.0)
-            }
-            (Response::Choice(chosen), CheckpointKind::Choice(choices)) => {
-                let right = choices.get(*chosen).is_some_and(|choice| choice.right);
-                f64::from(u8::from(right))
-            }
-            _ => 0.0,
-        }
-    }
-
-    /// Whether it can be answered so: of the kind that is asked for, with rays in their range and a
-    /// choice that is there. What a file or a database holds is checked here before it is used.
-    pub fn accepts(&self, said: &Response) -> bool {
-        match (&self.asked, said) {
-            (CheckpointKind::Rays, Response::Rays(rays)) => rays.are_in_range(),
-            (CheckpointKind::Number { .. }, Response::Number(number)) => number.is_finite(),
-            (CheckpointKind::Choice(choices), Response::Choice(line)) => *line < choices.len(),
-            _ => false,
-        }
-    }
-
-    /// Whether a first answer gets a hint and a second try: it is wrong, there is something
-    /// to say, and more than one answer is left.
-    pub fn offers_second_try(&self, said: &Response, figure: Option<&Collision>) -> bool {
-        !self.is_right(said, figure)
-            && match &self.asked {
-                CheckpointKind::Choice(choices) => choices.len() > 2,
-                _ => !self.hint.is_empty(),
-            }
-    }
-
-    /// Whether an answer counts as right.
-    pub fn is_right(&self, said: &Response, figure: Option<&Collision>) -> bool {
-        match said {
-            Response::Rays(rays) => grade(rays, figure).is_some_and(|grade| grade.is_right()),
-            _ => self.credit(said, figure) >= 1.0,
-        }
-    }
-}
+use super::GivenAnswer;
+use crate::quiz::{Rays, Response};
 
 /// Share of the credit that an answer after a hint earns.
 pub const AFTER_HINT: f64 = 0.5;
@@ -106,14 +45,6 @@ pub fn answer_of_json(value: &Value) -> Option<Response> {
         return line.checked_sub(1).map(Response::Choice);
     }
     Rays::of_json(value).map(Response::Rays)
-}
-
-/// A number on the very edge of the tolerance is right, whatever rounding left of it.
-const ROUNDING: f64 = 1e-9;
-
-fn grade(rays: &Rays, figure: Option<&Collision>) -> Option<RaysGrade> {
-    let truth = Rays::from(&figure?.outcome());
-    Some(RaysGrade::new(rays, &truth))
 }
 
 #[cfg(test)]

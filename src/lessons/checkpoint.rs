@@ -5,6 +5,7 @@ use super::words::Words;
 use super::{CollisionSpec, Figure, Inline, Quantity, SourceLine, TextBlock, block};
 use crate::files::{Source, all};
 use crate::physics::Collision;
+use crate::quiz::{Form, Measure, Rays, Response};
 
 /// Least and most lines of a choice.
 const CHOICES: std::ops::RangeInclusive<usize> = 2..=5;
@@ -87,6 +88,60 @@ pub struct CheckpointChoice {
 }
 
 impl Checkpoint {
+    /// The question as the quiz asks it, with what is true of the collision of the page's
+    /// figure; `spell` gives the text of a choice.
+    pub fn form(&self, figure: Option<&Collision>, spell: impl Fn(&[Inline]) -> String) -> Form {
+        match &self.asked {
+            CheckpointKind::Rays => Form::Rays {
+                truth: figure.map_or_else(Rays::default, |it| Rays::from(&it.outcome())),
+                side: figure.map_or(1.0, Collision::side),
+                target: "coin",
+            },
+            CheckpointKind::Number {
+                expected,
+                tolerance,
+            } => {
+                let (sign, unit) = expected.sign_and_unit();
+                Form::Number {
+                    quantity: Measure::Own {
+                        sign: sign.into(),
+                        unit: unit.into(),
+                        tolerance: *tolerance,
+                    },
+                    truth: expected.value(figure).unwrap_or(f64::INFINITY),
+                }
+            }
+            CheckpointKind::Choice(choices) => Form::Choice {
+                options: choices.iter().map(|choice| spell(&choice.text)).collect(),
+                right: choices.iter().position(|it| it.right).unwrap_or(0),
+            },
+        }
+    }
+
+    /// Whether a first answer gets a hint and a second try: it is wrong, there is something
+    /// to say, and more than one answer is left.
+    pub fn offers_second_try(&self, form: &Form, said: &Response) -> bool {
+        let has_hint = match form {
+            Form::Choice { options, .. } => options.len() > 2,
+            _ => !self.hint.is_empty(),
+        };
+        has_hint && !form.is_right(said)
+    }
+
+    /// The hint after a first wrong answer: what is said to the choice that was made where
+    /// the checkpoint has no hint of its own.
+    pub fn hint_to(&self, said: &Response) -> Vec<TextBlock> {
+        match (said, &self.asked) {
+            (Response::Choice(chosen), CheckpointKind::Choice(choices)) if self.hint.is_empty() => {
+                let chosen = choices.get(*chosen).into_iter();
+                chosen
+                    .map(|it| TextBlock::Paragraph(it.why.clone()))
+                    .collect()
+            }
+            _ => self.hint.clone(),
+        }
+    }
+
     /// Reads a checkpoint: the words after its colons, and the lines up to its end.
     pub(super) fn read(
         source: &Source,

@@ -183,6 +183,12 @@ impl Collision {
         self.sine().map(f64::asin)
     }
 
+    /// +1 where the target lies to the right of the striker's path, and head-on; −1 where it
+    /// lies to the left.
+    pub fn side(&self) -> f64 {
+        if self.offset < 0.0 { -1.0 } else { 1.0 }
+    }
+
     /// Line of impact n at contact; `None` for a miss or without relative motion.
     pub fn normal(&self) -> Option<DVec2> {
         let along = self.relative_velocity().try_normalize()?;

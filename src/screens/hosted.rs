@@ -155,10 +155,10 @@ impl<S: Screen> Hosted<S> {
         let next = self.screen.act(action, cx);
         self.asked = matches!(next, Next::Confirm(_)).then_some(action);
         match next {
-            Next::Shared(SharedAction::Scroll(rows)) => {
-                self.scroll(rows, None, cx);
-                Next::Stay
-            }
+            Next::Shared(SharedAction::Scroll(rows)) => match self.scroll(rows, None, cx) {
+                Next::Ignored => Next::Stay,
+                next => next,
+            },
             next => next,
         }
     }
@@ -189,17 +189,18 @@ impl<S: Screen> Hosted<S> {
             .into_iter()
             .map(|(panel, area)| {
                 let placed = panel.placed(area, &writing, &key);
-                let of = (panel.title.as_str(), panel.subject);
-                (panel, self.shown(of, placed, area))
+                (panel, self.shown(panel, placed, area))
             })
             .collect();
         take(&layout, &panels, &writing)
     }
 
-    fn shown<'p>(&self, of: (&'p str, usize), placed: Placed<'p>, area: Rect) -> Shown<'p> {
+    fn shown<'p>(&self, panel: &'p Panel<S::Action>, placed: Placed<'p>, area: Rect) -> Shown<'p> {
+        let of = (panel.title.as_str(), panel.subject);
         let scrolled = { self.scrolled.iter() }.find(|it| (it.of.0.as_str(), it.of.1) == of);
         let rows = match scrolled {
             Some(it) if it.chosen == placed.chosen() => it.rows.min(placed.overflow()),
+            _ if panel.from_top => 0,
             _ => placed.following(),
         };
         Shown {
@@ -211,7 +212,7 @@ impl<S: Screen> Hosted<S> {
     }
 
     /// Scrolls the panel at a cell, or else the last one that is longer than its place.
-    fn scroll(&mut self, by: i16, cell: Option<(u16, u16)>, cx: &Context) -> Next {
+    fn scroll(&mut self, by: i16, cell: Option<(u16, u16)>, cx: &mut Context) -> Next {
         let Some(view) = self.screen.view(cx) else {
             return Next::Ignored;
         };
@@ -223,15 +224,16 @@ impl<S: Screen> Hosted<S> {
             let mut shown = panels.iter().rev().map(|(_, shown)| shown);
             let shown = shown.find(is_meant)?;
             let rows = shown.rows.saturating_add_signed(by);
-            Some(Scrolled {
+            let rows = rows.min(shown.placed.overflow());
+            (rows != shown.rows).then(|| Scrolled {
                 of: (shown.of.0.to_owned(), shown.of.1),
-                rows: rows.min(shown.placed.overflow()),
+                rows,
                 chosen: shown.placed.chosen(),
             })
         });
         drop(view);
         let Some(scrolled) = scrolled else {
-            return Next::Ignored;
+            return self.screen.scrolled_out(by, cx);
         };
         self.scrolled.retain(|it| it.of != scrolled.of);
         self.scrolled.push(scrolled);
@@ -250,6 +252,18 @@ impl<S: Screen> Hosted<S> {
         });
         let shown = shown.unwrap_or_default();
         self.scrolled.retain(|it| shown.contains(&it.of));
+    }
+
+    /// Rows that its panel beside the picture takes, and rows there are for it.
+    pub(super) fn rows(&self, cx: &Context) -> (u16, u16) {
+        let Some(view) = self.screen.view(cx) else {
+            return (0, 0);
+        };
+        self.with_panels(&view, cx, |layout, panels, _| {
+            let rows = layout.panel.height;
+            let more = panels.last().map_or(0, |(_, it)| it.placed.overflow());
+            (rows + more, rows)
+        })
     }
 
     /// The cells of the panels that do something, and what they do.
@@ -274,7 +288,7 @@ impl<S: Screen> Hosted<S> {
         };
         let cell = mouse.cell();
         let has_picture = matches!(view.first, Part::Picture(..));
-        let (picture, hit, is_long) = self.with_panels(&view, cx, |layout, panels, _| {
+        let (picture, hit, under) = self.with_panels(&view, cx, |layout, panels, _| {
             let mut panels = panels.iter();
             let under = panels.find(|(_, it)| it.area.contains(cell.into()));
             let hit = under.and_then(|(panel, it)| {
@@ -284,20 +298,24 @@ impl<S: Screen> Hosted<S> {
             });
             // The wheel moves the mark of a list, which is followed.
             let is_followed = |it: &Shown| !has_picture && it.placed.chosen().is_some();
-            let is_long = under.is_some_and(|(_, it)| it.placed.overflow() > 0 && !is_followed(it));
+            let is_long = under.map(|(_, it)| it.placed.overflow() > 0 && !is_followed(it));
             (layout.picture, hit, is_long)
         });
         drop(view);
-        let wheel = match mouse.kind {
-            MouseKind::ScrollUp => -1,
-            MouseKind::ScrollDown => 1,
-            MouseKind::Down if hit.is_some() => {
-                return hit.map_or(Next::Ignored, |action| self.act(action, cx));
+        let wheel = mouse.wheel().map(|up| -up);
+        if let (MouseKind::Down, Some(action)) = (mouse.kind, hit) {
+            return self.act(action, cx);
+        }
+        if wheel.is_none() || under.is_none() {
+            let next = self.screen.point(mouse, picture, cx);
+            if next != Next::Ignored {
+                return next;
             }
-            _ if has_picture => return self.screen.point(mouse, picture, cx),
-            _ => return Next::Ignored,
+        }
+        let Some(wheel) = wheel else {
+            return Next::Ignored;
         };
-        match is_long {
+        match under == Some(true) {
             true => self.scroll(wheel.into(), Some(cell), cx),
             false => match self.screen.wheel(wheel, cx) {
                 Next::Shared(SharedAction::Scroll(rows)) => self.scroll(rows, Some(cell), cx),
@@ -388,7 +406,8 @@ impl<S: Screen> AnyScreen for Hosted<S> {
             for (_, shown) in tabs {
                 shown.placed.draw(0, buf, writing);
             }
-            layout.draw(buf, &writing.look, view.title(), &view.second.title);
+            let [first, second] = view.titles();
+            layout.draw(buf, &writing.look, &first, &second);
             if let Part::Picture(_, draw) = &view.first {
                 draw(layout.picture, buf, &writing.look);
             }

@@ -92,6 +92,11 @@ pub trait Screen {
         Next::Ignored
     }
 
+    /// Its text was to be scrolled by so many rows, but ends there.
+    fn scrolled_out(&mut self, _by: i16, _cx: &mut Context) -> Next {
+        Next::Ignored
+    }
+
     /// Takes the mouse.
     fn mouse(&mut self, _mouse: &Mouse, _cx: &mut Context) -> Next {
         Next::Ignored

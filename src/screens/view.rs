@@ -16,6 +16,8 @@ pub struct View<'s, A> {
     pub(super) first: Part<'s, A>,
     /// What stands beside it.
     pub(super) second: Panel<A>,
+    /// Whether keys go to the larger part first, where they may go to either.
+    pub(super) focus: Option<bool>,
 }
 
 /// The larger part of a view.
@@ -38,41 +40,42 @@ impl<'s, A> View<'s, A> {
         draw: impl Fn(Rect, &mut Buffer, &Look) + 's,
         second: Panel<A>,
     ) -> Self {
-        Self {
-            tabs: None,
-            layout: SplitLayout::new,
-            first: Part::Picture(title.into(), Box::new(draw)),
-            second,
-        }
+        let first = Part::Picture(title.into(), Box::new(draw));
+        Self::new(SplitLayout::new, first, second)
     }
 
     /// A panel, and one beside it that tells more.
     pub(super) fn panels(first: Panel<A>, second: Panel<A>) -> Self {
-        Self {
-            tabs: None,
-            layout: SplitLayout::new,
-            first: Part::Panel(first),
-            second,
-        }
+        Self::new(SplitLayout::new, Part::Panel(first), second)
     }
 
     /// A panel alone, in the middle.
     pub(super) fn alone(layout: fn(Room) -> SplitLayout, panel: Panel<A>) -> Self {
+        Self::new(layout, Part::Nothing, panel)
+    }
+
+    fn new(layout: fn(Room) -> SplitLayout, first: Part<'s, A>, second: Panel<A>) -> Self {
         Self {
             tabs: None,
             layout,
-            first: Part::Nothing,
-            second: panel,
+            first,
+            second,
+            focus: None,
         }
     }
 
-    /// The title of its first part.
-    pub(super) fn title(&self) -> &str {
-        match &self.first {
+    /// The titles of both parts, with a mark before the one that keys go to.
+    pub(super) fn titles(&self) -> [String; 2] {
+        let first = match &self.first {
             Part::Picture(title, _) => title,
             Part::Panel(panel) => &panel.title,
             Part::Nothing => "",
-        }
+        };
+        let marked = |title: &str, first: bool| match self.focus == Some(first) {
+            true => format!("> {title}"),
+            false => title.to_owned(),
+        };
+        [marked(first, true), marked(&self.second.title, false)]
     }
 
     /// Where both parts stand in a room, and all its panels, each with the place it has.

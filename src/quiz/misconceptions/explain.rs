@@ -3,7 +3,7 @@
 
 use crate::numbers::{degrees, tenths};
 use crate::quiz::question::{
-    Answer, Diagnosis, Form, Grade, Passage, Question, Ray, Rays, RaysGrade, Response,
+    Answer, Diagnosis, Form, Passage, Question, Ray, Rays, RaysGrade, Response,
 };
 
 /// An explanation, to be shown as a title over a text.
@@ -28,7 +28,7 @@ pub fn explain(question: &Question, answer: &Answer) -> Explanation {
             let it = belief.misconception;
             (it.name(), belief.says.clone(), Some(it.settled_by()))
         }
-        None if Grade::new(question, answer).right => {
+        None if question.form.is_right(&answer.said) => {
             ("right", "Right, and this is why.".into(), None)
         }
         None => {
@@ -65,10 +65,14 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
             let reply = question.replies.get(choice).cloned();
             ("not that one", reply.unwrap_or_default())
         }
-        (Form::Number { .. }, Response::Number(said)) if is_right(form, -said) => (
-            "mind the sign",
-            "The size is right, the sign is not.".into(),
-        ),
+        (Form::Number { .. }, Response::Number(said))
+            if form.is_right(&Response::Number(-said)) =>
+        {
+            (
+                "mind the sign",
+                "The size is right, the sign is not.".into(),
+            )
+        }
         _ => (
             "off",
             format!(
@@ -78,11 +82,6 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
             ),
         ),
     }
-}
-
-/// Whether a number counts as right.
-fn is_right(form: &Form, number: f64) -> bool {
-    form.distance(&Response::Number(number), &form.truth()) <= 1.0
 }
 
 /// How two rays are off that fit no misconception.

@@ -87,10 +87,12 @@ pub(super) const RAYS_BY_CHANCE: f64 = 0.01;
 /// or a tenth of a scale on which one guesses within a factor of two.
 pub(super) const NUMBER_BY_CHANCE: f64 = 0.08;
 
+/// What rounding between two units adds to a number, as a share of it.
+pub(super) const ROUNDING: f64 = 1e-9;
+
 /// Whether a number lies within a range, or beyond one of its ends by no more than rounding
 /// between two units adds.
 pub(super) fn is_within(x: f64, least: f64, most: f64) -> bool {
-    const ROUNDING: f64 = 1e-9;
     let spare = ROUNDING * most;
     (least - spare..=most + spare).contains(&x)
 }

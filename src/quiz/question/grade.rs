@@ -6,7 +6,7 @@ use crate::numbers::points;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
 use super::measure::apart_deg;
-use super::{Answer, Confidence, Form, Question, Ray, Rays, Response};
+use super::{Answer, Confidence, Form, Measure, Question, Ray, Rays, Response};
 
 /// Up to this error an angle counts as right, in degrees.
 pub const RIGHT_DEG: f64 = 4.0;
@@ -103,31 +103,65 @@ pub struct Grade {
     pub confidence: Confidence,
 }
 
+impl Form {
+    /// Credit from 0 to 1 for an answer. One of another kind than was asked for earns nothing.
+    ///
+    /// A number of a chapter earns full credit within its tolerance, and then less in a
+    /// straight line, down to none at four times it.
+    pub fn credit(&self, said: &Response) -> f64 {
+        let distance = self.distance(said, &self.truth());
+        match self {
+            Self::Number {
+                quantity: Measure::Own { .. },
+                ..
+            } => 1.0 - ((distance - 1.0) / 3.0).clamp(0.0, 1.0),
+            _ => match self.rays_grade(said) {
+                Some(rays) => rays.credit(),
+                None => credit(distance),
+            },
+        }
+    }
+
+    /// Whether an answer counts as right.
+    pub fn is_right(&self, said: &Response) -> bool {
+        self.distance(said, &self.truth()) <= 1.0
+    }
+
+    /// Each of two rays, if that is what is asked for.
+    pub fn rays_grade(&self, said: &Response) -> Option<RaysGrade> {
+        match (self, said) {
+            (Self::Rays { truth, .. }, Response::Rays(said)) => Some(RaysGrade::new(said, truth)),
+            _ => None,
+        }
+    }
+
+    /// How far off the angle was, in radians, or of two rays the one further off; `None`
+    /// where there was no angle to be off.
+    pub fn angle_error(&self, said: &Response) -> Option<f64> {
+        match (self, said) {
+            (Self::Number { quantity, truth }, Response::Number(said)) => match quantity {
+                Measure::Angle => Some(rad_from_deg(apart_deg(*said, *truth))),
+                _ if quantity.unit() == "°" => Some(rad_from_deg((said - truth).abs())),
+                _ => None,
+            },
+            (Self::Shot(aim), Response::Shot(offset)) => aim.error(*offset),
+            _ => self.rays_grade(said)?.error(),
+        }
+    }
+}
+
 impl Grade {
     /// Most points a question can bring.
     pub const MOST: f64 = 10.0;
 
-    /// Grades an answer. One of another kind than was asked for earns nothing.
+    /// Grades an answer.
     pub fn new(question: &Question, answer: &Answer) -> Self {
-        let form = &question.form;
-        let distance = form.distance(&answer.said, &form.truth());
-        let rays = match (form, &answer.said) {
-            (Form::Rays { truth, .. }, Response::Rays(said)) => Some(RaysGrade::new(said, truth)),
-            _ => None,
-        };
+        let (form, said) = (&question.form, &answer.said);
         Self {
-            credit: rays.map_or_else(|| credit(distance), |rays| rays.credit()),
-            right: distance <= 1.0,
-            angle_error: match (form, &answer.said) {
-                (Form::Number { quantity, truth }, Response::Number(said))
-                    if *quantity == super::Measure::Angle =>
-                {
-                    Some(rad_from_deg(apart_deg(*said, *truth)))
-                }
-                (Form::Shot(aim), Response::Shot(offset)) => aim.error(*offset),
-                _ => rays.and_then(|rays| rays.error()),
-            },
-            rays,
+            credit: form.credit(said),
+            right: form.is_right(said),
+            angle_error: form.angle_error(said),
+            rays: form.rays_grade(said),
             confidence: answer.confidence,
         }
     }

@@ -105,11 +105,7 @@ impl Hit {
     /// The side on which the target lies, as the sign of α: 1 for the right and for
     /// a head-on hit, −1 for the left.
     pub fn side(&self) -> f64 {
-        if self.collision().offset < 0.0 {
-            -1.0
-        } else {
-            1.0
-        }
+        self.collision().side()
     }
 
     /// That side in words, "right" or "left".

@@ -1,6 +1,6 @@
 //! What a number that is asked for measures.
 
-use super::form::is_within;
+use super::form::{ROUNDING, is_within};
 use super::grade::RIGHT_DEG;
 use crate::numbers;
 
@@ -11,7 +11,7 @@ const MOST_RESTITUTION: f64 = 0.04;
 
 /// What a number that is asked for measures: its unit, how it is printed, and how near
 /// is near enough.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Measure {
     /// An angle in degrees.
     Angle,
@@ -27,6 +27,15 @@ pub enum Measure {
     Times,
     /// A coefficient of restitution.
     Restitution,
+    /// A number of a chapter, in any unit, which says itself how near is near enough.
+    Own {
+        /// What stands for it in formulas: "θ₁".
+        sign: String,
+        /// Its unit.
+        unit: String,
+        /// How far off still counts as right.
+        tolerance: f64,
+    },
 }
 
 impl Measure {
@@ -35,12 +44,12 @@ impl Measure {
         further off than 4°, 4 percentage points or 0.04; any other number within a twentieth";
 
     /// The unit behind a number, as typed beside it; empty for a pure number.
-    pub const fn unit(self) -> &'static str {
+    pub fn unit(&self) -> &str {
         self.words().0
     }
 
     /// Its name in files, with which a number is kept: "angle_deg".
-    pub const fn id(self) -> &'static str {
+    pub fn id(&self) -> &'static str {
         self.words().1
     }
 
@@ -60,7 +69,7 @@ impl Measure {
     }
 
     /// The unit, and the name in files.
-    const fn words(self) -> (&'static str, &'static str) {
+    fn words(&self) -> (&str, &'static str) {
         match self {
             Self::Angle => ("°", "angle_deg"),
             Self::Share => ("%", "share_percent"),
@@ -69,14 +78,20 @@ impl Measure {
             Self::Length => ("mm", "length_mm"),
             Self::Times => ("times", "times"),
             Self::Restitution => ("", "restitution"),
+            Self::Own { unit, .. } => (unit, "number"),
         }
     }
 
     /// A number as printed, with its unit: "63.4°", "25.0 %", "2.12 m/s".
-    pub fn print(self, x: f64) -> String {
+    pub fn print(&self, x: f64) -> String {
         let bare = match self {
             Self::Angle => numbers::bare_degrees(x.to_radians()),
             Self::Length => numbers::bare_millimetres(x + 0.0),
+            Self::Own { tolerance, .. } => {
+                // As many decimals as the tolerance requires.
+                let decimals = (1.0 - tolerance.log10()).clamp(0.0, 6.0) as usize;
+                numbers::true_minus(&numbers::fixed(x, decimals))
+            }
             _ => numbers::significant(x + 0.0),
         };
         numbers::with_unit(&bare, self.unit())
@@ -90,19 +105,19 @@ impl Measure {
     /// better than that; nor need it be nearer than 1°, a fifth of a point or 0.01. All
     /// others count by a twentieth of the truth either way, as a ratio; infinite where a
     /// ratio says nothing.
-    pub fn distance(self, said: f64, truth: f64) -> f64 {
+    pub fn distance(&self, said: f64, truth: f64) -> f64 {
         self.spacing(said, truth) / self.width(truth)
     }
 
     /// How far off a number counts as right about this `truth`, as a share of the widest
     /// that can count as right about any.
-    pub(in crate::quiz) fn width(self, truth: f64) -> f64 {
+    pub(in crate::quiz) fn width(&self, truth: f64) -> f64 {
         let near = |least: f64, most: f64| (truth.abs() / 10.0).clamp(least, most) / most;
         match self {
             Self::Angle => near(1.0, RIGHT_DEG),
             Self::Share => near(0.2, MOST_SHARE),
             Self::Restitution => near(0.01, MOST_RESTITUTION),
-            Self::Speed | Self::Mass | Self::Length | Self::Times => 1.0,
+            _ => 1.0,
         }
     }
 
@@ -110,7 +125,7 @@ impl Measure {
     /// about either: never more than [`distance`](Self::distance). By it questions are
     /// chosen whose truth and beliefs lie apart, so it is part of what a round's code
     /// fixes, and may not change.
-    pub fn spacing(self, a: f64, b: f64) -> f64 {
+    pub fn spacing(&self, a: f64, b: f64) -> f64 {
         match self {
             Self::Angle => apart_deg(a, b) / RIGHT_DEG,
             Self::Share => (a - b).abs() / MOST_SHARE,
@@ -125,30 +140,33 @@ impl Measure {
                     f64::INFINITY
                 }
             }
+            // On the very edge it is right, whatever rounding left of it.
+            Self::Own { tolerance, .. } => ((a - b).abs() / tolerance - ROUNDING).max(0.0),
         }
     }
 
     /// The largest number that makes sense and can be typed; the smallest is 0, but for
     /// angles its opposite.
-    pub const fn largest(self) -> f64 {
+    pub const fn largest(&self) -> f64 {
         match self {
             Self::Angle => 180.0,
             Self::Share => 100.0,
             Self::Restitution => 1.0,
             Self::Speed | Self::Mass | Self::Length | Self::Times => 99_999.0,
+            Self::Own { .. } => 1e9,
         }
     }
 
     /// The smallest number that makes sense.
-    pub const fn smallest(self) -> f64 {
+    pub const fn smallest(&self) -> f64 {
         match self {
-            Self::Angle => -180.0,
+            Self::Angle | Self::Own { .. } => -self.largest(),
             _ => 0.0,
         }
     }
 
     /// Whether a number makes sense.
-    pub fn allows(self, x: f64) -> bool {
+    pub fn allows(&self, x: f64) -> bool {
         is_within(x, self.smallest(), self.largest())
     }
 }

@@ -129,8 +129,7 @@ impl Question {
 
     /// The belief that an answer fits best, and how much of it fits.
     pub(in crate::quiz) fn belief_of(&self, answer: &Answer) -> Option<(&WrongAnswer, Fit)> {
-        let right = |said: &Response| self.form.distance(said, &self.form.truth()) <= 1.0;
-        if right(&answer.said) {
+        if self.form.is_right(&answer.said) {
             return None;
         }
         let fits = self.beliefs.iter().filter_map(|belief| {

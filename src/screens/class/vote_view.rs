@@ -195,7 +195,7 @@ fn write_booth(
         return;
     }
     if entry.is_open {
-        written(lines, |panel| input.write(&question.form, 1, panel));
+        written(lines, |panel| input.write(&question.form, Some(1), panel));
     }
     let next = match (input, &question.form) {
         (AnswerInput::Rays(rays), Form::Rays { target, .. }) if !rays.is_last() => {

@@ -256,7 +256,9 @@ fn write_answer(
     }
     panel.paragraph(&question.text, Role::Text);
     panel.gap();
-    panel.part(JoinAction::answer, |panel| input.write(form, 2, panel));
+    panel.part(JoinAction::answer, |panel| {
+        input.write(form, Some(2), panel)
+    });
     panel.gap();
     if !is_first {
         write_standing(panel);

@@ -15,7 +15,7 @@ use super::{Context, Next, Screen, Settings, View};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::{CollisionSpec, Frame};
 use crate::quiz::{Rays, RaysGrade};
-use crate::widgets::hit::{Watch, WatchAction, drag_offset, point_at, side};
+use crate::widgets::hit::{Watch, WatchAction, drag_offset, point_at};
 use crate::widgets::input::{
     EntryAction, FormAction, FormFields, KeyTable, RayAction, SettingsForm,
 };
@@ -119,7 +119,7 @@ impl Lab {
     /// From aiming to predicting, or to the shot where no prediction is asked.
     fn go(&mut self, cx: &mut Context) {
         if cx.settings.predict && !self.is_live(cx) {
-            let side = side(&self.settings.setup.collision());
+            let side = self.settings.setup.collision().side();
             self.phase = LabPhase::Predict(RayInput::new(side));
         } else {
             self.shoot(None, cx);

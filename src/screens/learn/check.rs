@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::reading::Reading;
 use crate::lessons::{Chapter, ChapterPage, CheckpointKind, FileError, TextBlock};
 use crate::quiz::{Rays, Response};
-use crate::screens::{Context, Screen, Settings};
+use crate::screens::{AnyScreen, Context, Hosted, Settings};
 use crate::widgets::{Charset, SplitLayout, formula, text};
 
 /// The body of a screen of 80×24, below the title and above the keys.
@@ -25,13 +25,16 @@ pub fn check(chapter: &Chapter) -> Vec<FileError> {
                 .unwrap_or_default();
             let hit = page.figure.map(|figure| figure.shot.collision());
             let hinted = |it: &&Response| {
-                checkpoint.is_some_and(|asks| asks.offers_second_try(it, hit.as_ref()))
+                checkpoint.is_some_and(|asks| {
+                    let form = asks.form(hit.as_ref(), |_| String::new());
+                    asks.offers_second_try(&form, it)
+                })
             };
             let hinted = told.iter().filter(hinted).map(|it| (Some(*it), None));
             let answered = told.iter().map(|it| (None, Some(*it)));
             let states = std::iter::once((None, None)).chain(hinted).chain(answered);
             for (first, answer) in states {
-                let reading = Reading::of_page(chapter, at, first, answer);
+                let reading = Hosted::new(Reading::of_page(chapter, at, first, answer));
                 if let Some(message) = too_long(&reading, first, answer, charset) {
                     let said = first.or(answer).and(checkpoint);
                     let line = said.map_or(page.line, |checkpoint| checkpoint.line);
@@ -59,7 +62,7 @@ fn answers(asked: &CheckpointKind) -> Vec<Response> {
 }
 
 fn too_long(
-    reading: &Reading,
+    reading: &Hosted<Reading>,
     first: Option<Response>,
     answer: Option<Response>,
     charset: Charset,

@@ -4,7 +4,6 @@ mod check;
 mod contents;
 mod figure;
 mod prose;
-mod question;
 mod reading;
 mod record;
 

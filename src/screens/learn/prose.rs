@@ -1,99 +1,97 @@
-//! The text of a page, written row by row.
+//! The text of a page, as blocks of a panel.
 
 use crate::lessons::{Inline, TextBlock, Tone};
 use crate::physics::Collision;
 use crate::widgets::flow::Run;
-use crate::widgets::{Charset, Lines, Role, Words, formula};
+use crate::widgets::panel::Panel;
+use crate::widgets::{Charset, Role, formula};
 
-/// Columns by which formulas and the rows of a list are set in.
-const INDENT: u16 = 2;
-
-/// Writes blocks of text; live numbers are those of `figure`.
-pub(super) fn write(blocks: &[TextBlock], lines: &mut Lines, figure: Option<&Collision>) {
-    write_in(None, blocks, lines, figure);
+/// What text is written with.
+#[derive(Clone, Copy)]
+pub(super) struct Prose<'a> {
+    /// The collision that live numbers are those of.
+    pub figure: Option<&'a Collision>,
+    /// In a charset a formula takes one row or several.
+    pub charset: Charset,
 }
 
-/// Writes blocks of text that have been read, all in one faint style.
-pub(super) fn write_dimmed(blocks: &[TextBlock], lines: &mut Lines, figure: Option<&Collision>) {
-    write_in(Some(Role::Dim), blocks, lines, figure);
-}
+impl Prose<'_> {
+    /// Writes blocks of text.
+    pub(super) fn write<A>(self, blocks: &[TextBlock], panel: &mut Panel<A>) {
+        self.write_in(None, blocks, panel);
+    }
 
-/// Writes blocks of text, each word in its own style or all of them in `one`.
-fn write_in(
-    one: Option<Role>,
-    blocks: &[TextBlock],
-    lines: &mut Lines,
-    figure: Option<&Collision>,
-) {
-    let runs = |pieces: &[Inline]| {
-        let mut runs = runs(pieces, Role::Text, figure);
-        if let Some(one) = one {
-            runs.iter_mut().for_each(|run| run.role = one);
-        }
-        runs
-    };
-    let mut before: Option<&TextBlock> = None;
-    for block in blocks {
-        if let Some(before) = before
-            && !belong_together(before, block, lines.charset())
-        {
-            lines.gap();
-        }
-        match block {
-            TextBlock::Paragraph(pieces) => lines.flowing("", 0, &runs(pieces)),
-            TextBlock::Item(number, pieces) => {
-                let mark = number.map_or("-".into(), |number| format!("{number}."));
-                let indent = mark.len() as u16 + 1;
-                lines.flowing(&mark, indent, &runs(pieces));
+    /// Writes blocks of text that have been read, all in one faint style.
+    pub(super) fn write_dimmed<A>(self, blocks: &[TextBlock], panel: &mut Panel<A>) {
+        self.write_in(Some(Role::Dim), blocks, panel);
+    }
+
+    /// Writes blocks of text, each word in its own style or all of them in `one`.
+    fn write_in<A>(self, one: Option<Role>, blocks: &[TextBlock], panel: &mut Panel<A>) {
+        let runs = |pieces: &[Inline]| {
+            let mut runs = self.runs(pieces, Role::Text);
+            if let Some(one) = one {
+                runs.iter_mut().for_each(|run| run.role = one);
             }
-            TextBlock::Formula(formula) => {
-                let role = one.unwrap_or(Role::Title);
-                let recorded = |charset| Words::Equation {
-                    runs: vec![Run::new(formula.inline(), role).spelt(charset)],
+            runs
+        };
+        let mut before: Option<&TextBlock> = None;
+        for block in blocks {
+            if before.is_some_and(|before| !self.belong_together(before, block)) {
+                panel.gap();
+            }
+            match block {
+                TextBlock::Paragraph(pieces) => panel.flow("", runs(pieces)),
+                TextBlock::Item(number, pieces) => {
+                    let mark = number.map_or("-".into(), |number| format!("{number}."));
+                    panel.flow(mark, runs(pieces));
+                }
+                TextBlock::Formula(formula) => {
+                    panel.formula(formula.clone(), one.unwrap_or(Role::Title));
+                }
+            }
+            before = Some(block);
+        }
+    }
+
+    /// Whether two blocks stand without an empty row between them.
+    fn belong_together(self, before: &TextBlock, after: &TextBlock) -> bool {
+        let low = |formula| formula::set(formula, self.charset).len() == 1;
+        match (before, after) {
+            (TextBlock::Item(..), TextBlock::Item(..)) => true,
+            // One fraction right below another reads as one of three storeys.
+            (TextBlock::Formula(before), TextBlock::Formula(after)) => low(before) || low(after),
+            (TextBlock::Paragraph(pieces), TextBlock::Item(..) | TextBlock::Formula(_)) => {
+                matches!(pieces.last(), Some(Inline::Text(text, _)) if text.ends_with([':', ',']))
+            }
+            _ => false,
+        }
+    }
+
+    /// Pieces of text as stretches in their styles; `plain` is that of plain words.
+    pub(super) fn runs(self, pieces: &[Inline], plain: Role) -> Vec<Run> {
+        let run = |piece: &Inline| match piece {
+            Inline::Text(text, tone) => {
+                let role = match tone {
+                    Tone::Plain => plain,
+                    Tone::Emphasis | Tone::Strong => Role::Title,
+                    Tone::Key => Role::Key,
                 };
-                let rows = formula::set(formula, lines.charset());
-                lines.written_as(recorded, |lines| {
-                    for row in rows {
-                        lines.line(&format!("{:1$}{row}", "", INDENT.into()), role);
-                    }
-                });
+                Run::new(text.as_str(), role)
             }
-        }
-        before = Some(block);
+            // Held together, as a formula broken over two rows is hard to read.
+            Inline::Formula(formula) => Run::new(formula.inline().replace(' ', "\u{a0}"), plain),
+            Inline::Live(quantity) => {
+                let value = self.figure.map(|collision| quantity.shown(collision));
+                Run::new(value.unwrap_or_default(), Role::Title)
+            }
+        };
+        pieces.iter().map(run).collect()
     }
-}
 
-/// Whether two blocks stand without an empty row between them.
-fn belong_together(before: &TextBlock, after: &TextBlock, charset: Charset) -> bool {
-    let low = |formula| formula::set(formula, charset).len() == 1;
-    match (before, after) {
-        (TextBlock::Item(..), TextBlock::Item(..)) => true,
-        // One fraction right below another reads as one of three storeys.
-        (TextBlock::Formula(before), TextBlock::Formula(after)) => low(before) || low(after),
-        (TextBlock::Paragraph(pieces), TextBlock::Item(..) | TextBlock::Formula(_)) => {
-            matches!(pieces.last(), Some(Inline::Text(text, _)) if text.ends_with([':', ',']))
-        }
-        _ => false,
+    /// The same text without styles.
+    pub(super) fn plain(self, pieces: &[Inline]) -> String {
+        let runs = self.runs(pieces, Role::Text).into_iter();
+        runs.map(|run| run.text).collect()
     }
-}
-
-/// Pieces of text as stretches in their styles; `plain` is that of plain words.
-pub(super) fn runs(pieces: &[Inline], plain: Role, figure: Option<&Collision>) -> Vec<Run> {
-    let run = |piece: &Inline| match piece {
-        Inline::Text(text, tone) => {
-            let role = match tone {
-                Tone::Plain => plain,
-                Tone::Emphasis | Tone::Strong => Role::Title,
-                Tone::Key => Role::Key,
-            };
-            Run::new(text.as_str(), role)
-        }
-        // Held together, as a formula broken over two rows is hard to read.
-        Inline::Formula(formula) => Run::new(formula.inline().replace(' ', "\u{a0}"), plain),
-        Inline::Live(quantity) => {
-            let value = figure.map(|collision| quantity.shown(collision));
-            Run::new(value.unwrap_or_default(), Role::Title)
-        }
-    };
-    pieces.iter().map(run).collect()
 }

@@ -15,7 +15,9 @@ pub(super) fn asked(asked: &OpenQuestion, panel: &mut Panel<QuizAction>) {
     let input = asked.asking.input();
     panel.paragraph(&asked.question.text, Role::Text);
     panel.gap();
-    panel.part(QuizAction::answer, |panel| input.write(form, 1, panel));
+    panel.part(QuizAction::answer, |panel| {
+        input.write(form, Some(1), panel)
+    });
     panel.worth(3, |panel| {
         panel.gap();
         panel.paragraph(input.about(form), Role::Dim);

@@ -15,7 +15,7 @@ pub(super) fn answer(
     match form {
         Form::Rays { side, target, .. } => rays(talk, question, *side, target),
         Form::Number { quantity, .. } => {
-            let unit = unit_words(*quantity);
+            let unit = unit_words(quantity);
             let asked = format!("Your answer{unit}?");
             let help = format!("Type a number{unit}, such as 2.5. Type skip to leave it open.");
             let (least, most) = (quantity.smallest(), quantity.largest());
@@ -107,10 +107,10 @@ fn choice(heard: &str, count: usize) -> Result<usize, String> {
 }
 
 /// The unit of a quantity as it follows "your answer".
-fn unit_words(quantity: Measure) -> String {
+fn unit_words(quantity: &Measure) -> String {
     match quantity {
         Measure::Times => ", how many times".into(),
-        Measure::Restitution => String::new(),
+        _ if quantity.unit().is_empty() => String::new(),
         _ => format!(" in {}", unit_name(quantity.unit())),
     }
 }

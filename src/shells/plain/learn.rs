@@ -3,10 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::by_words::{KEY, by_words};
-use super::number::number;
 use super::own_shot::{HELP, ShotWish};
 use super::recorder::Recorder;
-use super::spoken::{sentence, unit_name, verbatim};
+use super::spoken::{sentence, verbatim};
 use super::talk::{Leave, Talk};
 use super::{answering, figure, formula, own_shot};
 use crate::lessons::{
@@ -16,9 +15,8 @@ use crate::lessons::{
 use crate::messages::{StoreReply, StoreRequest};
 use crate::numbers::with_unit;
 use crate::physics::{Collision, CollisionSpec, worked};
-use crate::quiz::Response;
+use crate::quiz::{Form, Response};
 use crate::screens::learn::attempt;
-use crate::widgets::hit::side;
 
 /// What may be said between two pages.
 const MOVES: &str = "Enter or next for the next page, back for the one before, contents for the \
@@ -212,104 +210,47 @@ fn ask(
     checkpoint: &Checkpoint,
     figure: Option<&Collision>,
 ) -> Result<bool, Leave> {
+    let form = checkpoint.form(figure, |text| pieces(text, figure));
     let question = texts(&checkpoint.question, figure);
-    let Some(mut answer) = hear(recorder.talk, &question, checkpoint, figure)? else {
+    let Some(mut answer) = answering::answer(recorder.talk, &question, &form)? else {
         recorder.talk.say("Left open.")?;
         return Ok(false);
     };
-    let tried = (&answer, false);
-    let once = attempt(recorder.player, chapter, at, tried, checkpoint, figure);
-    let mut right = once.right;
+    let player = recorder.player;
+    recorder.record(attempt(player, chapter, at, &form, (&answer, false)))?;
     let mut first = None;
-    recorder.record(once)?;
-    if checkpoint.offers_second_try(&answer, figure) {
+    if checkpoint.offers_second_try(&form, &answer) {
         recorder
             .talk
             .say("Not yet. Here is a hint, for a second try.")?;
-        let hint = hint(&answer, checkpoint, figure);
-        if let Some(second) = hear(recorder.talk, &hint, checkpoint, figure)? {
-            let tried = (&second, true);
-            let again = attempt(recorder.player, chapter, at, tried, checkpoint, figure);
-            right = again.right;
-            recorder.record(again)?;
+        let hint = texts(&checkpoint.hint_to(&answer), figure);
+        if let Some(second) = answering::answer(recorder.talk, &hint, &form)? {
+            recorder.record(attempt(player, chapter, at, &form, (&second, true)))?;
             first = Some(std::mem::replace(&mut answer, second));
         }
     }
+    let right = form.is_right(&answer);
     let later = Bookmark::answering(page, checkpoint, (answer, first), right);
     mark(recorder, chapter, later)?;
-    tell(recorder.talk, &answer, right, checkpoint, figure)?;
+    tell(recorder.talk, &answer, (checkpoint, &form), figure)?;
     recorder.talk.say_all(texts(&checkpoint.after, figure))?;
     Ok(true)
-}
-
-/// What helps after a first wrong answer.
-fn hint(first: &Response, checkpoint: &Checkpoint, figure: Option<&Collision>) -> Vec<String> {
-    match (first, &checkpoint.asked) {
-        (Response::Choice(chosen), CheckpointKind::Choice(choices))
-            if checkpoint.hint.is_empty() =>
-        {
-            let chosen = choices.get(*chosen).into_iter();
-            chosen.map(|chosen| pieces(&chosen.why, figure)).collect()
-        }
-        _ => texts(&checkpoint.hint, figure),
-    }
-}
-
-/// Hears the answer to a checkpoint; `None` if it is skipped.
-fn hear(
-    talk: &mut Talk,
-    question: &[String],
-    checkpoint: &Checkpoint,
-    figure: Option<&Collision>,
-) -> Result<Option<Response>, Leave> {
-    match &checkpoint.asked {
-        CheckpointKind::Rays => answering::rays(talk, question, figure.map_or(1.0, side), "coin"),
-        CheckpointKind::Number { expected, .. } => {
-            let (_, unit) = expected.sign_and_unit();
-            let asked = match unit {
-                "" => "Your answer?".to_owned(),
-                unit => format!("Your answer in {}?", unit_name(unit)),
-            };
-            let help = "Type a number. Type skip to leave it open.";
-            let read = |heard: &str| number(heard, unit, -1e9, 1e9);
-            let said = talk.ask_or_skip(question, &asked, help, read)?;
-            Ok(said.map(Response::Number))
-        }
-        CheckpointKind::Choice(choices) => {
-            let texts: Vec<_> = choices.iter().map(|it| pieces(&it.text, figure)).collect();
-            answering::choose(talk, question, &texts)
-        }
-    }
 }
 
 /// Says how an answer was.
 fn tell(
     talk: &mut Talk,
     answer: &Response,
-    right: bool,
-    checkpoint: &Checkpoint,
+    (checkpoint, form): (&Checkpoint, &Form),
     figure: Option<&Collision>,
 ) -> Result<(), Leave> {
+    let right = form.is_right(answer);
     talk.say(if right { "Right." } else { "Not quite." })?;
     match (answer, &checkpoint.asked) {
-        (Response::Rays(rays), CheckpointKind::Rays) => {
-            let Some(collision) = figure else {
-                return Ok(());
-            };
-            own_shot::tell_rays(talk, (*rays, right), collision, "coin")
-        }
-        (
-            Response::Number(_),
-            CheckpointKind::Number {
-                expected,
-                tolerance,
-            },
-        ) => {
-            let (_, unit) = expected.sign_and_unit();
-            let truth = expected.value(figure);
-            let truth = truth.map(|truth| worked::beside(truth, *tolerance));
-            talk.say_all(truth.map(|truth| format!("It is {}.", with_unit(&truth, unit))))
-        }
+        (Response::Rays(rays), _) => match figure {
+            Some(collision) => own_shot::tell_rays(talk, (*rays, right), collision, "coin"),
+            None => Ok(()),
+        },
         (Response::Choice(chosen), CheckpointKind::Choice(choices)) => {
             let chosen = choices.get(*chosen);
             talk.say_all(chosen.map(|chosen| pieces(&chosen.why, figure)))?;
@@ -320,6 +261,18 @@ fn tell(
                 }
                 _ => Ok(()),
             }
+        }
+        (
+            _,
+            CheckpointKind::Number {
+                expected,
+                tolerance,
+            },
+        ) => {
+            let (_, unit) = expected.sign_and_unit();
+            let truth = expected.value(figure);
+            let truth = truth.map(|truth| worked::beside(truth, *tolerance));
+            talk.say_all(truth.map(|truth| format!("It is {}.", with_unit(&truth, unit))))
         }
         _ => Ok(()),
     }

@@ -7,7 +7,6 @@ use super::spoken::sentence;
 use super::talk::{Leave, Talk};
 use crate::physics::{Bond, Collision, CollisionSpec, ImpactPoint};
 use crate::quiz::{Rays, RaysGrade, Response, why};
-use crate::widgets::hit::side;
 
 /// How a shot is set and played.
 pub(super) const HELP: &str = "For a shot of your own, say set and what it shall be: set offset \
@@ -92,7 +91,7 @@ pub(super) fn say_set(talk: &mut Talk, spec: &CollisionSpec) -> Result<(), Leave
 pub(super) fn shoot(talk: &mut Talk, spec: &CollisionSpec) -> Result<(), Leave> {
     let collision = spec.collision();
     let lead: Vec<String> = figure::whole_set_up(spec).into();
-    let said = answering::rays(talk, &lead, side(&collision), "target")?;
+    let said = answering::rays(talk, &lead, collision.side(), "target")?;
     if let Some(Response::Rays(said)) = said {
         let right = RaysGrade::new(&said, &Rays::from(&collision.outcome())).is_right();
         talk.say(if right { "Right." } else { "Not quite." })?;

@@ -54,7 +54,7 @@ impl AnswerInput {
     pub fn new(form: &Form) -> Self {
         match form {
             Form::Rays { side, .. } => Self::Rays(RayInput::new(*side)),
-            Form::Number { quantity, .. } => Self::Number(NumberInput::new(*quantity)),
+            Form::Number { quantity, .. } => Self::Number(NumberInput::new(quantity.clone())),
             Form::Choice { options, .. } => Self::Choice {
                 chosen: None,
                 count: options.len(),
@@ -179,8 +179,8 @@ impl AnswerInput {
     }
 
     /// Writes what is said so far, with all there is to choose from. The distance between
-    /// choices is worth `apart`.
-    pub(crate) fn write(&self, form: &Form, apart: u8, panel: &mut Panel<AnswerAction>) {
+    /// choices is worth `apart`, if there is any.
+    pub(crate) fn write(&self, form: &Form, apart: Option<u8>, panel: &mut Panel<AnswerAction>) {
         match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) => {
                 panel.part(AnswerAction::Ray, |panel| rays.write(panel, target));
@@ -189,7 +189,7 @@ impl AnswerInput {
             (Self::Shot(offset), _) => offset.write("offset", panel),
             (Self::Choice { chosen, .. }, Form::Choice { options, .. }) => {
                 for (i, option) in options.iter().enumerate() {
-                    if i > 0 {
+                    if let (1.., Some(apart)) = (i, apart) {
                         panel.worth(apart, Panel::gap);
                     }
                     let text = vec![Run::new(option, Role::Text)];

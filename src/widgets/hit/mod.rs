@@ -16,7 +16,7 @@ mod stage;
 mod tests;
 mod watch;
 
-pub(crate) use crate::widgets::input::{degrees, side};
+pub(crate) use crate::widgets::input::degrees;
 pub(crate) use after::after_picture;
 pub(crate) use layers::{Overlay, Overlays};
 pub(crate) use names::VelocityNames;

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use crate::physics::Collision;
 use crate::quiz::Ray;
-use crate::widgets::{input::side, picture::View};
+use crate::widgets::picture::View;
 
 /// Half of the picture's shorter side, in radii of the larger disc.
 const HALF_HEIGHT: f64 = 3.3;
@@ -84,7 +84,7 @@ impl HitLayout {
 
     /// +1 where the coin lies to the right of the striker's way, −1 where to the left.
     pub(crate) fn side(&self) -> f64 {
-        side(&self.collision)
+        self.collision.side()
     }
 
     /// Whether a disc has the other one, both at these places, straight ahead in a

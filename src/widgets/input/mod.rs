@@ -16,5 +16,5 @@ pub use list_view::{ListAction, ListView};
 pub use number_entry::{EntryAction, NumberEntry};
 pub use number_input::{NumberAction, NumberInput};
 pub use outcome::Outcome;
-pub use ray_input::{RayAction, RayInput, brief, degrees, shown, side};
+pub use ray_input::{RayAction, RayInput, brief, degrees, shown};
 pub use text_field::TextField;

@@ -42,7 +42,8 @@ pub enum DialStep {
 impl NumberInput {
     /// Nothing given yet.
     pub fn new(quantity: Measure) -> Self {
-        Self::within(quantity, quantity.smallest(), quantity.largest())
+        let (least, most) = (quantity.smallest(), quantity.largest());
+        Self::within(quantity, least, most)
     }
 
     /// The same, held within these bounds.
@@ -71,21 +72,25 @@ impl NumberInput {
         use NumberAction::{Dial, Enter};
         let [up, down] = [1, -1].map(DialStep::Large);
         let [left, right] = [-1, 1].map(DialStep::Small);
-        KeyTable::new("dial")
-            .with(self.entry.keys(), NumberAction::Number)
-            .by(Key::ARROWS, Dial, [up, down, left, right], "dial")
-            .on(Key::Enter, Enter, "next")
+        let keys = KeyTable::new("dial").with(self.entry.keys(), NumberAction::Number);
+        match steps(&self.quantity) {
+            Some(_) => keys
+                .by(Key::ARROWS, Dial, [up, down, left, right], "dial")
+                .on(Key::Enter, Enter, "next"),
+            None => keys,
+        }
     }
 
     /// Does what a key stands for; done by Enter once there is a number.
     pub fn act(&mut self, action: NumberAction) -> Outcome {
         match action {
             NumberAction::Dial(step) => {
-                let (small, large) = steps(self.quantity);
-                self.step(match step {
-                    DialStep::Small(by) => small * f64::from(by),
-                    DialStep::Large(by) => large * f64::from(by),
-                });
+                if let Some((small, large)) = steps(&self.quantity) {
+                    self.step(match step {
+                        DialStep::Small(by) => small * f64::from(by),
+                        DialStep::Large(by) => large * f64::from(by),
+                    });
+                }
             }
             NumberAction::Enter if self.value.is_some() => return Outcome::Done(()),
             NumberAction::Enter => {}
@@ -94,11 +99,12 @@ impl NumberInput {
                     self.set(value);
                     return Outcome::Done(());
                 }
-                _ => {
-                    if let Some(value) = self.entry.value() {
-                        self.set(value);
-                    }
-                }
+                _ => match self.entry.value() {
+                    Some(value) => self.set(value),
+                    // What cannot be dialled is what is typed.
+                    None if steps(&self.quantity).is_none() => self.value = None,
+                    None => {}
+                },
             },
         }
         Outcome::Used
@@ -113,6 +119,10 @@ impl NumberInput {
 
     /// Writes it, a row.
     pub(crate) fn write<A>(&self, name: &str, panel: &mut Panel<A>) {
+        let name = match &self.quantity {
+            Measure::Own { sign, .. } => format!("{sign} ="),
+            _ => name.into(),
+        };
         panel.field(name, self.shown(), (Role::Text, true), None);
     }
 
@@ -127,6 +137,7 @@ impl NumberInput {
     /// How it is given.
     pub fn about(&self) -> String {
         match self.quantity.unit() {
+            _ if steps(&self.quantity).is_none() => "Type a number.".into(),
             "" => "Type a number, or dial it with the arrows.".into(),
             "times" => "Type how many times, or dial it with the arrows.".into(),
             unit => format!("Type a number in {unit}, or dial it with the arrows."),
@@ -141,12 +152,13 @@ impl NumberInput {
     }
 }
 
-/// A small and a large step.
-const fn steps(quantity: Measure) -> (f64, f64) {
+/// A small and a large step; none where the number can only be typed.
+const fn steps(quantity: &Measure) -> Option<(f64, f64)> {
     match quantity {
-        Measure::Angle | Measure::Share => (1.0, 5.0),
-        Measure::Speed | Measure::Restitution => (0.05, 0.5),
-        Measure::Mass | Measure::Length | Measure::Times => (0.5, 5.0),
+        Measure::Angle | Measure::Share => Some((1.0, 5.0)),
+        Measure::Speed | Measure::Restitution => Some((0.05, 0.5)),
+        Measure::Mass | Measure::Length | Measure::Times => Some((0.5, 5.0)),
+        Measure::Own { .. } => None,
     }
 }
 

@@ -288,17 +288,12 @@ fn other(ray: Ray) -> Ray {
     Ray::BOTH[1 - ray as usize]
 }
 
-/// +1 where the coin lies to the right of the striker's way, −1 where to the left;
-/// a player's angles count from the coin's side.
-pub fn side(collision: &Collision) -> f64 {
-    if collision.offset < 0.0 { -1.0 } else { 1.0 }
-}
-
-/// Where both discs go or are said to go, in the degrees of the screen.
+/// Where both discs go or are said to go, in the degrees of the screen, which count from the
+/// coin's side.
 pub fn degrees(collision: &Collision, rays: &Rays) -> [Option<f64>; 2] {
     Ray::BOTH.map(|ray| {
         let angle = rays.get(ray)?;
-        Some(side(collision) * angle.to_degrees() + 0.0)
+        Some(collision.side() * angle.to_degrees() + 0.0)
     })
 }
 

@@ -9,7 +9,7 @@ use ratatui::layout::Rect;
 use super::{Block, Content, Panel, TableColumn, TableRow};
 use crate::widgets::bar::bar;
 use crate::widgets::flow::Run;
-use crate::widgets::{Charset, Lines, Look, Role, Words, areas, text};
+use crate::widgets::{Charset, Lines, Look, Role, Words, areas, formula, text};
 
 /// How a panel is written: in which glyphs and colours, and how its pages are turned.
 #[derive(Debug, Clone)]
@@ -313,9 +313,24 @@ fn write(content: &Content, lines: &mut Lines) {
             }
             lines.clicked_as(recorded, Some(*chosen), |lines| lines.line(&row, role));
         }
-        Content::Item(text, role) => {
-            lines.flowing("-", 2, &[Run::new(text.as_str(), *role)]);
+        Content::Flow(mark, runs) => {
+            let indent = match mark.as_str() {
+                "" => 0,
+                mark => text::width(mark) as u16 + 1,
+            };
+            lines.flowing(mark, indent, runs);
         }
+        Content::Formula(formula, role) => {
+            let recorded = |charset| Words::Equation {
+                runs: vec![Run::new(formula.inline(), *role).spelt(charset)],
+            };
+            lines.written_as(recorded, |lines| {
+                for row in formula::set(formula, lines.charset()) {
+                    lines.line(&format!("{:1$}{row}", "", FORMULA.into()), *role);
+                }
+            });
+        }
+        Content::Working(line) => lines.equation(line, WORKING, Role::Text),
         Content::Field {
             name,
             value,
@@ -410,6 +425,10 @@ fn write_tabs(names: &[String], open: usize, lines: &mut Lines, take: &mut TakeT
 
 /// Fewest rows that are left for what is scrolled below what stays in sight.
 const LEAST: u16 = 6;
+
+/// Columns by which a formula is set in, and what is left of a line of working.
+const FORMULA: u16 = 2;
+const WORKING: u16 = 4;
 
 /// Columns of a share, `100 %`.
 const SHARE: usize = 5;

@@ -7,6 +7,7 @@ mod tests;
 
 pub(crate) use cells::{Placed, Writing, written};
 
+use crate::lessons::Formula;
 use crate::widgets::Role;
 use crate::widgets::flow::Run;
 
@@ -18,6 +19,8 @@ pub(crate) struct Panel<A> {
     /// The number of what it is about: with another one it begins at its top again, however
     /// far it was scrolled.
     pub subject: usize,
+    /// Whether it is read from its top, rather than follow what is chosen in it.
+    pub from_top: bool,
     blocks: Vec<Block<A>>,
     /// How many of the blocks, from the first on, stay in sight however far it is scrolled.
     pinned: usize,
@@ -80,8 +83,12 @@ enum Content {
     },
     /// Several pages, one of which is open, in one row.
     Tabs { names: Vec<String>, open: usize },
-    /// One of several texts, behind a mark.
-    Item(String, Role),
+    /// A text in more than one style, behind a mark or none.
+    Flow(String, Vec<Run>),
+    /// A formula, in as many storeys as it has.
+    Formula(Formula, Role),
+    /// A line of working: it may be broken before a sign, and its rest is set in.
+    Working(String),
     /// Something that can be set.
     Field {
         name: String,
@@ -176,6 +183,7 @@ impl<A> Panel<A> {
         Self {
             title: title.into(),
             subject: 0,
+            from_top: false,
             blocks: Vec::new(),
             pinned: 0,
             worth: None,
@@ -330,7 +338,22 @@ impl<A> Panel<A> {
 
     /// One of several texts.
     pub(crate) fn item(&mut self, text: impl Into<String>, role: Role) {
-        self.push(Content::Item(text.into(), role));
+        self.flow("-", vec![Run::new(text, role)]);
+    }
+
+    /// A text in more than one style, behind a mark or none.
+    pub(crate) fn flow(&mut self, mark: impl Into<String>, runs: Vec<Run>) {
+        self.push(Content::Flow(mark.into(), runs));
+    }
+
+    /// A formula in rows of its own.
+    pub(crate) fn formula(&mut self, formula: Formula, role: Role) {
+        self.push(Content::Formula(formula, role));
+    }
+
+    /// A line of working.
+    pub(crate) fn working(&mut self, line: impl Into<String>) {
+        self.push(Content::Working(line.into()));
     }
 
     /// Something that can be set: what it is called, how its value reads, and what a click

@@ -1,7 +1,7 @@
 //! A chapter being read: text beside a figure, page by page, with checkpoints.
 
+mod page;
 mod panel;
-mod view;
 
 use std::time::Duration;
 
@@ -10,23 +10,23 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::figure::{FigureAction, LiveFigure, svg_of};
-use super::question::{CheckpointAction, CheckpointInput};
 use super::record;
-use crate::lessons::{Bookmark, Chapter, ChapterPage, Forget};
-use crate::messages::{Input, Key, Mouse, MouseKind, StoreReply};
-use crate::physics::Collision;
+use crate::lessons::{Bookmark, Chapter, Forget};
+use crate::messages::{Input, Key, Mouse, StoreReply};
 use crate::quiz::Response;
-use crate::screens::{Confirmation, Context, Next, Place, Screen};
-use crate::widgets::hit::{HitPace, Watch};
-use crate::widgets::input::KeyTable;
-use crate::widgets::{Lines, Look, Outcome, Scroll, SplitLayout, overflow};
+use crate::screens::{Confirmation, Context, Next, Place, Screen, SharedAction, View};
+use crate::widgets::input::{KeyTable, RayAction};
+use crate::widgets::panel::Panel;
+use crate::widgets::{AnswerAction, AnswerInput, Look, Outcome, Role, Scroll, SplitLayout};
+
+use page::{OpenPage, Stage};
 
 /// What keys do in a chapter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum ReadingAction {
     /// answer the question
-    Answer(CheckpointAction),
+    Answer(AnswerAction),
     /// work the figure
     Figure(FigureAction),
     /// let keys go to the figure first, or to the text
@@ -37,8 +37,6 @@ pub(crate) enum ReadingAction {
     Back,
     /// scroll, or to the page before or the next one
     Page(i16),
-    /// scroll
-    Scroll(i16),
     /// show how it is, without a second try
     ShowIt,
     /// ask this page's question again
@@ -59,23 +57,17 @@ pub(crate) struct Reading {
     number: usize,
     chapter: Chapter,
     at: usize,
-    figure: Option<LiveFigure>,
-    question: Option<CheckpointInput>,
-    answer: Option<Response>,
-    /// The wrong answer before it, after which there was a hint; while there is no answer
-    /// yet, the second try is being made.
-    first: Option<Response>,
-    /// Whether keys go to the figure first.
-    on_figure: bool,
+    /// The page; none is open before it is known where the chapter was left.
+    open: Option<OpenPage>,
     /// The impact angle that was set since the bookmark was moved last, in degrees.
     alpha_deg: Option<f64>,
-    scroll: Scroll,
-    notice: Option<String>,
-    /// Whether a page is open; none is before it is known where the chapter was left.
-    is_open: bool,
+    notice: Option<&'static str>,
     /// The page that it was opened at to look something up.
     visited: Option<usize>,
 }
+
+/// Why a figure is not shown whole yet.
+const SAY_FIRST: &str = "First say what you think.";
 
 impl Reading {
     /// A chapter, at the page where it was left; `None` beyond the last.
@@ -105,15 +97,9 @@ impl Reading {
             number,
             chapter: chapter.clone(),
             at: 0,
-            figure: None,
-            question: None,
-            answer: None,
-            first: None,
-            on_figure: false,
+            open: None,
             alpha_deg: None,
-            scroll: Scroll::default(),
             notice: None,
-            is_open: false,
             visited: None,
         }
     }
@@ -128,8 +114,14 @@ impl Reading {
     ) -> Self {
         let mut reading = Self::closed(0, chapter);
         reading.at = at;
-        reading.lay_out(None, answer.map(|answer| (answer, first)));
-        reading.first = first;
+        reading.lay_out(None, answer.map(|answer| (answer, None)));
+        if let Some(open) = &mut reading.open
+            && let (Some(question), Some(first)) = (&mut open.question, first)
+        {
+            let figure = open.figure.as_ref().map(LiveFigure::collision);
+            let form = question.form(figure);
+            question.ask_again(first, &form);
+        }
         reading
     }
 
@@ -165,101 +157,60 @@ impl Reading {
     }
 
     fn lay_out(&mut self, alpha_deg: Option<f64>, tries: Option<(Response, Option<Response>)>) {
-        self.is_open = true;
-        self.scroll = Scroll::default();
         self.notice = None;
-        let Some(page) = self.chapter.pages.get(self.at) else {
-            return;
-        };
-        let (figure, checkpoint) = (page.figure, page.checkpoint.as_ref());
-        let hidden = checkpoint.is_some();
-        let figure = figure.map(|figure| LiveFigure::new(figure, alpha_deg, hidden));
-        let collision = figure.as_ref().map(LiveFigure::collision);
-        self.question = checkpoint.map(|asked| CheckpointInput::new(asked, collision));
-        self.figure = figure;
-        self.answer = None;
-        self.first = None;
-        self.on_figure = self.is_open_to_figure();
-        if let Some((answer, first)) = tries
-            && self.question.is_some()
-        {
-            self.first = first;
-            self.tell(answer, HitPace::Still);
-            self.figure.iter_mut().for_each(LiveFigure::tell);
-        }
+        let page = self.chapter.pages.get(self.at);
+        self.open = page.map(|page| OpenPage::new(page, alpha_deg, tries));
     }
 
-    /// Whether keys go to the figure first on a page as it is opened.
-    fn is_open_to_figure(&self) -> bool {
-        !self.is_asking() && self.figure.as_ref().is_some_and(LiveFigure::is_set_by_keys)
-    }
-
-    fn page(&self) -> Option<&ChapterPage> {
-        self.chapter.pages.get(self.at)
-    }
-
-    /// The collision of the figure.
-    fn collision(&self) -> Option<&Collision> {
-        self.figure.as_ref().map(LiveFigure::collision)
-    }
-
-    /// Whether a question waits for its answer.
     fn is_asking(&self) -> bool {
-        self.question.is_some() && self.answer.is_none()
+        self.open.as_ref().is_some_and(OpenPage::is_asking)
     }
 
-    /// The hit that is just telling what happens, step by step.
-    fn telling(&self) -> Option<&Watch> {
-        let watch = self.figure.as_ref().and_then(LiveFigure::watch);
-        watch.filter(|watch| !self.is_asking() && !watch.is_told())
-    }
-
-    /// Shows what belongs to an answer.
-    fn tell(&mut self, answer: Response, pace: HitPace) {
-        self.answer = Some(answer);
-        self.scroll = Scroll::default();
-        if let Some(figure) = &mut self.figure {
-            figure.reveal(answer.rays(), pace);
-        }
-        self.on_figure = self.is_open_to_figure();
+    fn figure(&self) -> Option<&LiveFigure> {
+        self.open.as_ref()?.figure.as_ref()
     }
 
     /// Takes an answer: marks it and keeps it. A first wrong one gets a hint, if there is
     /// one, else it is told what is so.
     fn answered(&mut self, answer: Response, cx: &mut Context) {
-        let Some(page) = self.page() else {
+        let Some(open) = &mut self.open else {
             return;
         };
-        let Some(checkpoint) = &page.checkpoint else {
+        let figure = open.figure.as_ref().map(LiveFigure::collision);
+        let Some(question) = &mut open.question else {
             return;
         };
-        let figure = self.collision();
-        let player = &cx.settings.player;
-        let tried = (&answer, self.first.is_some());
-        let attempt = record::attempt(player, &self.chapter, self.at, tried, checkpoint, figure);
-        let right = attempt.right;
-        cx.record(attempt);
-        if self.first.is_none() && checkpoint.offers_second_try(&answer, figure) {
-            let anew = |question: &CheckpointInput| question.anew(checkpoint, figure);
-            self.question = self.question.as_ref().map(anew);
-            self.first = Some(answer);
-            self.scroll = Scroll::default();
-            return;
+        let form = question.form(figure);
+        let (player, first) = (&cx.settings.player, question.first);
+        let tried = (&answer, first.is_some());
+        cx.record(record::attempt(
+            player,
+            &self.chapter,
+            self.at,
+            &form,
+            tried,
+        ));
+        if first.is_none() && question.checkpoint.offers_second_try(&form, &answer) {
+            return question.ask_again(answer, &form);
         }
-        let mark = Bookmark::answering(page, checkpoint, (answer, self.first), right);
+        let right = form.is_right(&answer);
+        let mark = Bookmark::answering(&open.page, &question.checkpoint, (answer, first), right);
+        open.tell(answer, cx.settings.pace());
         self.mark(mark, cx);
-        self.tell(answer, cx.settings.pace());
     }
 
     /// Tells what is so after the first try alone.
     fn show_it(&mut self, cx: &mut Context) {
-        let first = self.first.take();
-        if let Some((page, answer)) = self.page().zip(first)
-            && let Some(checkpoint) = &page.checkpoint
+        let Some(open) = &mut self.open else {
+            return;
+        };
+        if let Some(question) = &mut open.question
+            && let Some(answer) = question.first.take()
         {
-            let mark = Bookmark::answering(page, checkpoint, (answer, None), false);
+            let checkpoint = &question.checkpoint;
+            let mark = Bookmark::answering(&open.page, checkpoint, (answer, None), false);
+            open.tell(answer, cx.settings.pace());
             self.mark(mark, cx);
-            self.tell(answer, cx.settings.pace());
         }
     }
 
@@ -267,13 +218,12 @@ impl Reading {
         cx.forget(Forget::Chapter(self.chapter.id.clone()));
         self.alpha_deg = None;
         self.open(0, cx);
-        self.notice = Some("The chapter starts over.".into());
+        self.notice = Some("The chapter starts over.");
     }
 
     /// Notes the impact angle that the student has set.
     fn note_alpha(&mut self) {
-        let figure = self.figure.as_ref();
-        if let Some(figure) = figure.filter(|figure| figure.is_own()) {
+        if let Some(figure) = self.figure().filter(|figure| figure.is_own()) {
             self.alpha_deg = Some(figure.alpha_deg());
         }
     }
@@ -317,10 +267,10 @@ impl Reading {
     }
 
     fn ask_again(&mut self, cx: &mut Context) {
-        if let Some(page) = self.page() {
+        if let Some(open) = &self.open {
             cx.forget(Forget::Answer {
                 chapter: self.chapter.id.clone(),
-                page: page.title.clone(),
+                page: open.page.title.clone(),
             });
         }
         self.open(self.at, cx);
@@ -328,7 +278,7 @@ impl Reading {
 
     /// The figure in the lab, or the foil.
     fn full_size(&mut self) -> Next {
-        let Some(figure) = &self.figure else {
+        let Some(figure) = self.figure() else {
             return Next::Stay;
         };
         match figure.foil_page() {
@@ -338,7 +288,7 @@ impl Reading {
             }
             // It would show the answer.
             Some(_) if self.is_asking() => {
-                self.notice = Some("First say what you think.".into());
+                self.notice = Some(SAY_FIRST);
                 Next::Stay
             }
             Some(page) => Next::Open(Place::FoilAt { page }),
@@ -347,75 +297,25 @@ impl Reading {
 
     fn export(&mut self, cx: &mut Context) {
         if self.is_asking() {
-            self.notice = Some("First say what you think.".into());
-        } else if let Some(figure) = &self.figure {
+            self.notice = Some(SAY_FIRST);
+        } else if let Some(figure) = self.figure() {
             let name = format!("carrom-{}-{}.svg", self.chapter.id, self.at + 1);
             let look = cx.settings.look();
             cx.export(name, svg_of(figure, &look));
         }
     }
 
-    /// Scrolls the text; says whether there was more of it.
-    fn scroll_by(&mut self, rows: i16, cx: &Context) -> bool {
-        let area = view::layout(self, cx.room()).panel;
-        let write = |lines: &mut Lines| panel::write(self, lines);
-        let before = self.scroll;
-        self.scroll = before.by(rows, area, cx.settings.look(), write);
-        self.scroll != before
-    }
-
-    /// Scrolls the answer in the making into sight.
-    fn show_answer(&mut self, cx: &Context) {
-        let (area, look) = (view::layout(self, cx.room()).panel, cx.settings.look());
-        if let Some(row) = panel::row_of_answer(self, area, look) {
-            let write = |lines: &mut Lines| panel::write(self, lines);
-            self.scroll = self.scroll.show(row, area, look, write);
-        }
-    }
-
-    /// Rows that the text takes, and rows there are for it.
-    pub(super) fn rows(&self, cx: &Context) -> (u16, u16) {
-        let area = view::layout(self, cx.room()).panel;
-        let more = overflow(area, cx.settings.look(), |lines| panel::write(self, lines));
-        (area.height + more, area.height)
-    }
-
-    /// The mouse over the picture.
-    fn point(&mut self, mouse: &Mouse, picture: Rect, look: &Look) -> Next {
-        let question = self.question.as_mut().filter(|_| self.answer.is_none());
-        let rays = question.and_then(CheckpointInput::rays_mut);
-        let figure = self.figure.as_mut();
-        let used = figure.is_some_and(|figure| figure.mouse(mouse, picture, rays, look));
-        if used {
-            self.note_alpha();
-        }
-        Next::after(used)
-    }
-
-    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let SplitLayout { picture, panel, .. } = view::layout(self, cx.room());
-        let (cell, look) = (mouse.cell(), cx.settings.look());
-        if picture.contains(cell.into()) {
-            return self.point(mouse, picture, &look);
-        }
-        if !panel.contains(cell.into()) {
-            return Next::Ignored;
-        }
-        if let Some(by) = mouse.wheel() {
-            self.scroll_by(-i16::from(by), cx);
-            return Next::Stay;
-        }
-        if mouse.kind == MouseKind::Down
-            && self.is_asking()
-            && let Some(line) = panel::choice_at(self, panel, cell, look)
-            && let Some(question) = &mut self.question
-        {
-            if question.choose(line) {
-                self.answered(Response::Choice(line), cx);
-            }
-            return Next::Stay;
-        }
-        Next::Ignored
+    /// The keys that give an answer. The other ray is chosen by Enter: Tab goes to the figure.
+    fn answer_keys(open: &OpenPage) -> KeyTable<AnswerAction> {
+        // What leads back to the contents is worth more on a small screen.
+        let spare = |action| {
+            use AnswerAction::{Choose, Ray};
+            matches!(action, Choose(_) | Ray(RayAction::StaysStill))
+        };
+        let input = open.input().filter(|_| !open.on_figure);
+        let keys = input.map_or(KeyTable::new("answer"), |input| input.keys());
+        let keys = keys.renamed("", spare);
+        keys.without_keys(&[Key::Tab, Key::BackTab])
     }
 }
 
@@ -427,36 +327,33 @@ impl Screen for Reading {
     }
 
     fn status(&self, _cx: &Context) -> String {
-        if !self.is_open {
-            return String::new();
+        match self.open {
+            Some(_) => format!("page {} of {}", self.at + 1, self.chapter.pages.len()),
+            None => String::new(),
         }
-        format!("page {} of {}", self.at + 1, self.chapter.pages.len())
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<ReadingAction> {
         use ReadingAction::{
-            Answer, AskAgain, Back, Export, Figure, Forget, FullSize, Leave, Next, Page, Scroll,
-            ShowIt, Switch,
+            Answer, AskAgain, Back, Export, Figure, Forget, FullSize, Leave, Next, Page, ShowIt,
+            Switch,
         };
         let keys = || KeyTable::new("reading");
-        let asking = self.is_asking();
-        let answering = asking && !self.on_figure;
-        let telling = self.telling().is_some();
         let away = self.visited.map_or("contents", |_| "back");
-        if !self.is_open {
+        let Some(open) = &self.open else {
             return keys().on(Key::Escape, Leave, away);
-        }
-        let question = self.question.iter().filter(|_| answering);
-        let mut table = question.fold(keys(), |table, it| table.with(it.keys(), Answer));
+        };
+        let (asking, telling) = (open.is_asking(), open.telling().is_some());
         let on = match self.at + 1 >= self.chapter.pages.len() {
             true => "finish",
             false => "next page",
         };
-        let here = keys()
+        let mut table = keys()
+            .with(Self::answer_keys(open), Answer)
             .on(Key::Char('s'), ShowIt, "show it")
-            .when(asking && self.first.is_some())
+            .when(open.hinted().is_some())
             .on(Key::Enter, Switch, "text")
-            .when(asking && self.on_figure)
+            .when(asking && open.on_figure)
             .on(Key::Enter, Next, on)
             .or([(Key::Char('n'), Next)])
             .when(!asking && !telling)
@@ -466,35 +363,34 @@ impl Screen for Reading {
             .on(Key::Escape, Leave, away)
             .on(Key::Char('n'), Next, "skip")
             .when(asking);
-        table = table.with(here, |action| action);
-        if let Some(figure) = &self.figure {
+        if let Some(figure) = &open.figure {
             // Up and Down scroll the text, unless keys go to the figure first.
-            let lines: &[Key] = match self.on_figure {
+            let lines: &[Key] = match open.on_figure {
                 true => &[],
                 false => &[Key::Up, Key::Down],
             };
             table = table.with(figure.keys().without_keys(lines), Figure);
         }
-        let foil = self.figure.as_ref().and_then(LiveFigure::foil_page);
+        let has_figure = open.figure.is_some();
+        let foil = self.figure().and_then(LiveFigure::foil_page);
         let full_size = foil.map_or("in the lab", |_| "the foil");
-        let other = if self.on_figure { "text" } else { "figure" };
-        let rest = keys()
+        let other = if open.on_figure { "text" } else { "figure" };
+        table
             .on(Key::Char(' '), Next, "")
             .when(!asking)
             .on(Key::Char('b'), Back, "back")
             .on(Key::Tab, Switch, other)
             .or([(Key::BackTab, Switch)])
-            .when(self.figure.is_some())
+            .when(has_figure)
             .on(Key::Char('o'), FullSize, full_size)
-            .when(self.figure.is_some())
+            .when(has_figure)
             .on(Key::Char('e'), Export, "export")
-            .when(self.figure.is_some())
-            .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "")
+            .when(has_figure)
             .each([(Key::PageUp, Page(-1)), (Key::PageDown, Page(1))], "")
             .on(Key::Char('r'), AskAgain, "")
-            .when(self.question.is_some())
-            .on(Key::Char('R'), Forget, "");
-        table.with(rest, |action| action).distinct()
+            .when(open.question.is_some())
+            .on(Key::Char('R'), Forget, "")
+            .distinct()
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
@@ -508,29 +404,27 @@ impl Screen for Reading {
         self.notice = None;
         match action {
             ReadingAction::Answer(action) => {
-                let outcome = self.question.as_mut().map(|question| question.act(action));
-                match outcome {
-                    Some(Outcome::Done(answer)) => self.answered(answer, cx),
-                    Some(Outcome::Used) => self.show_answer(cx),
-                    _ => {}
+                let input = self.open.as_mut().and_then(OpenPage::input_mut);
+                let outcome = input.map(|input| (input.act(action), input.said()));
+                if let Some((Outcome::Done(()), Some(said))) = outcome {
+                    self.answered(said, cx);
                 }
             }
             ReadingAction::Figure(action) => {
-                if let Some(figure) = &mut self.figure {
+                if let Some(figure) = self.open.as_mut().and_then(|it| it.figure.as_mut()) {
                     figure.act(action);
                     self.note_alpha();
                 }
             }
-            ReadingAction::Switch => self.on_figure = !self.on_figure,
+            ReadingAction::Switch => {
+                if let Some(open) = &mut self.open {
+                    open.on_figure = !open.on_figure;
+                }
+            }
             ReadingAction::Next => return self.on(cx),
             ReadingAction::Back => return self.back(cx),
             ReadingAction::Page(by) => {
-                if !self.scroll_by(Scroll::PAGE * by, cx) {
-                    return if by < 0 { self.back(cx) } else { self.on(cx) };
-                }
-            }
-            ReadingAction::Scroll(by) => {
-                self.scroll_by(by, cx);
+                return Next::Shared(SharedAction::Scroll(Scroll::PAGE * by));
             }
             ReadingAction::ShowIt => self.show_it(cx),
             ReadingAction::AskAgain => self.ask_again(cx),
@@ -559,13 +453,12 @@ impl Screen for Reading {
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
             Input::Kept(answer) if matches!(answer.done, StoreReply::Marks(_)) => {
-                if !self.is_open {
+                if self.open.is_none() {
                     self.open_where_left(cx);
                 }
                 Next::Ignored
             }
-            Input::Mouse(mouse) if self.is_open => self.mouse(mouse, cx),
-            Input::Exported(exported) if self.is_open => {
+            Input::Exported(exported) if self.open.is_some() => {
                 cx.tell_of_export("figure", exported);
                 Next::Stay
             }
@@ -573,17 +466,61 @@ impl Screen for Reading {
         }
     }
 
+    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, ReadingAction>> {
+        let Some(open) = &self.open else {
+            let mut panel = Panel::new(self.chapter.title.as_str());
+            panel.line("Looking …", Role::Dim);
+            return Some(View::alone(SplitLayout::text_alone, panel));
+        };
+        let panel = panel::panel(open, self.at, self.notice, cx.settings.charset);
+        let Some(figure) = &open.figure else {
+            return Some(View::alone(SplitLayout::text_alone, panel));
+        };
+        let rays = open.rays();
+        let title = rays.map_or_else(|| figure.title(), |_| "where will they go?".into());
+        let draw = move |area: Rect, buf: &mut Buffer, look: &Look| {
+            figure.draw(area, buf, look, rays);
+        };
+        Some(View {
+            layout: SplitLayout::square,
+            focus: Some(open.on_figure),
+            ..View::picture(title, draw, panel)
+        })
+    }
+
+    /// The mouse over the picture.
+    fn point(&mut self, mouse: &Mouse, picture: Rect, cx: &mut Context) -> Next {
+        let used = picture.contains(mouse.cell().into())
+            && self.open.as_mut().is_some_and(|open| {
+                let rays = match open.question.as_mut().map(|question| &mut question.stage) {
+                    Some(Stage::Asking(AnswerInput::Rays(rays))) => Some(rays),
+                    _ => None,
+                };
+                let figure = open.figure.as_mut();
+                figure.is_some_and(|figure| figure.mouse(mouse, picture, rays, &cx.settings.look()))
+            });
+        if used {
+            self.note_alpha();
+        }
+        Next::after(used)
+    }
+
+    /// Beyond its ends the text goes on with another page.
+    fn scrolled_out(&mut self, by: i16, cx: &mut Context) -> Next {
+        match by {
+            Scroll::PAGE => self.on(cx),
+            by if by == -Scroll::PAGE => self.back(cx),
+            _ => Next::Ignored,
+        }
+    }
+
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
-        if let Some(figure) = &mut self.figure {
+        if let Some(figure) = self.open.as_mut().and_then(|it| it.figure.as_mut()) {
             figure.advance(passed, cx.settings.pace());
         }
     }
 
     fn wake(&self, cx: &Context) -> Option<Duration> {
-        self.figure.as_ref()?.wake(cx.settings.pace())
-    }
-
-    fn draw(&self, _area: Rect, buf: &mut Buffer, cx: &Context) {
-        view::draw(self, buf, cx);
+        self.figure()?.wake(cx.settings.pace())
     }
 }

@@ -1,253 +1,203 @@
 //! The text of a page: what is to be read and asked, or what is said to an answer.
 
-use ratatui::layout::Rect;
-
-use super::Reading;
-use crate::lessons::{Checkpoint, CheckpointChoice, CheckpointKind};
-use crate::numbers::{fixed, true_minus, with_unit};
-use crate::physics::Collision;
-use crate::quiz::{Rays, RaysGrade, Response, why_of_hit};
+use super::ReadingAction;
+use super::page::{OpenPage, PageQuestion, Stage};
+use crate::lessons::CheckpointKind;
+use crate::quiz::{Form, Rays, Response, why_of_hit};
 use crate::screens::lab::explain;
 use crate::screens::learn::figure::LiveFigure;
-use crate::screens::learn::prose;
+use crate::screens::learn::prose::Prose;
 use crate::widgets::hit::Watch;
-use crate::widgets::panel::written;
+use crate::widgets::panel::Panel;
 use crate::widgets::panels::{reason, said_and_true};
-use crate::widgets::{Lines, Look, Role, rehearsed};
+use crate::widgets::{AnswerAction, AnswerInput, Charset, Role};
 
-/// Writes it.
-pub(super) fn write(reading: &Reading, lines: &mut Lines) {
-    write_noting(reading, lines, |_| {});
-}
+/// What next to do has the least worth, for the keys at the foot say it too; then what has
+/// been read.
+const NEXT: u8 = 1;
+const READ: u8 = 2;
 
-/// The line of a choice at a cell of the panel.
-pub(super) fn choice_at(
-    reading: &Reading,
-    area: Rect,
-    (_, row): (u16, u16),
-    look: Look,
-) -> Option<usize> {
-    let starts = starts(reading, area, look);
-    let scrolled = reading
-        .scroll
-        .rows(area, look, |lines| write(reading, lines));
-    let row = row.saturating_sub(area.y) + scrolled;
-    let is_last = starts.last().is_some_and(|start| row > start + 3);
-    let line = starts.into_iter().rposition(|start| start <= row)?;
-    (!is_last).then_some(line)
-}
-
-/// The last row of the line of the answer in the making that keys change.
-pub(super) fn row_of_answer(reading: &Reading, area: Rect, look: Look) -> Option<u16> {
-    let starts = starts(reading, area, look);
-    let line = reading.question.as_ref()?.line();
-    let after = starts.get(line + 1).map(|next| next.saturating_sub(1));
-    after.or_else(|| starts.get(line).copied())
-}
-
-/// The first row of each line of the answer in the making.
-fn starts(reading: &Reading, area: Rect, look: Look) -> Vec<u16> {
-    let mut starts = Vec::new();
-    rehearsed(area, look, |lines| {
-        write_noting(reading, lines, |row| starts.push(row));
-    });
-    starts
-}
-
-fn write_noting(reading: &Reading, lines: &mut Lines, rows: impl FnMut(u16)) {
-    let Some(page) = reading.page() else {
-        return;
-    };
-    if let Some(watch) = reading.telling() {
-        return written::<()>(lines, |panel| watch.write_telling(panel));
+/// The panel of page `at`; a notice stays in sight above it.
+pub(super) fn panel(
+    open: &OpenPage,
+    at: usize,
+    notice: Option<&str>,
+    charset: Charset,
+) -> Panel<ReadingAction> {
+    let mut panel = Panel::new(open.page.title.as_str());
+    panel.subject = 3 * at;
+    if let Some(notice) = notice {
+        panel.line(notice, Role::Key);
+        panel.gap();
+        panel.pin();
     }
-    let collision = reading.collision();
-    let Some((checkpoint, question)) = page.checkpoint.as_ref().zip(reading.question.as_ref())
-    else {
-        return prose::write(&page.text, lines, collision);
+    let prose = Prose {
+        figure: open.collision(),
+        charset,
     };
-    let Some(answer) = reading.answer else {
-        match &reading.first {
-            None => {
-                prose::write(&page.text, lines, collision);
-                lines.gap();
-                prose::write(&checkpoint.question, lines, collision);
-            }
-            Some(first) => {
-                let hinted = |lines: &mut Lines| hinted(checkpoint, first, collision, lines);
-                let asked = |lines: &mut Lines| {
-                    hinted(lines);
-                    lines.gap();
-                    question.write(checkpoint, lines, |_| {});
-                };
-                let mut spare = lines.spare(lines.rows_by(asked));
-                let read = |lines: &mut Lines| prose::write_dimmed(&page.text, lines, collision);
-                if spare.take(lines.rows_by(read) + 1) {
-                    read(lines);
-                    lines.gap();
+    if let Some(watch) = open.telling() {
+        watch.write_telling(&mut panel);
+        return panel;
+    }
+    let Some(question) = &open.question else {
+        prose.write(&open.page.text, &mut panel);
+        return panel;
+    };
+    let form = question.form(prose.figure);
+    match &question.stage {
+        Stage::Asking(input) => {
+            panel.subject += usize::from(question.first.is_some());
+            // It is read from its beginning, until it is answered.
+            panel.from_top = *input == AnswerInput::new(&form);
+            asking(open, question, (&form, input), prose, &mut panel);
+        }
+        Stage::Told(answer) => {
+            panel.subject += 2;
+            // What was read stays above it, if there is room for both.
+            panel.worth(READ, |panel| {
+                prose.write_dimmed(&open.page.text, panel);
+                if answer.rays().is_some() {
+                    panel.gap();
+                    prose.write_dimmed(&question.checkpoint.question, panel);
                 }
-                hinted(lines);
-            }
+                panel.gap();
+            });
+            told(open, question, (&form, answer), prose, &mut panel);
         }
-        lines.gap();
-        question.write(checkpoint, lines, rows);
-        let next = question.hint();
-        let mut spare = lines.spare(0);
-        if spare.take(lines.rows_of(next) + 1) {
-            lines.gap();
-            lines.paragraph(next, Role::Key);
-        }
-        return;
-    };
-    let told = |lines: &mut Lines| told(reading, checkpoint, answer, lines);
-    // What was read stays above it, if there is room for both.
-    let asked_above = matches!(answer, Response::Rays(_));
-    let read = |lines: &mut Lines| {
-        prose::write_dimmed(&page.text, lines, collision);
-        if asked_above {
-            lines.gap();
-            prose::write_dimmed(&checkpoint.question, lines, collision);
-        }
-    };
-    let mut spare = lines.spare(lines.rows_by(told));
-    if spare.take(lines.rows_by(read) + 1) {
-        read(lines);
-        lines.gap();
     }
-    told(lines);
+    panel
 }
 
-/// The question once more, and what helps after a first wrong answer to it.
-fn hinted(
-    checkpoint: &Checkpoint,
-    first: &Response,
-    figure: Option<&Collision>,
-    lines: &mut Lines,
+/// What is asked, and the answer in the making.
+fn asking(
+    open: &OpenPage,
+    question: &PageQuestion,
+    (form, input): (&Form, &AnswerInput),
+    prose: Prose,
+    panel: &mut Panel<ReadingAction>,
 ) {
-    prose::write(&checkpoint.question, lines, figure);
-    lines.gap();
-    let verdict = match (first, figure) {
-        (Response::Rays(said), Some(collision)) => {
-            let grade = RaysGrade::new(said, &Rays::from(&collision.outcome()));
-            match (grade.striker.is_right(), grade.target.is_right()) {
-                (true, _) => "The striker is right. The coin is not, yet.",
-                (_, true) => "The coin is right. The striker is not, yet.",
-                _ => "Not yet. A hint:",
-            }
+    let checkpoint = &question.checkpoint;
+    match &question.first {
+        None => {
+            prose.write(&open.page.text, panel);
+            panel.gap();
         }
-        _ if checkpoint.credit(first, figure) > 0.0 => "Nearly. A hint:",
-        _ => "Not yet. A hint:",
-    };
-    lines.paragraph(verdict, Role::Warn);
-    match (first, &checkpoint.asked) {
-        (Response::Choice(chosen), CheckpointKind::Choice(choices))
-            if checkpoint.hint.is_empty() =>
-        {
-            if let Some(choice) = choices.get(*chosen) {
-                lines.flowing("", 0, &prose::runs(&choice.why, Role::Text, figure));
-            }
-        }
-        _ => prose::write(&checkpoint.hint, lines, figure),
+        Some(_) => panel.worth(READ, |panel| {
+            prose.write_dimmed(&open.page.text, panel);
+            panel.gap();
+        }),
     }
+    prose.write(&checkpoint.question, panel);
+    panel.gap();
+    if let Some(first) = &question.first {
+        let verdict = match form.rays_grade(first) {
+            Some(grade) if grade.striker.is_right() => {
+                "The striker is right. The coin is not, yet."
+            }
+            Some(grade) if grade.target.is_right() => "The coin is right. The striker is not, yet.",
+            None if form.credit(first) > 0.0 => "Nearly. A hint:",
+            _ => "Not yet. A hint:",
+        };
+        panel.paragraph(verdict, Role::Warn);
+        prose.write(&checkpoint.hint_to(first), panel);
+        panel.gap();
+    }
+    let chosen = match input.said() {
+        Some(Response::Choice(chosen)) => Some(chosen),
+        _ => None,
+    };
+    // A click on what is chosen gives the answer.
+    let given = |action| match action {
+        AnswerAction::Choose(at) if chosen == Some(at) => AnswerAction::Give(at),
+        action => action,
+    };
+    let answer = |action| ReadingAction::Answer(given(action));
+    panel.part(answer, |panel| input.write(form, None, panel));
+    panel.worth(NEXT, |panel| {
+        panel.gap();
+        panel.part(answer, |panel| match (input, form) {
+            (AnswerInput::Rays(rays), Form::Rays { target, .. }) => {
+                panel.part(AnswerAction::Ray, |panel| {
+                    rays.write_prompt(panel, target, "watch");
+                });
+            }
+            _ if input.said().is_some() => input.write_prompt(form, "say it", panel),
+            _ => panel.paragraph(input.about(form), Role::Key),
+        });
+    });
 }
 
 /// What is said to an answer.
-fn told(reading: &Reading, checkpoint: &Checkpoint, answer: Response, lines: &mut Lines) {
-    let collision = reading.collision();
+fn told(
+    open: &OpenPage,
+    question: &PageQuestion,
+    (form, answer): (&Form, &Response),
+    prose: Prose,
+    panel: &mut Panel<ReadingAction>,
+) {
+    let checkpoint = &question.checkpoint;
     if answer.rays().is_none() {
-        prose::write(&checkpoint.question, lines, collision);
-        lines.gap();
+        prose.write(&checkpoint.question, panel);
+        panel.gap();
     }
-    match (&answer, &checkpoint.asked) {
-        (Response::Rays(rays), _) => {
-            if let Some(figure) = &reading.figure
-                && let Some(watch) = figure.watch()
-            {
-                rays_told(rays, watch, figure, lines);
+    let right = form.is_right(answer);
+    match (answer, &checkpoint.asked, &open.figure) {
+        (Response::Rays(rays), _, Some(figure)) => {
+            if let Some(watch) = figure.watch() {
+                rays_told(rays, watch, figure, panel);
             }
         }
-        (Response::Choice(chosen), CheckpointKind::Choice(choices)) => {
-            choice_told(*chosen, choices, collision, lines);
+        (Response::Choice(chosen), CheckpointKind::Choice(choices), _) => {
+            let (mark, role) = if right {
+                ("✓", Role::Good)
+            } else {
+                ("✗", Role::Warn)
+            };
+            if let Some(choice) = choices.get(*chosen) {
+                panel.flow(mark, prose.runs(&choice.text, role));
+                panel.flow("", prose.runs(&choice.why, Role::Text));
+            }
+            if let Some(true_one) = choices.iter().find(|it| it.right && !right) {
+                panel.gap();
+                panel.flow("✓", prose.runs(&true_one.text, Role::Good));
+            }
         }
-        _ => number_told(&answer, checkpoint, collision, lines),
+        _ => number_told((form, answer), right, panel),
     }
-    if reading.first.is_some() && checkpoint.is_right(&answer, collision) {
-        lines.paragraph("On the second try: half the credit.", Role::Dim);
+    if question.first.is_some() && right {
+        panel.paragraph("On the second try: half the credit.", Role::Dim);
     }
     if !checkpoint.after.is_empty() {
-        lines.gap();
-        prose::write(&checkpoint.after, lines, collision);
+        panel.gap();
+        prose.write(&checkpoint.after, panel);
     }
 }
 
 /// Both rays beside the truth, and the explanation that starts from them.
-fn rays_told(rays: &Rays, watch: &Watch, figure: &LiveFigure, lines: &mut Lines) {
+fn rays_told<A>(rays: &Rays, watch: &Watch, figure: &LiveFigure, panel: &mut Panel<A>) {
     let names = ["striker", "coin"].map(Some);
-    written::<()>(lines, |panel| {
-        said_and_true(watch.collision(), rays, names, false, panel);
-    });
-    lines.gap();
+    said_and_true(watch.collision(), rays, names, false, panel);
+    panel.gap();
     let why = match figure.question_by_angle() {
         Some(question) => why_of_hit(&question, Some(*rays)),
         None => explain(watch),
     };
-    written::<()>(lines, |panel| reason(&why, panel));
+    reason(&why, panel);
 }
 
 /// A number beside the right one.
-fn number_told(
-    answer: &Response,
-    checkpoint: &Checkpoint,
-    figure: Option<&Collision>,
-    lines: &mut Lines,
-) {
-    let (
-        Response::Number(number),
-        CheckpointKind::Number {
-            expected,
-            tolerance,
-        },
-    ) = (answer, &checkpoint.asked)
-    else {
-        return;
-    };
-    let right = checkpoint.is_right(answer, figure);
-    let (_, unit) = expected.sign_and_unit();
-    // As many decimals as the tolerance asks for.
-    let decimals = (1.0 - tolerance.log10()).clamp(0.0, 6.0) as usize;
-    let shown = |value: f64| true_minus(&with_unit(&fixed(value, decimals), unit));
+fn number_told<A>((form, answer): (&Form, &Response), right: bool, panel: &mut Panel<A>) {
     let role = if right { Role::Good } else { Role::Warn };
-    lines.pair("you said", &shown(*number), Role::Dim, role);
-    if let Some(truth) = expected.value(figure) {
-        lines.fact("truth", &shown(truth));
+    panel.pair(("you said", Role::Dim), (form.words(answer), role));
+    match form.truth() {
+        Response::Number(truth) if truth.is_infinite() => {}
+        truth => panel.fact("truth", form.words(&truth)),
     }
-    lines.gap();
-    let credit = checkpoint.credit(answer, figure);
+    panel.gap();
     let verdict = match right {
         true => "Right.",
-        false if credit > 0.0 => "Nearly.",
+        false if form.credit(answer) > 0.0 => "Nearly.",
         false => "Not this time. Here is why:",
     };
-    lines.paragraph(verdict, role);
-}
-
-fn choice_told(
-    chosen: usize,
-    choices: &[CheckpointChoice],
-    figure: Option<&Collision>,
-    lines: &mut Lines,
-) {
-    let Some(choice) = choices.get(chosen) else {
-        return;
-    };
-    let (mark, role) = match choice.right {
-        true => ("✓", Role::Good),
-        false => ("✗", Role::Warn),
-    };
-    lines.flowing(mark, 2, &prose::runs(&choice.text, role, figure));
-    lines.flowing("", 0, &prose::runs(&choice.why, Role::Text, figure));
-    if let Some(right) = choices.iter().find(|other| other.right && !choice.right) {
-        lines.gap();
-        lines.flowing("✓", 2, &prose::runs(&right.text, Role::Good, figure));
-    }
+    panel.paragraph(verdict, role);
 }

@@ -17,7 +17,7 @@ use crate::physics::Shot;
 use crate::quiz::Ray;
 use crate::screens::levels::words;
 use crate::screens::{Context, Next, Place, Screen, SharedAction, View};
-use crate::widgets::hit::{point_at, side};
+use crate::widgets::hit::point_at;
 use crate::widgets::input::{FormAction, KeyTable, RayAction, SettingsForm};
 use crate::widgets::replay::{ShotAction, ShotImpact, impacts};
 use crate::widgets::{Outcome, RayInput};
@@ -155,7 +155,7 @@ impl LevelPlay {
         let asked = first.map(|impact| self.asks(&impact).collect::<Vec<_>>());
         let asked = asked.unwrap_or_default();
         if let (Some(impact), true, false) = (first, cx.settings.predict, asked.is_empty()) {
-            let both = RayInput::new(side(&impact.collision));
+            let both = RayInput::new(impact.collision.side());
             let rays = match asked.as_slice() {
                 [one] => both.only(*one),
                 _ => both,

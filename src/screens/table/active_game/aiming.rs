@@ -14,7 +14,6 @@ use crate::screens::table::keys::TableAction;
 use crate::screens::table::preview::Preview;
 use crate::screens::table::replay::StrokeReplay;
 use crate::widgets::RayInput;
-use crate::widgets::hit::side;
 
 /// A step of the speed, in m/s.
 const SPEED_STEP: f64 = 1.0 / STEPS_PER_SPEED;
@@ -111,7 +110,7 @@ impl ActiveGame {
         }
         match self.preview.as_ref().and_then(Preview::first_hit) {
             Some(hit) if self.options.call => {
-                let rays = RayInput::new(side(&hit.impact.collision));
+                let rays = RayInput::new(hit.impact.collision.side());
                 let of = None;
                 self.phase = TablePhase::Call(Box::new(Calling { hit, rays, of }));
             }

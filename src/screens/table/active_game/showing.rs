@@ -11,7 +11,6 @@ use crate::screens::table::computer_stroke::ComputerStroke;
 use crate::screens::table::options::Player;
 use crate::screens::table::preview::Preview;
 use crate::widgets::RayInput;
-use crate::widgets::hit::side;
 
 /// How long each part of the aim is seen before the next, and the whole at last.
 const PARTS: [Duration; 3] = [
@@ -107,7 +106,7 @@ impl ActiveGame {
         };
         self.phase = TablePhase::Call(Box::new(Calling {
             hit,
-            rays: RayInput::new(side(&hit.impact.collision)),
+            rays: RayInput::new(hit.impact.collision.side()),
             of: Some(Box::new(shown.stroke.clone())),
         }));
     }

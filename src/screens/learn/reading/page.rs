@@ -1,0 +1,155 @@
+//! A page that is open: its figure, and how far its question is.
+
+use crate::lessons::{ChapterPage, Checkpoint};
+use crate::physics::Collision;
+use crate::quiz::{Form, Response};
+use crate::screens::learn::figure::LiveFigure;
+use crate::screens::learn::prose::Prose;
+use crate::widgets::hit::{HitPace, Watch};
+use crate::widgets::{AnswerInput, Charset, RayInput};
+
+/// A page that is open.
+#[derive(Debug, Clone)]
+pub(super) struct OpenPage {
+    pub(super) page: ChapterPage,
+    pub(super) figure: Option<LiveFigure>,
+    pub(super) question: Option<PageQuestion>,
+    /// Whether keys go to the figure first.
+    pub(super) on_figure: bool,
+}
+
+/// What a page asks, and how far that is.
+#[derive(Debug, Clone)]
+pub(super) struct PageQuestion {
+    pub(super) checkpoint: Checkpoint,
+    pub(super) stage: Stage,
+    /// The wrong answer before, after which there was a hint.
+    pub(super) first: Option<Response>,
+}
+
+/// How far a question is.
+#[derive(Debug, Clone)]
+pub(super) enum Stage {
+    /// It waits for its answer, or after a hint for the second.
+    Asking(AnswerInput),
+    /// It was answered, and what is true is told.
+    Told(Response),
+}
+
+impl PageQuestion {
+    /// The question as the quiz asks it; `figure` is the collision of the page's figure.
+    pub(super) fn form(&self, figure: Option<&Collision>) -> Form {
+        let charset = Charset::default();
+        self.checkpoint.form(figure, |text| {
+            Prose {
+                figure: None,
+                charset,
+            }
+            .plain(text)
+        })
+    }
+
+    /// Begins the second try: rays stay as they were said, to be changed.
+    pub(super) fn ask_again(&mut self, first: Response, form: &Form) {
+        self.first = Some(first);
+        self.stage = Stage::Asking(match first {
+            Response::Rays(_) => AnswerInput::saying(form, &first),
+            _ => AnswerInput::new(form),
+        });
+    }
+}
+
+impl OpenPage {
+    /// A page as it is opened. `tries` are the answer given to its question, and the wrong
+    /// one before it; `alpha_deg` is the impact angle that the student set last.
+    pub(super) fn new(
+        page: &ChapterPage,
+        alpha_deg: Option<f64>,
+        tries: Option<(Response, Option<Response>)>,
+    ) -> Self {
+        let hidden = page.checkpoint.is_some();
+        let figure = page.figure;
+        let figure = figure.map(|figure| LiveFigure::new(figure, alpha_deg, hidden));
+        let mut open = Self {
+            page: page.clone(),
+            figure,
+            question: None,
+            on_figure: false,
+        };
+        if let Some(checkpoint) = &page.checkpoint {
+            let mut question = PageQuestion {
+                checkpoint: checkpoint.clone(),
+                stage: Stage::Told(Response::Choice(0)),
+                first: None,
+            };
+            let form = question.form(open.collision());
+            question.stage = Stage::Asking(AnswerInput::new(&form));
+            open.question = Some(question);
+        }
+        open.on_figure = open.is_open_to_figure();
+        if let (Some((answer, first)), Some(question)) = (tries, &mut open.question) {
+            question.first = first;
+            open.tell(answer, HitPace::Still);
+            open.figure.iter_mut().for_each(LiveFigure::tell);
+        }
+        open
+    }
+
+    /// Whether keys go to the figure first on a page as it is opened.
+    fn is_open_to_figure(&self) -> bool {
+        !self.is_asking() && self.figure.as_ref().is_some_and(LiveFigure::is_set_by_keys)
+    }
+
+    /// The collision of the figure.
+    pub(super) fn collision(&self) -> Option<&Collision> {
+        self.figure.as_ref().map(LiveFigure::collision)
+    }
+
+    /// The answer in the making.
+    pub(super) fn input(&self) -> Option<&AnswerInput> {
+        match &self.question.as_ref()?.stage {
+            Stage::Asking(input) => Some(input),
+            Stage::Told(_) => None,
+        }
+    }
+
+    /// The same, to be changed.
+    pub(super) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
+        match &mut self.question.as_mut()?.stage {
+            Stage::Asking(input) => Some(input),
+            Stage::Told(_) => None,
+        }
+    }
+
+    /// The rays that are turned in the figure.
+    pub(super) fn rays(&self) -> Option<&RayInput> {
+        self.input()?.rays()
+    }
+
+    /// Whether a question waits for its answer.
+    pub(super) fn is_asking(&self) -> bool {
+        self.input().is_some()
+    }
+
+    /// The first answer, while a second one is asked for.
+    pub(super) fn hinted(&self) -> Option<Response> {
+        self.question.as_ref().filter(|_| self.is_asking())?.first
+    }
+
+    /// The hit that is just telling what happens, step by step.
+    pub(super) fn telling(&self) -> Option<&Watch> {
+        let watch = self.figure.as_ref().and_then(LiveFigure::watch);
+        watch.filter(|watch| !self.is_asking() && !watch.is_told())
+    }
+
+    /// Shows what belongs to an answer.
+    pub(super) fn tell(&mut self, answer: Response, pace: HitPace) {
+        if let Some(question) = &mut self.question {
+            question.stage = Stage::Told(answer);
+        }
+        if let Some(figure) = &mut self.figure {
+            figure.reveal(answer.rays(), pace);
+        }
+        self.on_figure = self.is_open_to_figure();
+    }
+}
