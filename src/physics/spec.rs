@@ -111,6 +111,10 @@ impl Default for CollisionSpec {
 }
 
 impl CollisionSpec {
+    /// The largest offset as a share of both radii together: past 1 they miss, and a little
+    /// beyond is nothing new.
+    pub const WIDEST: f64 = 1.25;
+
     /// What lessons, concept questions and the lab take.
     pub const RANGES: [FieldRange; 10] = [
         FieldRange::new("m1_g", "a mass in g", 0.1, 1000.0),
@@ -192,10 +196,11 @@ impl CollisionSpec {
     /// # Errors
     /// What was expected.
     pub fn check(&self) -> Result<(), String> {
-        let most = 1.25 * self.contact_distance_mm();
+        let most = Self::WIDEST * self.contact_distance_mm();
         match self.point {
             ImpactPoint::Offset { offset_mm } if offset_mm.abs() > most => Err(format!(
-                "offset_mm: expected at most {most} mm, 1.25 times both radii, found {offset_mm}"
+                "offset_mm: expected at most {most} mm, {} times both radii, found {offset_mm}",
+                Self::WIDEST
             )),
             _ => Ok(()),
         }

@@ -17,14 +17,14 @@ use crate::physics::{CollisionSpec, Frame};
 use crate::quiz::{Rays, RaysGrade};
 use crate::widgets::hit::{Watch, WatchAction, drag_offset, point_at};
 use crate::widgets::input::{
-    EntryAction, FormAction, FormFields, KeyTable, RayAction, SettingsForm,
+    CollisionField, EntryAction, FormAction, FormFields, KeyTable, RayAction, SettingsForm,
 };
 use crate::widgets::{Outcome, RayInput};
 
 use mystery::Mystery;
 
 pub(super) use explain::explain;
-pub(crate) use field::{LabField, LabSettings};
+pub(crate) use field::LabSettings;
 
 /// The lab.
 #[derive(Debug, Clone, Default)]
@@ -182,7 +182,7 @@ impl Screen for Lab {
                 .with(self.form.keys(&self.settings), LabAction::Set)
                 .on(key('s'), NextSet, "pieces")
                 .on(key('b'), Contact, "slip/stick")
-                .when(self.settings.field(LabField::Contact).locked.is_none())
+                .when(self.settings.field(CollisionField::Contact).locked.is_none())
                 .on(key('m'), MysteryCoin, "mystery coin")
                 .on(key('v'), Live, "live")
                 .when(self.may_live(cx))
@@ -236,7 +236,7 @@ impl Screen for Lab {
                 settings.mystery = None;
                 pieces::put_out_next(&mut settings.setup);
             }
-            LabAction::Contact => form.step_at(LabField::Contact.place(), 1.0, settings),
+            LabAction::Contact => form.step_at(CollisionField::Contact as usize, 1.0, settings),
             LabAction::MysteryCoin => {
                 form.commit(settings);
                 let coin = Mystery::put_out(&mut settings.setup, cx.next_seed());
@@ -287,7 +287,7 @@ impl Screen for Lab {
                 self.form.give_up();
                 let offset = drag_offset(hit, &collision, mouse.place());
                 let offset_mm = (offset * 2000.0).round() / 2.0;
-                self.settings.set(LabField::Offset.place(), offset_mm);
+                self.settings.set(CollisionField::Offset as usize, offset_mm);
             }
             LabPhase::Predict(rays) => point_at(picture, &collision, rays, mouse.place(), pressed),
             LabPhase::Watch(_) if !pressed => return Next::Ignored,
@@ -300,7 +300,7 @@ impl Screen for Lab {
     fn wheel(&mut self, by: i8, _cx: &mut Context) -> Next {
         match &mut self.phase {
             LabPhase::Aim => {
-                let speed = LabField::Speed.place();
+                let speed = CollisionField::Speed as usize;
                 self.form.step_at(speed, f64::from(-by), &mut self.settings);
             }
             LabPhase::Predict(_) => return Next::Ignored,

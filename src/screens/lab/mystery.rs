@@ -1,11 +1,10 @@
 //! The mystery coin: its mass is hidden, and has to be read off two angles.
 
-use super::LabField;
 use crate::messages::Key;
 use crate::physics::resting_target::mass_ratio_from_angles;
 use crate::physics::{Bond, CollisionOutcome, CollisionSpec};
 use crate::widgets::Role;
-use crate::widgets::input::{EntryAction, KeyTable, NumberEntry, Outcome};
+use crate::widgets::input::{CollisionField, EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::widgets::panel::Panel;
 
 /// The lightest mystery coin in g, and the step and number of the heavier ones.
@@ -40,16 +39,13 @@ impl Mystery {
         self.said_g.is_none()
     }
 
-    /// Whether a setting must stay as it is until the coin has been weighed.
-    pub(super) fn locks(&self, field: LabField) -> bool {
-        let fixed = [
-            LabField::CoinMass,
-            LabField::Restitution,
-            LabField::Contact,
-            LabField::CoinSpeed,
-        ];
-        self.is_open() && fixed.contains(&field)
-    }
+    /// The settings that must stay as they are until the coin has been weighed.
+    pub(super) const LOCKED: [CollisionField; 4] = [
+        CollisionField::CoinMass,
+        CollisionField::Restitution,
+        CollisionField::Contact,
+        CollisionField::CoinSpeed,
+    ];
 
     /// The keys that say the mass while the hit is watched. Signs and points only go on
     /// with a number, for they have other meanings there.
@@ -141,7 +137,7 @@ mod tests {
         for seed in 0..200 {
             let mut setup = CollisionSpec::default();
             let mystery = Mystery::put_out(&mut setup, seed);
-            assert!(mystery.is_open() && mystery.locks(LabField::CoinMass));
+            assert!(mystery.is_open());
             assert!((setup.m2_g - setup.m1_g).abs() > 0.4);
             let outcome = setup.collision().outcome();
             let (theta1, theta2) = (outcome.theta1.unwrap(), outcome.theta2.unwrap());
@@ -160,6 +156,6 @@ mod tests {
             mystery.act(action);
         }
         assert_eq!(mystery.said_g, Some(8.5));
-        assert!(!mystery.locks(LabField::CoinMass));
+        assert!(!mystery.is_open());
     }
 }

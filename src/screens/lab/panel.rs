@@ -2,13 +2,13 @@
 
 use super::explain::{explain, turns_a_second};
 use super::view::live_hit;
-use super::{Lab, LabAction, LabField};
+use super::{Lab, LabAction};
 use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Frame, Meeting};
 use crate::quiz::Rays;
 use crate::screens::Context;
 use crate::widgets::hit::{VelocityNames, Watch, degrees};
-use crate::widgets::input::SettingsForm;
+use crate::widgets::input::{CollisionField, SettingsForm};
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::{reason, said_and_true, separation};
 use crate::widgets::{RayInput, Role, shown};
@@ -69,8 +69,8 @@ pub(super) fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
     let mut panel = Panel::new("say it first");
     given(lab, &mut panel);
     for (field, name) in [
-        (LabField::StrikerMass, "striker"),
-        (LabField::CoinMass, "coin"),
+        (CollisionField::StrikerMass, "striker"),
+        (CollisionField::CoinMass, "coin"),
     ] {
         panel.fact(name, lab.settings.field(field).shown);
     }
@@ -126,7 +126,7 @@ pub(super) fn shot(lab: &Lab, watch: &Watch) -> Panel<LabAction> {
 
 /// Where they meet.
 fn given<A>(lab: &Lab, panel: &mut Panel<A>) {
-    for field in [LabField::Offset, LabField::ImpactAngle] {
+    for field in [CollisionField::Offset, CollisionField::ImpactAngle] {
         let field = field.field(&lab.settings.setup);
         panel.fact(field.name, field.shown);
     }

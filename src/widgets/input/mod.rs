@@ -1,6 +1,7 @@
 //! What the player gives: keys as data, and the parts that take them: numbers, rays,
 //! lists, forms, names.
 
+mod collision_fields;
 mod form;
 mod key_table;
 mod list_view;
@@ -10,6 +11,7 @@ mod outcome;
 mod ray_input;
 mod text_field;
 
+pub use collision_fields::{CollisionField, collision_fields, set_at};
 pub use form::{Field, FieldRow, FieldValue, FormAction, FormFields, SettingsForm};
 pub use key_table::{KeyAction, KeyRow, KeyTable, Rebound};
 pub use list_view::{ListAction, ListView};

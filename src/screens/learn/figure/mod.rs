@@ -25,9 +25,12 @@ use crate::screens::place::FoilPage;
 use crate::widgets::hit::{
     Face, HitPace, Markings, Overlay, Overlays, Watch, WatchAction, point_at, setup_picture,
 };
-use crate::widgets::input::KeyTable;
+use crate::widgets::input::{FormAction, KeyTable};
+use crate::widgets::panel::{Panel, written};
 use crate::widgets::picture::Picture;
-use crate::widgets::{Look, RayInput};
+use crate::widgets::{Lines, Look, RayInput};
+
+use worked::WorkedFigure;
 
 pub(in crate::screens) use curves::speeds_picture;
 pub(super) use export::svg_of;
@@ -46,12 +49,8 @@ pub(crate) enum FigureAction {
     AlphaEnd(i8),
     /// step through the working
     Step(isize),
-    /// choose what to set
-    Choose(isize),
-    /// set it
-    Set(i8),
-    /// set it by ten
-    SetByTen(i8),
+    /// set the numbers of the working
+    Set(FormAction),
     /// watch the hit
     Watch(WatchAction),
     /// work the foil
@@ -77,10 +76,8 @@ enum FigureState {
     Frames(Box<[Watch; 2]>),
     /// Nothing but the collision.
     Plain,
-    /// The step of a worked solution, from 0.
-    Step(usize),
-    /// The setting that keys change, and the step.
-    Solve { field: usize, step: usize },
+    /// A worked solution.
+    Worked(WorkedFigure),
     /// A page of the foil.
     Foil(Box<FoilFigure>),
 }
@@ -120,8 +117,8 @@ impl LiveFigure {
             }
             FigureKind::Lab | FigureKind::Split { .. } => hit(watch()),
             FigureKind::Frames => FigureState::Frames(Box::new(frames::watches(&self.collision))),
-            FigureKind::Worked { blank } => FigureState::Step(blank.map_or(0, |step| step - 1)),
-            FigureKind::Solve => FigureState::Solve { field: 0, step: 0 },
+            FigureKind::Worked { blank } => FigureState::Worked(WorkedFigure::given(blank)),
+            FigureKind::Solve => FigureState::Worked(WorkedFigure::of_own()),
             FigureKind::Foil {
                 levelled, rings, ..
             } if !self.hidden => {
@@ -185,8 +182,8 @@ impl LiveFigure {
             self.figure.shot = self.figure.after;
             self.collision = self.figure.shot.collision();
         }
-        match self.figure.kind {
-            FigureKind::Worked { .. } => {}
+        match &mut self.state {
+            FigureState::Worked(worked) => worked.reveal(),
             _ => self.set_up(said, pace),
         }
     }
@@ -200,7 +197,24 @@ impl LiveFigure {
 
     /// Whether it takes arrow keys to set something, so that keys go to it first.
     pub(super) fn is_set_by_keys(&self) -> bool {
-        self.has_alpha() || matches!(self.state, FigureState::Step(_) | FigureState::Solve { .. })
+        self.has_alpha() || self.is_text()
+    }
+
+    /// Whether it is read rather than seen.
+    pub(super) fn is_text(&self) -> bool {
+        matches!(self.state, FigureState::Worked(_))
+    }
+
+    /// Whether a number is being typed in it.
+    pub(super) fn is_typing(&self) -> bool {
+        matches!(&self.state, FigureState::Worked(worked) if worked.is_typing())
+    }
+
+    /// Writes what is read.
+    pub(super) fn write(&self, panel: &mut Panel<FigureAction>) {
+        if let FigureState::Worked(worked) = &self.state {
+            worked.write(&self.collision, panel);
+        }
     }
 
     /// Whether its α is the student's own, the same in all such figures of a chapter.
@@ -233,14 +247,13 @@ impl LiveFigure {
             FigureKind::Curves => "speeds after the hit".into(),
             FigureKind::Angles => "the two angles".into(),
             FigureKind::Energy => "who has the energy".into(),
-            FigureKind::Worked { .. } | FigureKind::Solve => {
-                let (step, count) = (self.step(), self.step_count());
-                format!("worked out: step {} of {count}", step + 1)
+            FigureKind::Worked { .. } | FigureKind::Solve | FigureKind::Foil { .. } => {
+                match &self.state {
+                    FigureState::Worked(worked) => worked.title(&self.collision),
+                    FigureState::Foil(plot) => plot.title().into(),
+                    _ => "α particles at an atom".into(),
+                }
             }
-            FigureKind::Foil { .. } => match &self.state {
-                FigureState::Foil(plot) => plot.title().into(),
-                _ => "α particles at an atom".into(),
-            },
             FigureKind::Shots { space, .. } => shots::title(space).into(),
         }
     }
@@ -251,22 +264,9 @@ impl LiveFigure {
         kind.is_hit() || matches!(kind, FigureKind::Triangle { .. } | FigureKind::Frames)
     }
 
-    fn step(&self) -> usize {
-        match self.state {
-            FigureState::Step(step) | FigureState::Solve { step, .. } => {
-                step.min(self.step_count() - 1)
-            }
-            _ => 0,
-        }
-    }
-
-    fn step_count(&self) -> usize {
-        worked::steps(&self.collision).len().max(1)
-    }
-
     /// The keys that work it.
     pub(super) fn keys(&self) -> KeyTable<FigureAction> {
-        use FigureAction::{Alpha, AlphaEnd, Choose, Foil, Set, SetByTen, Step};
+        use FigureAction::{Alpha, AlphaEnd, Foil};
         let keys = KeyTable::new("figure");
         let alpha = (keys.clone())
             .by([Key::Left, Key::Right], Alpha, [-1, 1], "α")
@@ -286,12 +286,7 @@ impl LiveFigure {
                 watched(&hits[0]).without_keys(&[Key::Char('f')]),
                 FigureAction::Watch,
             ),
-            FigureState::Step(_) => keys.by([Key::Left, Key::Right], Step, [-1, 1], "step"),
-            FigureState::Solve { .. } => keys
-                .by([Key::Up, Key::Down], Choose, [-1, 1], "choose")
-                .by([Key::Left, Key::Right], Set, [-1, 1], "set")
-                .by([',', '.'], Step, [-1, 1], "step")
-                .by(['<', '>'], SetByTen, [-LEAP, LEAP], "set by ten"),
+            FigureState::Worked(worked) => worked.keys(&self.collision),
             FigureState::Foil(plot) => keys.with(plot.keys(), Foil),
             FigureState::Plain if self.has_alpha() => alpha,
             FigureState::Plain => keys,
@@ -300,28 +295,12 @@ impl LiveFigure {
 
     /// Does what a key stands for.
     pub(super) fn act(&mut self, action: FigureAction) {
-        let last = self.step_count() - 1;
         match (action, &mut self.state) {
             (FigureAction::Alpha(by), _) => {
                 self.set_alpha((self.alpha_deg() + f64::from(by)).round());
             }
             (FigureAction::AlphaEnd(alpha_deg), _) => self.set_alpha(alpha_deg.into()),
-            (FigureAction::Step(by), FigureState::Step(step) | FigureState::Solve { step, .. }) => {
-                *step = step.saturating_add_signed(by).min(last);
-            }
-            (FigureAction::Choose(by), FigureState::Solve { field, .. }) => {
-                let count = worked::FIELDS.len();
-                *field = (*field + count).saturating_add_signed(by) % count;
-            }
-            (
-                FigureAction::Set(by) | FigureAction::SetByTen(by),
-                FigureState::Solve { field, .. },
-            ) => {
-                let field = worked::FIELDS[*field % worked::FIELDS.len()];
-                let mut setup = self.setup();
-                field.step(&mut setup, by.into());
-                self.collision = setup.collision();
-            }
+            (action, FigureState::Worked(worked)) => worked.act(action, &mut self.collision),
             (FigureAction::Watch(action), FigureState::Hit(watch)) => watch.act(action),
             (FigureAction::Watch(action), FigureState::Frames(watches)) => {
                 watches.iter_mut().for_each(|watch| watch.act(action));
@@ -381,8 +360,10 @@ impl LiveFigure {
                 MouseKind::Down => Some(Key::Char(' ')),
                 _ => None,
             },
-            FigureState::Step(_) if pressed => Some(Key::Right),
-            FigureState::Solve { .. } if pressed => Some(Key::Char('.')),
+            FigureState::Worked(_) if pressed => {
+                self.act(FigureAction::Step(1));
+                return true;
+            }
             _ => None,
         };
         let action = watched.and_then(|key| self.keys().find(key));
@@ -452,13 +433,9 @@ impl LiveFigure {
                 let beyond = (!self.hidden).then(|| rad_from_deg(beyond_deg));
                 vec![shots::lay_out(space, beyond, area, buf, look)]
             }
-            (FigureState::Step(_), FigureKind::Worked { blank }) => {
-                let blank = blank.filter(|_| self.hidden);
-                worked::draw(self, None, blank, area, buf, look);
-                vec![]
-            }
-            (FigureState::Solve { field, .. }, _) => {
-                worked::draw(self, Some(*field), None, area, buf, look);
+            (FigureState::Worked(_), _) => {
+                let mut lines = Lines::new(area, buf, *look);
+                written(&mut lines, |panel| self.write(panel));
                 vec![]
             }
             _ => curves::pictures(self, area, look).into(),

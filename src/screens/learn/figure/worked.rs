@@ -1,81 +1,163 @@
 //! The worked solution, a step at a time.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-
-use super::LiveFigure;
-use crate::physics::Collision;
+use crate::messages::Key;
 use crate::physics::worked::{self, WorkedStep};
-use crate::screens::lab::LabField;
-use crate::widgets::{Lines, Look, Role, Words};
+use crate::physics::{Collision, CollisionSpec};
+use crate::screens::learn::figure::FigureAction;
+use crate::widgets::Role;
+use crate::widgets::input::{CollisionField, Field, FormFields, KeyTable, SettingsForm};
+use crate::widgets::panel::Panel;
+
+/// A worked solution, open at a step.
+#[derive(Debug, Clone)]
+pub(super) struct WorkedFigure {
+    /// The step, from 0.
+    step: usize,
+    /// The first step, from 1, whose results are left blank until they are told.
+    blank: Option<usize>,
+    /// What the student sets, in a solution of their own.
+    form: Option<SettingsForm>,
+}
 
 /// What the student sets in a solution of their own.
-pub(super) const FIELDS: [LabField; 5] = [
-    LabField::StrikerMass,
-    LabField::CoinMass,
-    LabField::Speed,
-    LabField::ImpactAngle,
-    LabField::Restitution,
+const FIELDS: [CollisionField; 5] = [
+    CollisionField::StrikerMass,
+    CollisionField::CoinMass,
+    CollisionField::Speed,
+    CollisionField::ImpactAngle,
+    CollisionField::Restitution,
 ];
 
+/// The numbers of a solution of one's own.
+struct OwnNumbers(CollisionSpec);
+
+impl FormFields for OwnNumbers {
+    fn fields(&self) -> Vec<Field> {
+        FIELDS.map(|field| field.field(&self.0)).into()
+    }
+
+    fn set(&mut self, at: usize, value: f64) {
+        if let Some(field) = FIELDS.get(at) {
+            field.set(&mut self.0, value);
+        }
+    }
+}
+
+fn numbers(collision: &Collision) -> OwnNumbers {
+    OwnNumbers(CollisionSpec::from(collision))
+}
+
 /// All steps of the solution.
-pub(super) fn steps(collision: &Collision) -> Vec<WorkedStep> {
+fn steps(collision: &Collision) -> Vec<WorkedStep> {
     worked::steps(collision, false)
 }
 
-/// Draws the step at hand: below the settings, one of which is chosen, if there are
-/// any; with its results left `blank` from a step on, counted from 1.
-pub(super) fn draw(
-    shown: &LiveFigure,
-    chosen: Option<usize>,
-    blank: Option<usize>,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) {
-    let mut lines = Lines::new(area, buf, *look);
-    if let Some(chosen) = chosen {
-        let setup = shown.setup();
-        for (i, field) in FIELDS.into_iter().enumerate() {
-            let (mark, role) = Role::Dim.of_choice(i == chosen);
-            let (_, value) = Role::Text.of_choice(i == chosen);
-            let field = field.field(&setup);
-            let recorded = |_| Words::Field {
-                name: field.name.to_string(),
-                value: field.shown.clone(),
-                locked: false,
-            };
-            lines.clicked_as(recorded, Some(i == chosen), |lines| {
-                let name = format!("{mark} {}", field.name);
-                lines.pair(&name, &field.shown, role, value);
-            });
+fn last(collision: &Collision) -> usize {
+    steps(collision).len().saturating_sub(1)
+}
+
+impl WorkedFigure {
+    /// A solution that is read, open at the step that is left blank, if any is.
+    pub(super) fn given(blank: Option<usize>) -> Self {
+        Self {
+            step: blank.map_or(0, |step| step - 1),
+            blank,
+            form: None,
         }
-        lines.gap();
     }
-    let number = shown.step();
-    let Some(step) = steps(shown.collision()).into_iter().nth(number) else {
-        return;
-    };
-    lines.paragraph(&format!("{}. {}", number + 1, step.title), Role::Title);
-    let is_blank = blank.is_some_and(|blank| number + 1 >= blank);
-    if step.lines.is_empty() {
-        // The result in words.
-        lines.gap();
-        let words = if is_blank { GAP } else { &step.why };
-        return lines.paragraph(words, Role::Text);
+
+    /// A solution of numbers that the student sets.
+    pub(super) fn of_own() -> Self {
+        Self {
+            step: 0,
+            blank: None,
+            form: Some(SettingsForm::default()),
+        }
     }
-    if chosen.is_none() {
-        lines.gap();
-        lines.paragraph(&step.why, Role::Dim);
-        lines.gap();
+
+    /// Tells what was left blank.
+    pub(super) fn reveal(&mut self) {
+        self.blank = None;
     }
-    for line in &step.lines {
-        let line = if is_blank {
-            without_result(line)
-        } else {
-            line.clone()
+
+    fn step(&self, collision: &Collision) -> usize {
+        self.step.min(last(collision))
+    }
+
+    /// Its title.
+    pub(super) fn title(&self, collision: &Collision) -> String {
+        let (step, last) = (self.step(collision), last(collision));
+        format!("worked out: step {} of {}", step + 1, last + 1)
+    }
+
+    /// The keys that work it.
+    pub(super) fn keys(&self, collision: &Collision) -> KeyTable<FigureAction> {
+        let steps = |keys: [Key; 2]| {
+            KeyTable::new("figure").by(keys, FigureAction::Step, [-1, 1], "step")
         };
-        lines.equation(&line, 4, Role::Text);
+        let Some(form) = &self.form else {
+            return steps([Key::Left, Key::Right]);
+        };
+        // Tab and the keys for pages are those of the page.
+        let page = [Key::Tab, Key::BackTab, Key::PageUp, Key::PageDown];
+        let set = form.keys(&numbers(collision)).without_keys(&page);
+        let set = set.map(FigureAction::Set);
+        let steps = steps([',', '.'].map(Key::Char));
+        // A point belongs to a number that is being typed.
+        match form.is_typing() {
+            true => set.with(steps, |step| step).distinct(),
+            false => steps.with(set, |set| set).distinct(),
+        }
+    }
+
+    /// Whether a number is being typed.
+    pub(super) fn is_typing(&self) -> bool {
+        self.form.as_ref().is_some_and(SettingsForm::is_typing)
+    }
+
+    /// Does what a key stands for.
+    pub(super) fn act(&mut self, action: FigureAction, collision: &mut Collision) {
+        match (action, &mut self.form) {
+            (FigureAction::Step(by), _) => {
+                let step = self.step(collision).saturating_add_signed(by);
+                self.step = step.min(last(collision));
+            }
+            (FigureAction::Set(action), Some(form)) => {
+                let mut numbers = numbers(collision);
+                form.act(action, &mut numbers);
+                *collision = numbers.0.collision();
+            }
+            _ => {}
+        }
+    }
+
+    /// Writes the step at hand, below what is set, if anything is.
+    pub(super) fn write(&self, collision: &Collision, panel: &mut Panel<FigureAction>) {
+        if let Some(form) = &self.form {
+            let numbers = numbers(collision);
+            panel.part(FigureAction::Set, |panel| form.write(&numbers, panel));
+            panel.gap();
+        }
+        let number = self.step(collision);
+        let Some(step) = steps(collision).into_iter().nth(number) else {
+            return;
+        };
+        panel.paragraph(format!("{}. {}", number + 1, step.title), Role::Title);
+        let is_blank = self.blank.is_some_and(|blank| number + 1 >= blank);
+        if step.lines.is_empty() {
+            // The result in words.
+            panel.gap();
+            let words = if is_blank { GAP.into() } else { step.why };
+            return panel.paragraph(words, Role::Text);
+        }
+        if self.form.is_none() {
+            panel.gap();
+            panel.paragraph(step.why, Role::Dim);
+            panel.gap();
+        }
+        for line in step.lines {
+            panel.working(if is_blank { without_result(&line) } else { line });
+        }
     }
 }
 

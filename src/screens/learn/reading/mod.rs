@@ -344,6 +344,8 @@ impl Screen for Reading {
             return keys().on(Key::Escape, Leave, away);
         };
         let (asking, telling) = (open.is_asking(), open.telling().is_some());
+        // Enter and Escape belong to a number that is being typed.
+        let typing = self.figure().is_some_and(LiveFigure::is_typing);
         let on = match self.at + 1 >= self.chapter.pages.len() {
             true => "finish",
             false => "next page",
@@ -356,11 +358,12 @@ impl Screen for Reading {
             .when(asking && open.on_figure)
             .on(Key::Enter, Next, on)
             .or([(Key::Char('n'), Next)])
-            .when(!asking && !telling)
+            .when(!asking && !telling && !typing)
             // Enter and Space go through what the hit tells.
             .on(Key::Char('n'), Next, on)
             .when(telling)
             .on(Key::Escape, Leave, away)
+            .when(!typing)
             .on(Key::Char('n'), Next, "skip")
             .when(asking);
         if let Some(figure) = &open.figure {
@@ -476,6 +479,15 @@ impl Screen for Reading {
         let Some(figure) = &open.figure else {
             return Some(View::alone(SplitLayout::text_alone, panel));
         };
+        if figure.is_text() {
+            let mut shown = Panel::new(figure.title());
+            shown.part(ReadingAction::Figure, |shown| figure.write(shown));
+            return Some(View {
+                layout: SplitLayout::square,
+                focus: Some(open.on_figure),
+                ..View::panels(shown, panel)
+            });
+        }
         let rays = open.rays();
         let title = rays.map_or_else(|| figure.title(), |_| "where will they go?".into());
         let draw = move |area: Rect, buf: &mut Buffer, look: &Look| {

@@ -1,0 +1,266 @@
+//! What can be set of a collision: one table of names, ranges, steps and units for the lab,
+//! the figures of chapters and whatever else has a collision set up by hand.
+
+use super::{Field, FieldRow, FieldValue};
+use crate::numbers::fixed;
+use crate::physics::{Bond, CollisionSpec, ImpactPoint};
+
+/// One thing that can be set of a collision.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CollisionField {
+    /// Impact parameter b.
+    Offset,
+    /// Impact angle α: the same as the offset, given by the line of impact.
+    ImpactAngle,
+    /// Direction of the striker.
+    Aim,
+    /// Speed of the striker.
+    Speed,
+    /// Coefficient of restitution.
+    Restitution,
+    /// Slip or stick.
+    Contact,
+    /// Mass of the striker.
+    StrikerMass,
+    /// Mass of the coin.
+    CoinMass,
+    /// Radius of the striker.
+    StrikerRadius,
+    /// Radius of the coin.
+    CoinRadius,
+    /// Speed of the coin before.
+    CoinSpeed,
+    /// Direction of the coin before.
+    CoinAim,
+}
+
+type Row = FieldRow<CollisionSpec>;
+
+/// All of them, in the order of [`CollisionField`] and of the lab's panel.
+static ROWS: [Row; 12] = [
+    Row {
+        name: "offset b",
+        about: "how far off-centre they meet: + the coin lies to the right, - to the left",
+        value: |spec| {
+            let widest = widest_mm(spec);
+            FieldValue::number(spec.offset_mm(), (-widest, widest), 0.5, " mm")
+        },
+        shown: |spec| format!("{} mm{}", fixed(spec.offset_mm().abs(), 1), side(spec)),
+        put: |spec, offset_mm| spec.point = ImpactPoint::Offset { offset_mm },
+    },
+    Row {
+        name: "impact angle",
+        about: "the same offset, as the angle between the striker's way and n",
+        value: |spec| FieldValue::number(alpha_deg(spec), within("alpha_deg"), 1.0, "°"),
+        shown: |spec| match spec.offset_mm().abs() > spec.contact_distance_mm() {
+            true => "a miss".into(),
+            false => fixed(alpha_deg(spec).abs(), 1) + "°",
+        },
+        put: |spec, alpha_deg| {
+            let offset_mm = spec.contact_distance_mm() * alpha_deg.to_radians().sin();
+            spec.point = ImpactPoint::Offset { offset_mm };
+        },
+    },
+    Row {
+        name: "aim",
+        about: "which way the striker slides; everything turns with it",
+        value: |spec| FieldValue::number(spec.aim_deg, ANY, 5.0, "°"),
+        shown: |spec| fixed(spec.aim_deg, 0) + "°",
+        put: |spec, degrees| spec.aim_deg = wrap_degrees(degrees),
+    },
+    Row {
+        name: "speed",
+        about: "how fast the striker comes; no angle depends on it",
+        value: |spec| FieldValue::number(spec.speed, within("speed"), 0.25, " m/s"),
+        shown: |spec| fixed(spec.speed, 2) + " m/s",
+        put: |spec, speed| spec.speed = speed,
+    },
+    Row {
+        name: "restitution e",
+        about: "how fast they part along n, over how fast they meet: 1 loses no energy",
+        value: |spec| FieldValue::number(spec.restitution, within("restitution"), 0.05, ""),
+        shown: |spec| fixed(spec.restitution, 2),
+        put: |spec, restitution| spec.restitution = restitution,
+    },
+    Row {
+        name: "contact",
+        about: "slip: smooth rims push along n alone; stick: they hold together",
+        value: |spec| FieldValue::Choice {
+            at: usize::from(spec.bond == Bond::Stick),
+            count: 2,
+        },
+        shown: |spec| match spec.bond {
+            Bond::Slip => "slip".into(),
+            Bond::Stick => "stick".into(),
+        },
+        put: |spec, at| spec.bond = if at > 0.5 { Bond::Stick } else { Bond::Slip },
+    },
+    Row {
+        name: "striker mass",
+        about: "how heavy the striker is; what counts is the ratio",
+        value: |spec| FieldValue::number(spec.m1_g, within("m1_g"), 0.5, " g"),
+        shown: |spec| fixed(spec.m1_g, 1) + " g",
+        put: |spec, grams| spec.m1_g = grams,
+    },
+    Row {
+        name: "coin mass",
+        about: "how heavy the coin is; equal masses part at 90°",
+        value: |spec| FieldValue::number(spec.m2_g, within("m2_g"), 0.5, " g"),
+        shown: |spec| fixed(spec.m2_g, 1) + " g",
+        put: |spec, grams| spec.m2_g = grams,
+    },
+    Row {
+        name: "striker radius",
+        about: "with the coin's it sets how wide the target is",
+        value: |spec| FieldValue::number(spec.r1_mm, within("r1_mm"), 0.5, " mm"),
+        shown: |spec| fixed(spec.r1_mm, 2) + " mm",
+        put: |spec, radius_mm| spec.r1_mm = radius_mm,
+    },
+    Row {
+        name: "coin radius",
+        about: "with the striker's it sets how wide the target is",
+        value: |spec| FieldValue::number(spec.r2_mm, within("r2_mm"), 0.5, " mm"),
+        shown: |spec| fixed(spec.r2_mm, 2) + " mm",
+        put: |spec, radius_mm| spec.r2_mm = radius_mm,
+    },
+    Row {
+        name: "coin speed",
+        about: "how fast the coin moves before; 0: it is at rest",
+        value: |spec| FieldValue::number(spec.target_speed, within("target_speed"), 0.25, " m/s"),
+        shown: |spec| fixed(spec.target_speed, 2) + " m/s",
+        put: |spec, speed| spec.target_speed = speed,
+    },
+    Row {
+        name: "coin aim",
+        about: "which way the coin moves before, if it moves",
+        value: |spec| FieldValue::number(spec.target_deg, ANY, 5.0, "°"),
+        shown: |spec| fixed(spec.target_deg, 0) + "°",
+        put: |spec, degrees| spec.target_deg = wrap_degrees(degrees),
+    },
+];
+
+impl CollisionField {
+    /// The setting as it stands.
+    pub fn field(self, spec: &CollisionSpec) -> Field {
+        ROWS[self as usize].field(spec)
+    }
+
+    /// Sets it, held to its range. Whatever else changes, the two meet as far off-centre as
+    /// before, or as far as a smaller disc allows.
+    pub fn set(self, spec: &mut CollisionSpec, value: f64) {
+        set_at(self as usize, spec, value);
+    }
+}
+
+/// All settings as they stand, in the order of [`CollisionField`].
+pub fn collision_fields(spec: &CollisionSpec) -> Vec<Field> {
+    ROWS.iter().map(|row| row.field(spec)).collect()
+}
+
+/// Sets the one at a place, as [`CollisionField::set`] does.
+pub fn set_at(at: usize, spec: &mut CollisionSpec, value: f64) {
+    let offset_mm = spec.offset_mm();
+    spec.point = ImpactPoint::Offset { offset_mm };
+    if let Some(row) = ROWS.get(at) {
+        row.set(spec, value);
+    }
+    let widest = widest_mm(spec);
+    let offset_mm = spec.offset_mm().clamp(-widest, widest);
+    spec.point = ImpactPoint::Offset { offset_mm };
+}
+
+/// Of directions every number is one.
+const ANY: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
+
+/// The range of a field of files.
+fn within(name: &str) -> (f64, f64) {
+    let range = CollisionSpec::RANGES.iter().find(|it| it.name == name);
+    range.map_or(ANY, |range| (range.least, range.most))
+}
+
+/// The impact angle in degrees; that of a miss is that of the graze it comes nearest to.
+fn alpha_deg(spec: &CollisionSpec) -> f64 {
+    let ratio = spec.offset_mm() / spec.contact_distance_mm();
+    ratio.clamp(-1.0, 1.0).asin().to_degrees()
+}
+
+/// On which side the coin lies.
+fn side(spec: &CollisionSpec) -> &'static str {
+    match spec.offset_mm() {
+        mm if mm > 0.0 => " right",
+        mm if mm < 0.0 => " left",
+        _ => "",
+    }
+}
+
+/// The largest offset in mm. Past the touching distance there are misses, and a little
+/// beyond nothing new.
+fn widest_mm(spec: &CollisionSpec) -> f64 {
+    spec.contact_distance_mm() * CollisionSpec::WIDEST
+}
+
+/// A direction in (−180, 180].
+fn wrap_degrees(degrees: f64) -> f64 {
+    180.0 - (180.0 - degrees).rem_euclid(360.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::CollisionField as F;
+    use super::*;
+
+    fn step(field: F, spec: &mut CollisionSpec, steps: f64) {
+        let value = field.field(spec).value.stepped(steps);
+        field.set(spec, value);
+    }
+
+    #[test]
+    fn every_setting_stays_in_its_range() {
+        for at in 0..ROWS.len() {
+            for wild in [-1e9, -0.0, 0.0, 1e9, 37.25] {
+                let mut spec = CollisionSpec::default();
+                set_at(at, &mut spec, wild);
+                let field = &collision_fields(&spec)[at];
+                let (value, (low, high)) = match field.value {
+                    FieldValue::Number { value, range, .. } if range.1.is_finite() => {
+                        (value, range)
+                    }
+                    FieldValue::Number { value, .. } => (value, (-180.0, 180.0)),
+                    FieldValue::Choice { at, .. } => (at as f64, (0.0, 1.0)),
+                };
+                assert!((low..=high).contains(&value), "{} {value}", field.name);
+            }
+        }
+    }
+
+    #[test]
+    fn steps_land_on_the_grid() {
+        let mut spec = CollisionSpec::default();
+        F::Offset.set(&mut spec, 7.3);
+        step(F::Offset, &mut spec, 1.0);
+        assert_eq!(spec.offset_mm(), 7.5);
+        F::Offset.set(&mut spec, 7.3);
+        for expected in [7.0, 6.5] {
+            step(F::Offset, &mut spec, -1.0);
+            assert_eq!(spec.offset_mm(), expected);
+        }
+    }
+
+    #[test]
+    fn directions_wrap_round() {
+        let mut spec = CollisionSpec::default();
+        F::Aim.set(&mut spec, 180.0);
+        step(F::Aim, &mut spec, 1.0);
+        assert_eq!(spec.aim_deg, -175.0);
+        F::Aim.set(&mut spec, 725.0);
+        assert_eq!(spec.aim_deg, 5.0);
+    }
+
+    #[test]
+    fn a_smaller_disc_brings_the_offset_back_into_reach() {
+        let mut spec = CollisionSpec::default();
+        F::Offset.set(&mut spec, 37.0);
+        F::CoinRadius.set(&mut spec, 5.0);
+        assert_eq!(spec.offset_mm(), 25.0);
+    }
+}
