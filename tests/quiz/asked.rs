@@ -85,7 +85,7 @@ fn no_figure_that_is_sent_is_the_number_that_is_asked_for() {
                 Measure::Angle => figure.to_degrees(),
                 Measure::Share => 100.0 * figure,
                 Measure::Mass | Measure::Length => 1000.0 * figure,
-                Measure::Speed | Measure::Times | Measure::Restitution => figure,
+                _ => figure,
             };
             let near = (scaled.abs() - truth.abs()).abs() < 1e-9 * truth.abs().max(1e-9);
             let printed = quantity.print(*truth);

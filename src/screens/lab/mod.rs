@@ -182,7 +182,12 @@ impl Screen for Lab {
                 .with(self.form.keys(&self.settings), LabAction::Set)
                 .on(key('s'), NextSet, "pieces")
                 .on(key('b'), Contact, "slip/stick")
-                .when(self.settings.field(CollisionField::Contact).locked.is_none())
+                .when(
+                    self.settings
+                        .field(CollisionField::Contact)
+                        .locked
+                        .is_none(),
+                )
                 .on(key('m'), MysteryCoin, "mystery coin")
                 .on(key('v'), Live, "live")
                 .when(self.may_live(cx))
@@ -287,7 +292,8 @@ impl Screen for Lab {
                 self.form.give_up();
                 let offset = drag_offset(hit, &collision, mouse.place());
                 let offset_mm = (offset * 2000.0).round() / 2.0;
-                self.settings.set(CollisionField::Offset as usize, offset_mm);
+                self.settings
+                    .set(CollisionField::Offset as usize, offset_mm);
             }
             LabPhase::Predict(rays) => point_at(picture, &collision, rays, mouse.place(), pressed),
             LabPhase::Watch(_) if !pressed => return Next::Ignored,

@@ -92,9 +92,8 @@ impl WorkedFigure {
 
     /// The keys that work it.
     pub(super) fn keys(&self, collision: &Collision) -> KeyTable<FigureAction> {
-        let steps = |keys: [Key; 2]| {
-            KeyTable::new("figure").by(keys, FigureAction::Step, [-1, 1], "step")
-        };
+        let steps =
+            |keys: [Key; 2]| KeyTable::new("figure").by(keys, FigureAction::Step, [-1, 1], "step");
         let Some(form) = &self.form else {
             return steps([Key::Left, Key::Right]);
         };
@@ -156,7 +155,11 @@ impl WorkedFigure {
             panel.gap();
         }
         for line in step.lines {
-            panel.working(if is_blank { without_result(&line) } else { line });
+            panel.working(if is_blank {
+                without_result(&line)
+            } else {
+                line
+            });
         }
     }
 }
