@@ -134,7 +134,7 @@ impl Screen for Home {
             "carrom teaches one thing well: what happens when one disc hits another off-centre.",
             "Everywhere in it you first say what will happen, then watch the exact hit, then read why. A wrong prediction is the best start there is.",
             "The first lines say what would be good to do next: to read on where you stopped, to review what is due, or, if you are new, to find out what you believe about hits.",
-            "New here? Open the lab and press Enter: a hit in a minute. Then read the first chapter of Learn.",
+            "New here? Begin in the lab: you see a hit within a minute. Then read the first chapter of Learn.",
         ]
     }
 

@@ -418,7 +418,7 @@ impl Screen for Quiz {
             "Rays: angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side. A shot: set the offset that sends the disc along the dashed way to the mark.",
             "A ray is right within 4°, and so is a shot that sends its disc that near the way. An angle, a share or e that you give as a number is right within a tenth of the truth, but never further off than 4°, 4 % or 0.04; any other number within a twentieth.",
             "A ray within 2° earns all its credit, one that is 30° off none. \"Sure\" brings most points if you are right and costs most if you are not, so the honest answer is the one that pays. The sum may fall below zero: otherwise a wrong \"sure\" would cost nothing there.",
-            "A wrong answer names the page of the chapters that settles it: c opens it, Esc brings you back to where you were.",
+            "A wrong answer names the page of the chapters that settles it. When you leave that page, you are back where you were.",
             "After the last question each one can be opened again; an exam that is left shows what was answered. The code at the top fixes the questions: with the same code a friend gets the same round.",
             "With the mouse: drag the rays, or the coin before a shot; click an answer, how sure you are, a line of the look back.",
         ]

@@ -26,7 +26,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         words: &["ascii", "unicode"],
         shown: (
             "characters",
-            "What pictures are drawn with. ASCII shows in every terminal and font; Unicode is finer. U switches it on every screen.",
+            "What pictures are drawn with. ASCII shows in every terminal and font; Unicode is finer. The help of every screen names the key that switches it there.",
         ),
         at: |settings| settings.charset as usize,
         choose: |settings, at| settings.charset = [Charset::Ascii, Charset::Unicode][at.min(1)],
@@ -36,7 +36,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         words: &["dark", "light", "no colour"],
         shown: (
             "palette",
-            "Dark for a desk, light for a projector in a bright room, or no colour at all. T switches it on every screen.",
+            "Dark for a desk, light for a projector in a bright room, or no colour at all. The help of every screen names the key that switches it there.",
         ),
         at: |settings| settings.palette as usize,
         choose: |settings, at| {
@@ -61,7 +61,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         words: &["full", "reduced"],
         shown: (
             "motion",
-            "Reduced: nothing slides. Pictures jump from before the contact to the contact, and to what comes after. M switches it on every screen.",
+            "Reduced: nothing slides. Pictures jump from before the contact to the contact, and to what comes after. The help of every screen names the key that switches it there.",
         ),
         at: |settings| settings.reduced_motion.into(),
         choose: |settings, at| settings.reduced_motion = at > 0,
@@ -71,7 +71,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         words: &["go on", "wait"],
         shown: (
             "steps of a hit",
-            "At the contact a hit explains itself step by step. Go on: each step stands long enough to be read. Wait: each stays until you press Enter.",
+            "At the contact a hit explains itself step by step. Go on: each step stands long enough to be read. Wait: each stays until you go on.",
         ),
         at: |settings| settings.wait_at_beats.into(),
         choose: |settings, at| settings.wait_at_beats = at > 0,
@@ -83,7 +83,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         ],
         shown: (
             "speed of shots",
-            "How fast shots on the board are watched, at the table and in the levels. Usual is real speed at the table and a quarter of it in the levels. Plus and minus change it while a shot runs.",
+            "How fast shots on the board are watched, at the table and in the levels. Usual is real speed at the table and a quarter of it in the levels. You can also change it while a shot runs.",
         ),
         at: |settings| {
             let chosen = |rate| WatchRate::ALL.iter().position(|it| *it == rate);
@@ -133,7 +133,7 @@ impl FormFields for Settings {
             "player",
             self.player.clone(),
             FieldValue::Choice { at: 0, count: 1 },
-            "Whose answers, stars and bookmarks these are. Everyone on this computer can have their own: Enter, then type the name.",
+            "Whose answers, stars and bookmarks these are. Everyone on this computer can have their own.",
         );
         let shown = SETTINGS[..PLAYER].iter().map(choice);
         shown.chain([player]).collect()

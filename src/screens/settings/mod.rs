@@ -98,7 +98,7 @@ impl Screen for SettingsScreen {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "How carrom looks and moves, and who plays. What you change here, or with U, T and M on any screen, holds until you change it again: the next start too.",
+            "How carrom looks and moves, and who plays. What you change here, or by its key on any screen, holds until you change it again: the next start too.",
             "What the command line says (carrom --charset ascii) holds for that run. The keys can be changed as well: carrom keys prints them all, and where to put your own.",
         ]
     }

@@ -18,6 +18,12 @@ pub(super) fn view<'s>(screen: &SettingsScreen, cx: &'s Context) -> View<'s, Set
     let mut about = Panel::new("this setting");
     screen.form.write_about(&cx.settings, &mut about);
     about.gap();
+    match (&screen.typed, screen.is_at_player(cx)) {
+        (Some(_), _) => about.prompt("take it", SettingsAction::Take),
+        (None, true) => about.prompt("type a name", SettingsAction::Enter),
+        (None, false) => about.prompt("next value", SettingsAction::Enter),
+    }
+    about.gap();
     about.heading("Where everything is kept");
     match &cx.folder {
         Some(folder) => about.paragraph(folder, Role::Text),
@@ -27,7 +33,9 @@ pub(super) fn view<'s>(screen: &SettingsScreen, cx: &'s Context) -> View<'s, Set
         "Answers, bookmarks, games and these settings are kept there and nowhere else.",
         Role::Dim,
     );
-    about.gap();
-    about.paragraph("? says how to change keys.", Role::Dim);
+    about.worth(1, |about| {
+        about.gap();
+        about.paragraph("The help says how to change keys.", Role::Dim);
+    });
     View::panels(form, about)
 }
