@@ -51,8 +51,8 @@ pub use input::{NumberEntry, NumberInput, Outcome, RayInput, brief, shown};
 pub use panels::SplitLayout;
 pub use svg::painted::{PaintedCell, PaintedPicture, glyph_shape, inks, painted};
 pub use text::{
-    Charset, Item, Lines, Look, PictureSizes, Room, Scroll, Section, Sheet, SheetKind, Spare,
-    Words, bar, cells, formula, keys, overflow, recorded, scroll_keys,
+    Charset, Item, Lines, Look, PictureSizes, Room, Scroll, Section, Sheet, SheetKind, Words, bar,
+    cells, formula, keys, overflow, recorded, scroll_keys,
 };
 pub(crate) use text::{areas, big, flow, rehearsed, sheet, signs};
 pub use theme::{Depth, Palette, Role, Theme};

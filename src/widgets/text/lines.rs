@@ -27,22 +27,6 @@ struct Standing {
     chosen: Option<bool>,
 }
 
-/// Rows left over once all that is needed has its place. Rows of lesser worth are
-/// shown only as far as they go.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Spare(u16);
-
-impl Spare {
-    /// Takes `rows`, if there are as many.
-    pub fn take(&mut self, rows: u16) -> bool {
-        let enough = rows <= self.0;
-        if enough {
-            self.0 -= rows;
-        }
-        enough
-    }
-}
-
 impl<'a> Lines<'a> {
     /// Starts at the top of `area`, with a column of margin on the left.
     pub fn new(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
@@ -96,16 +80,6 @@ impl<'a> Lines<'a> {
     /// Rows that are left.
     pub fn left(&self) -> u16 {
         self.area.height.saturating_sub(self.written)
-    }
-
-    /// What is left beyond the rows that are `needed`.
-    pub fn spare(&self, needed: u16) -> Spare {
-        Spare(self.left().saturating_sub(needed))
-    }
-
-    /// Rows that a [`Lines::paragraph`] of this text takes.
-    pub fn rows_of(&self, text: &str) -> u16 {
-        self.rows_of_hanging("", text)
     }
 
     /// Writes one of several things to choose from. `write` is given the mark before it and
@@ -360,23 +334,6 @@ impl<'a> Lines<'a> {
             self.put(indent, &row, role);
             self.written += 1;
         }
-    }
-
-    /// Rows that a [`Lines::hanging`] text takes.
-    pub fn rows_of_hanging(&self, mark: &str, text: &str) -> u16 {
-        self.hung(mark, text).1.len() as u16
-    }
-
-    /// Rows that what `write` writes takes, beginning with an empty area.
-    pub fn rows_by(&self, write: impl FnOnce(&mut Lines)) -> u16 {
-        let mut scratch = Buffer::empty(self.area);
-        // The margin has been taken off already.
-        let mut lines = Lines {
-            area: self.area,
-            ..Lines::unseen(self.area, &mut scratch, self.look)
-        };
-        write(&mut lines);
-        lines.written
     }
 
     /// The columns that a mark takes, and the rows of a text behind it.

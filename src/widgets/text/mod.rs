@@ -20,7 +20,7 @@ mod wrap;
 
 pub use areas::{PictureSizes, Room};
 pub use charset::Charset;
-pub use lines::{Lines, Spare};
+pub use lines::Lines;
 pub use look::Look;
 pub use scroll::{Scroll, overflow, scroll_keys};
 pub(crate) use scroll::{hint_below, rehearsed};

@@ -27,15 +27,6 @@ impl Scroll {
         Self { rows }
     }
 
-    /// The same scrolled no further than it takes to show the row of this number, from 0.
-    #[must_use]
-    pub fn show(self, row: u16, area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> Self {
-        let most = overflow(area, look, write);
-        let least = (row + 1).saturating_sub(area.height);
-        let rows = self.rows.max(least).min(row).min(most);
-        Self { rows }
-    }
-
     /// Rows that are scrolled away above what is shown.
     pub fn rows(self, area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> u16 {
         self.rows.min(overflow(area, look, write))
@@ -133,24 +124,6 @@ mod tests {
         assert!(drawn(scroll).contains("row 2"));
         scroll = scroll.by(-100, AREA, LOOK, write);
         assert_eq!(drawn(scroll), top);
-    }
-
-    #[test]
-    fn a_row_is_brought_into_sight_and_no_further() {
-        let mut scroll = Scroll::default();
-        for (row, first) in [
-            (0, 0),
-            (3, 0),
-            (4, 1),
-            (5, 2),
-            (9, 2),
-            (3, 2),
-            (1, 1),
-            (0, 0),
-        ] {
-            scroll = scroll.show(row, AREA, LOOK, write);
-            assert_eq!(scroll.rows(AREA, LOOK, write), first, "{row}");
-        }
     }
 
     #[test]
