@@ -101,7 +101,11 @@ fn documents(folder: &Path) -> Vec<Document> {
     let links: String = GUIDES.iter().map(link).collect();
     let contents = format!("# Guides to carrom\n\n{links}");
     let page = |name: &str, text: &str| (folder.join(format!("{name}.html")), guide_page(text));
-    let guides = GUIDES.iter().map(|guide| page(guide.name, guide.markdown));
+    let guides = GUIDES.iter().map(|guide| {
+        // Links as they are among the sources.
+        let text = guide.markdown.replace("../levels/README.md", "levels.md");
+        page(guide.name, &text)
+    });
     std::iter::once(page("index", &contents))
         .chain(guides)
         .collect()

@@ -224,7 +224,7 @@ const input = (() => {
         if (!isDone) arrows.set(keys.join(), { keys, name, help });
         continue;
       }
-      if (!name || name === "likewise") continue;
+      if (!name) continue;
       if (["Enter", "Space"].includes(keys[0])) {
         // A step of a value is on the screen to be tapped.
         if (hasFields && /value|change/.test(name)) continue;
