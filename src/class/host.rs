@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::ballot::Vote;
 use super::device::LineId;
 use super::door::{DoorCode, SeatToken};
-use super::protocol::{PupilState, Refusal};
+use super::protocol::{PupilState, Refusal, Saying};
 
 /// What a teacher's carrom asks of whoever serves its class.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,6 +72,24 @@ pub enum HostNews {
     },
     /// Somebody has gone, or cannot be reached.
     Gone(LineId),
+}
+
+impl HostNews {
+    /// What somebody who is in says; `None` if they ask to come in once more.
+    pub(crate) fn said(line: LineId, saying: Saying) -> Option<Self> {
+        Some(match saying {
+            Saying::Vote { q, vote, said, n } => Self::Voted {
+                line,
+                question: q,
+                vote,
+                said,
+                n,
+            },
+            Saying::HandIn { n, file } => Self::HandedIn { line, n, file },
+            Saying::Leave => Self::Gone(line),
+            Saying::Join { .. } => return None,
+        })
+    }
 }
 
 /// Where pupils come in.

@@ -263,15 +263,10 @@ impl Classroom {
                     at: self.passed,
                 }
             }
-            Ok(Saying::Vote { q, vote, said, n }) => HostNews::Voted {
-                line,
-                question: q,
-                vote,
-                said,
-                n,
+            Ok(saying) => match HostNews::said(line, saying) {
+                Some(news) => news,
+                None => return,
             },
-            Ok(Saying::HandIn { n, file }) => HostNews::HandedIn { line, n, file },
-            Ok(Saying::Leave) => HostNews::Gone(line),
             Err(why) => return self.tell(line, &no(why)),
         };
         self.host.input(&Input::Hosted(vec![news]));

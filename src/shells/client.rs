@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::{Shutdown, TcpStream, ToSocketAddrs};
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::Duration;
 
@@ -14,6 +14,7 @@ use tungstenite::protocol::frame::coding::{Data, OpCode};
 use tungstenite::protocol::frame::{Frame, FrameHeader};
 use tungstenite::{Message, WebSocket};
 
+use super::lock;
 use crate::messages::{JoinCall, JoinNews};
 
 /// How long the host may take to answer a call.
@@ -49,7 +50,7 @@ impl Read for Wire {
 
 impl Write for Wire {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let _alone = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
+        let _alone = lock(&self.writing);
         (&*self.stream).write_all(bytes)?;
         Ok(bytes.len())
     }
@@ -93,8 +94,7 @@ impl Client {
 
     fn hang_up(&self) {
         self.call.fetch_add(1, Ordering::SeqCst);
-        let mut wire = self.wire.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(wire) = wire.take() {
+        if let Some(wire) = lock(&self.wire).take() {
             let _ = wire.stream.shutdown(Shutdown::Both);
         }
     }
@@ -111,7 +111,7 @@ impl Client {
         let talk = move || {
             let lost = match connect(&address) {
                 Ok((mut socket, wire)) => {
-                    *place.lock().unwrap_or_else(PoisonError::into_inner) = Some(wire);
+                    *lock(&place) = Some(wire);
                     say(JoinNews::Reached);
                     listen(&mut socket, &say)
                 }
@@ -126,11 +126,7 @@ impl Client {
     }
 
     fn say(&self, text: &str) {
-        let wire = self
-            .wire
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .clone();
+        let wire = lock(&self.wire).clone();
         let mut bytes = Vec::new();
         let header = |opcode| FrameHeader {
             opcode,

@@ -6,6 +6,8 @@
 //! the same [`App`](crate::app::App) in the same way: time is passed on only
 //! while the app asks for it, and never in smaller steps than a [`FRAME`].
 
+#[cfg(not(target_family = "wasm"))]
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 pub mod classroom;
@@ -24,3 +26,9 @@ pub use headless::Headless;
 
 /// The shortest time between two pictures: a sixtieth of a second.
 pub const FRAME: Duration = Duration::from_nanos(16_666_667);
+
+/// A lock that somebody held who failed is still good here: all that is held is whole.
+#[cfg(not(target_family = "wasm"))]
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

@@ -1,7 +1,7 @@
 //! One connection: a request is read, and the page given or a talk begun.
 
 use std::io::{self, ErrorKind, Read, Write};
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -17,6 +17,7 @@ use super::{hang_up, random, spawn};
 use crate::class::protocol::{HostSaying, LARGEST_HAND_IN, LARGEST_SAYING, Refusal, Saying};
 use crate::class::{Allowance, Bucket, SeatToken, Verdict};
 use crate::messages::HostNews;
+use crate::shells::lock;
 
 /// In which time the head of a request has to be there.
 const HEAD_TIME: Duration = Duration::from_secs(5);
@@ -173,7 +174,7 @@ impl Write for Wire {
 }
 
 fn write_whole(line: &Line, bytes: &[u8]) -> io::Result<()> {
-    let _alone = line.writing.lock().unwrap_or_else(PoisonError::into_inner);
+    let _alone = lock(&line.writing);
     (&line.stream).write_all(bytes)
 }
 
@@ -291,21 +292,10 @@ fn listen(
             _ => 1.0,
         };
         thread::sleep(messages.take(weight, board.now()));
-        match saying {
-            Saying::Vote { q, vote, said, n } => board.hear(HostNews::Voted {
-                line: line.id,
-                question: q,
-                vote,
-                said,
-                n,
-            }),
-            Saying::HandIn { n, file } => board.hear(HostNews::HandedIn {
-                line: line.id,
-                n,
-                file,
-            }),
-            Saying::Leave => return None,
-            Saying::Join { .. } => return Some(Refusal::Format),
+        match HostNews::said(line.id, saying) {
+            Some(HostNews::Gone(_)) => return None,
+            Some(news) => board.hear(news),
+            None => return Some(Refusal::Format),
         }
     }
 }

@@ -3,13 +3,14 @@
 use std::collections::{BTreeMap, HashSet, VecDeque};
 use std::net::{IpAddr, TcpStream};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::{ServedPage, hang_up};
 use crate::class::protocol::{HostSaying, PupilState, Refusal};
 use crate::class::{DoorCode, GuardedCode, SeatToken, Verdict};
 use crate::messages::{HostNews, LineId};
+use crate::shells::lock;
 
 /// Most connections at once. When there are more, the oldest one goes that has not joined, of
 /// the address that holds most: whoever opens many gets in nobody's way.
@@ -65,11 +66,6 @@ pub(super) enum Outgoing {
     Nothing,
     /// It is over.
     Closed,
-}
-
-/// A lock that somebody held who failed is still good here: all that is held is whole.
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Switchboard {
