@@ -257,7 +257,7 @@ fn write_answer(
     panel.paragraph(&question.text, Role::Text);
     panel.gap();
     panel.part(JoinAction::answer, |panel| {
-        input.write(form, Some(2), panel)
+        input.write(form, Some(2), panel);
     });
     panel.gap();
     if !is_first {

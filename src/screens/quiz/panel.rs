@@ -16,7 +16,7 @@ pub(super) fn asked(asked: &OpenQuestion, panel: &mut Panel<QuizAction>) {
     panel.paragraph(&asked.question.text, Role::Text);
     panel.gap();
     panel.part(QuizAction::answer, |panel| {
-        input.write(form, Some(1), panel)
+        input.write(form, Some(1), panel);
     });
     panel.worth(3, |panel| {
         panel.gap();
