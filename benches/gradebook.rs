@@ -99,7 +99,8 @@ fn main() {
     let one = answers(&rounds[..1], 0);
     let many = (1..=MANY_ROUNDS).filter_map(|seed| {
         let answer = one.first()?;
-        let question = answer.question.replace("mixed-1", &format!("mixed-{seed}"));
+        let mut question = answer.question.clone();
+        question.insert("round".into(), format!("mixed-{seed}").into());
         Some(Attempt {
             seed,
             question,

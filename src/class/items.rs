@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 use super::ballot::Vote;
 use super::round::ClassRound;
 use super::way::WayOfVoting;
-use crate::numbers::{self, correlation};
+use crate::progress::{Tally, discrimination};
 use crate::quiz::{Form, Misconception, Response, evidence};
 
 /// What a question showed.
@@ -13,16 +13,10 @@ use crate::quiz::{Form, Misconception, Response, evidence};
 pub struct ItemAnalysis {
     /// The question, counted from 0.
     pub question: usize,
-    /// How many teams voted on it first, and after talking; a team that did not change
-    /// its vote counts in both.
-    pub votes: [usize; 2],
-    /// The share of these votes that were right, 0 to 1; `None` where there were none.
-    pub right: [Option<f64>; 2],
-    /// How the errors of these votes are spread, where the answer is an angle.
-    pub spread: [Option<Spread>; 2],
-    /// How well the question tells the better teams from the others: the correlation
-    /// between the points for it and the points for all other questions, −1 to 1;
-    /// `None` for fewer than ten of them or where all did alike.
+    /// The votes of the teams at first, and after talking; a team that did not change its vote
+    /// counts in both.
+    pub votes: [Tally; 2],
+    /// How well it tells the better teams from the others.
     pub discrimination: Option<f64>,
     /// The misconception for which the first votes speak most, and how many fitted it.
     pub commonest: Option<(Misconception, usize)>,
@@ -38,19 +32,6 @@ pub struct ItemAnalysis {
     pub changed: Option<[usize; 2]>,
 }
 
-/// Fewest teams or people from which on it is said how well a question tells them apart.
-const ENOUGH: usize = 10;
-
-/// How errors of angles are spread, in radians.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Spread {
-    /// Their mean.
-    pub mean: f64,
-    /// Their standard deviation about it, that of the votes given, not an estimate for
-    /// others.
-    pub deviation: f64,
-}
-
 /// What the first `asked` questions showed.
 pub fn items(round: &ClassRound, asked: usize) -> Vec<ItemAnalysis> {
     let asked = asked.min(round.questions().len());
@@ -58,37 +39,19 @@ pub fn items(round: &ClassRound, asked: usize) -> Vec<ItemAnalysis> {
 }
 
 fn item(round: &ClassRound, question: usize, asked: usize) -> ItemAnalysis {
-    let grades = Vote::BOTH.map(|vote| round.grades(question, vote));
+    let votes = Vote::BOTH.map(|vote| Tally::of_grades(&round.grades(question, vote)));
     let spoken_for = evidence(&round.clues(question, Vote::First)).into_iter();
-    let right = grades.each_ref().map(|grades| {
-        let right = grades.iter().filter(|grade| grade.right).count();
-        (!grades.is_empty()).then(|| right as f64 / grades.len() as f64)
-    });
     ItemAnalysis {
         question,
-        votes: grades.each_ref().map(Vec::len),
-        right,
-        gain: gain(right),
+        votes,
+        gain: gain(votes.map(|it| it.share_right())),
         counts: counts(round, question),
         changed: changed(round, question),
-        spread: grades.each_ref().map(|grades| {
-            let errors: Vec<f64> = grades.iter().filter_map(|it| it.angle_error).collect();
-            spread(&errors)
-        }),
-        discrimination: discrimination(round, question, asked),
+        discrimination: discrimination(points(round, question, asked)),
         commonest: { spoken_for }
             .find(|it| it.times > 0)
             .map(|it| (it.misconception, it.times)),
     }
-}
-
-fn spread(errors: &[f64]) -> Option<Spread> {
-    let mean = numbers::mean(errors)?;
-    let squares: Vec<f64> = errors.iter().map(|error| (error - mean).powi(2)).collect();
-    Some(Spread {
-        mean,
-        deviation: numbers::mean(&squares)?.sqrt(),
-    })
 }
 
 fn gain(right: [Option<f64>; 2]) -> Option<f64> {
@@ -141,29 +104,12 @@ fn changed(round: &ClassRound, question: usize) -> Option<[usize; 2]> {
     Some(changed)
 }
 
-fn discrimination(round: &ClassRound, question: usize, asked: usize) -> Option<f64> {
-    let teams = 0..round.participants().len();
-    let own: Vec<f64> = teams
-        .clone()
-        .map(|team| round.points(question, team))
-        .collect();
-    let rest: Vec<f64> = teams
-        .map(|team| {
-            let others = (0..asked).filter(|other| *other != question);
-            others.map(|other| round.points(other, team)).sum()
-        })
-        .collect();
-    correlation(&own, &rest).filter(|_| own.len() >= ENOUGH)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn spread_by_hand() {
-        let spread = spread(&[1.0, 3.0]).unwrap();
-        assert!((spread.mean - 2.0).abs() < 1e-12 && (spread.deviation - 1.0).abs() < 1e-12);
-        assert_eq!(super::spread(&[]), None);
-    }
+/// The points of each team for a question, and for all others that were asked.
+fn points(round: &ClassRound, question: usize, asked: usize) -> Vec<(f64, f64)> {
+    let of_team = |team| {
+        let others = (0..asked).filter(|other| *other != question);
+        let rest = others.map(|other| round.points(other, team)).sum();
+        (round.points(question, team), rest)
+    };
+    (0..round.participants().len()).map(of_team).collect()
 }

@@ -47,7 +47,7 @@ pub use change::ClassChange;
 pub use device::LineId;
 pub use door::{DoorCode, NoDoorCode, SeatToken};
 pub use host::{HostCall, HostNews, OpenDoor};
-pub use items::{ItemAnalysis, Spread, items};
+pub use items::{ItemAnalysis, items};
 pub use limits::{Allowance, Bucket, GuardedCode, NewSeats, Verdict};
 pub use names::{LONGEST_NAME, MOST_PEOPLE, MOST_TEAMS, NameTrouble, team_names};
 pub use round::{ClassRound, Participant};

@@ -128,13 +128,13 @@ pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
         .filter_map(|item| {
             let question = round.questions().get(item.question)?;
             let mut row = asked(round, item.question, question);
-            for vote in 0..2 {
-                let spread = item.spread[vote];
+            for tally in item.votes {
+                let [mean, deviation] = [0, 1].map(|i| tally.spread_deg().map(|it| it[i]));
                 row.extend([
-                    item.votes[vote].to_string(),
-                    share(item.right[vote]),
-                    cell(spread, |it| bare_degrees(it.mean)),
-                    cell(spread, |it| bare_degrees(it.deviation)),
+                    tally.attempts.to_string(),
+                    share(tally.share_right()),
+                    cell(mean, |it| numbers::fixed(it, 1)),
+                    cell(deviation, |it| numbers::fixed(it, 1)),
                 ]);
             }
             row.push(share(item.discrimination));

@@ -8,7 +8,7 @@ use anyhow::{Context, anyhow};
 
 use super::{Failure, GlobalOptions, print_names, progress, written};
 use crate::files::{self, Document, escape_control_lines};
-use crate::gradebook::{Gradebook, HandIn, beliefs_csv, items_csv, pupils_csv, round_of};
+use crate::gradebook::{Gradebook, HandIn, beliefs_csv, items_csv, pupils_csv};
 use crate::numbers::counted;
 use crate::paper;
 use crate::quiz::Code;
@@ -103,7 +103,7 @@ pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), 
     let mut attempts = progress::recall(&mut options.store(), Some(player.clone()))?.attempts;
     if !args.code.is_empty() {
         let codes: Vec<String> = args.code.iter().map(ToString::to_string).collect();
-        attempts.retain(|it| codes.contains(&round_of(it)));
+        attempts.retain(|it| codes.contains(&it.round()));
     }
     let answered = attempts.len();
     let hand_in = HandIn::new(&player, args.class.as_deref().unwrap_or_default(), attempts);

@@ -3,13 +3,11 @@
 use std::collections::HashMap;
 
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 use crate::files::{BYTE_ORDER_MARK, LONGEST_QUOTE, escape_control, newer, quoted, tidy_name};
-use crate::progress::{Attempt, LESSON};
-use crate::quiz::{Code, Confidence, Course, CourseKind, Family, Grade, Topic};
-
-use super::round_of;
+use crate::progress::{Attempt, LESSON, ROUND};
+use crate::quiz::{Code, Course, CourseKind, Family, Topic};
 
 /// The format that is written.
 const FORMAT: u32 = 1;
@@ -32,9 +30,9 @@ pub struct HandIn {
     pub attempts: Vec<Attempt>,
 }
 
-/// What stands in a file.
+/// What stands in a file; an answer is an [`Attempt`], of which each is read by itself.
 #[derive(Serialize, Deserialize)]
-struct Written {
+struct Written<A> {
     format: u32,
     carrom: String,
     name: String,
@@ -46,29 +44,7 @@ struct Written {
     /// 0 to 10 for each answer, by how near it was, for who looks into the file.
     #[serde(default)]
     points: f64,
-    answers: Vec<WrittenAnswer>,
-}
-
-/// An answer in a file: an [`Attempt`] without its player.
-#[derive(Serialize, Deserialize)]
-struct WrittenAnswer {
-    #[serde(default)]
-    time_s: Option<i64>,
-    family: String,
-    topic: String,
-    seed: u64,
-    number: u32,
-    question: Map<String, Value>,
-    answer: Map<String, Value>,
-    truth: Map<String, Value>,
-    #[serde(default)]
-    error_deg: Option<f64>,
-    credit: f64,
-    right: bool,
-    #[serde(default)]
-    confidence: Option<String>,
-    #[serde(default)]
-    misconception: Option<String>,
+    answers: Vec<A>,
 }
 
 impl HandIn {
@@ -129,38 +105,22 @@ impl HandIn {
         serde_json::to_value(self.written()).map_err(|error| error.to_string())
     }
 
-    fn written(&self) -> Written {
-        let figures = |text: &str| serde_json::from_str(text).unwrap_or_default();
-        let answer = |attempt: &Attempt| WrittenAnswer {
-            time_s: attempt.time_s,
-            family: attempt.family.clone(),
-            topic: attempt.topic.clone(),
-            seed: attempt.seed,
-            number: attempt.number,
-            question: figures(&attempt.question),
-            answer: figures(&attempt.answer),
-            truth: figures(&attempt.truth),
-            error_deg: attempt.error_deg,
-            credit: attempt.credit,
-            right: attempt.right,
-            confidence: attempt.confidence.map(|it| it.id().to_owned()),
-            misconception: attempt.misconception.clone(),
-        };
+    fn written(&self) -> Written<Attempt> {
         let mut codes: Vec<String> = Vec::new();
-        for round in self.attempts.iter().map(round_of) {
+        for round in self.attempts.iter().map(Attempt::round) {
             if !codes.contains(&round) {
                 codes.push(round);
             }
         }
-        let credit: f64 = self.attempts.iter().map(|it| it.credit).sum();
+        let points: f64 = self.attempts.iter().map(Attempt::points).sum();
         Written {
             format: FORMAT,
             carrom: KIND.into(),
             name: self.name.clone(),
             class: self.class.clone(),
             codes,
-            points: (10.0 * Grade::MOST * credit).round() / 10.0,
-            answers: self.attempts.iter().map(answer).collect(),
+            points: (10.0 * points).round() / 10.0,
+            answers: self.attempts.clone(),
         }
     }
 
@@ -194,13 +154,13 @@ impl HandIn {
         if format > FORMAT.into() {
             return Err(newer(format!("format {format}"), FORMAT));
         }
-        let written: Written = serde_json::from_value(value)
+        let written: Written<Value> = serde_json::from_value(value)
             .map_err(|error| format!("it is damaged: {}", short(&error)))?;
         let mut known = KnownTopics::default();
         let attempts = { 1.. }.zip(written.answers).map(|(number, answer)| {
-            let attempt = answer.attempt(&written.name);
-            attempt
-                .and_then(|attempt| checked(attempt, &mut known))
+            let read = serde_json::from_value(answer).map_err(|error| short(&error));
+            let player = written.name.clone();
+            read.and_then(|read| checked(Attempt { player, ..read }, &mut known))
                 .map_err(|why| format!("it is damaged: answer {number} cannot be: {why}"))
         });
         let attempts = attempts.collect::<Result<_, _>>()?;
@@ -209,33 +169,6 @@ impl HandIn {
             true => Err("it has no name in it".into()),
             false => Ok(hand_in),
         }
-    }
-}
-
-impl WrittenAnswer {
-    /// The answer as it is written; the reason if its confidence is none.
-    fn attempt(self, player: &str) -> Result<Attempt, String> {
-        let confidence = self.confidence.map(|id| {
-            let known = Confidence::with_id(&id);
-            known.ok_or_else(|| format!("its confidence is {}, which is unknown", quoted(&id)))
-        });
-        let text = |figures: Map<String, Value>| Value::Object(figures).to_string();
-        Ok(Attempt {
-            time_s: self.time_s,
-            player: player.to_owned(),
-            family: self.family,
-            topic: self.topic,
-            seed: self.seed,
-            number: self.number,
-            question: text(self.question),
-            answer: text(self.answer),
-            truth: text(self.truth),
-            error_deg: self.error_deg,
-            credit: self.credit,
-            right: self.right,
-            confidence: confidence.transpose()?,
-            misconception: self.misconception,
-        })
     }
 }
 
@@ -289,10 +222,8 @@ fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, Str
 
 /// Writes the name of an answer's round as carrom does; gives its code.
 fn name_round(attempt: &mut Attempt) -> Result<Option<Code>, String> {
-    let mut figures: Map<String, Value> =
-        serde_json::from_str(&attempt.question).unwrap_or_default();
     // Before codes were noted with the figures the seed was all there was.
-    let Some(round) = figures.get_mut("round") else {
+    let Some(round) = attempt.question.get_mut(ROUND) else {
         return Ok(None);
     };
     let noted = round.as_str().unwrap_or_default();
@@ -302,7 +233,6 @@ fn name_round(attempt: &mut Attempt) -> Result<Option<Code>, String> {
     })?;
     if name != noted {
         *round = name.into();
-        attempt.question = Value::Object(figures).to_string();
     }
     Ok(code)
 }

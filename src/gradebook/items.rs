@@ -2,13 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::{ClassResults, rounds};
-use crate::numbers::correlation;
-use crate::progress::{Attempt, LESSON};
+use super::ClassResults;
+use crate::progress::{Attempt, LESSON, Tally, discrimination};
 use crate::quiz::{Code, Misconception, Round};
-
-/// Fewest answers from which on it is said how well a question tells pupils apart.
-const ENOUGH: usize = 10;
 
 /// What a question showed.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,14 +15,9 @@ pub struct ItemStatistics {
     pub number: u32,
     /// What was asked, where that follows from the code.
     pub question: Option<String>,
-    /// How many answered it.
-    pub answered: usize,
-    /// The share of their answers that were right, 0 to 1.
-    pub right: f64,
-    /// The mean of their points, 0 to 10.
-    pub points: f64,
-    /// The correlation of its points with those of the other questions of the round, −1 to 1;
-    /// `None` for fewer than ten answers, or where all did alike.
+    /// The answers to it; there is one at least.
+    pub tally: Tally,
+    /// How well it tells pupils apart.
     pub discrimination: Option<f64>,
     /// The misconception that most answers fitted, and how many did.
     pub commonest: Option<(Misconception, usize)>,
@@ -39,8 +30,8 @@ pub fn items(results: &ClassResults<'_>) -> Vec<ItemStatistics> {
     for pupil in &results.pupils {
         let of_questions = pupil.answers.iter().filter(|(it, _)| it.family != LESSON);
         for (attempt, round) in of_questions {
-            let sum = pupil.round(round);
-            let rest = sum.map_or(0.0, |it| it.points) - rounds::points(attempt);
+            let sum = pupil.rounds.get(round);
+            let rest = sum.map_or(0.0, Tally::points) - attempt.points();
             let item = answers.entry((round, attempt.number)).or_default();
             item.push((attempt, rest));
         }
@@ -60,19 +51,14 @@ pub fn items(results: &ClassResults<'_>) -> Vec<ItemStatistics> {
             let place = usize::try_from(number).ok()?.checked_sub(1)?;
             let question = of_code.as_ref().and_then(|it| it.questions().get(place));
             let question = question.map(|it| it.text.clone());
-            let count = answers.len();
-            let right = answers.iter().filter(|(it, _)| it.right).count();
-            let (points, rest): (Vec<f64>, Vec<f64>) = { answers.iter() }
-                .map(|(it, rest)| (rounds::points(it), *rest))
-                .unzip();
             Some(ItemStatistics {
                 round: round.to_owned(),
                 number,
                 question,
-                answered: count,
-                right: right as f64 / count as f64,
-                points: points.iter().sum::<f64>() / count as f64,
-                discrimination: correlation(&points, &rest).filter(|_| count >= ENOUGH),
+                tally: Tally::of(answers.iter().map(|(it, _)| *it)),
+                discrimination: discrimination(
+                    answers.iter().map(|(it, rest)| (it.points(), *rest)),
+                ),
                 commonest: commonest(answers.iter().map(|(it, _)| *it)),
             })
         });
@@ -81,7 +67,7 @@ pub fn items(results: &ClassResults<'_>) -> Vec<ItemStatistics> {
 
 /// The misconception that most of these fitted; of equals the first of all.
 fn commonest<'a>(answers: impl Iterator<Item = &'a Attempt>) -> Option<(Misconception, usize)> {
-    let shown = answers.filter_map(|it| Misconception::with_id(it.misconception.as_deref()?));
+    let shown = answers.filter_map(Attempt::shows);
     let shown: Vec<Misconception> = shown.collect();
     let count = |all: &Misconception| shown.iter().filter(|it| *it == all).count();
     let all = Misconception::ALL.iter().rev().map(|it| (*it, count(it)));

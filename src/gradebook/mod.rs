@@ -9,7 +9,6 @@ mod hand_in;
 mod items;
 mod pupils;
 mod results;
-mod rounds;
 mod tables;
 
 pub use beliefs::{ClassBelief, beliefs};
@@ -17,5 +16,4 @@ pub use hand_in::HandIn;
 pub use items::{ItemStatistics, items};
 pub use pupils::{Gradebook, Pupil};
 pub use results::{ClassResults, PupilResults};
-pub use rounds::{RoundTally, round_of};
 pub use tables::{beliefs_csv, items_csv, pupils_csv};

@@ -6,6 +6,7 @@ use super::{ClassResults, HandIn};
 use crate::files::tidy_name;
 use crate::numbers::counted;
 use crate::progress::Attempt;
+use crate::quiz::Figures;
 
 /// A pupil with all that was handed in.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,12 +43,13 @@ impl Pupil {
 
 /// What an answer has in common with itself in another file, and with no other answer: when it
 /// was given and its place; what was asked and answered.
-type Identity<'a> = ((Option<i64>, u64, u32), [&'a str; 3]);
+type Identity<'a> = ((Option<i64>, u64, u32), &'a str, [&'a Figures; 2]);
 
 fn identity(it: &Attempt) -> Identity<'_> {
     (
         (it.time_s, it.seed, it.number),
-        [&it.family, &it.question, &it.answer],
+        &it.family,
+        [&it.question, &it.answer],
     )
 }
 

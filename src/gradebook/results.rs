@@ -1,10 +1,11 @@
 //! What the answers of a class come to, worked out once for all tables and pages: reading the
 //! figures of an answer takes far longer than counting it.
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeSet, HashSet};
 
-use super::rounds::{self, RoundTally};
-use super::{Gradebook, Pupil, round_of};
+use indexmap::IndexMap;
+
+use super::{Gradebook, Pupil};
 use crate::progress::{self, Attempt, HeldBelief, Tally, TopicStanding};
 
 /// A class with the results of each pupil.
@@ -26,15 +27,12 @@ pub struct PupilResults<'a> {
     pub answers: Vec<(&'a Attempt, String)>,
     /// These answers counted.
     pub tally: Tally,
-    /// The rounds that were begun, in their order.
-    pub rounds: Vec<RoundTally>,
-    /// How each topic went.
-    pub topics: Vec<TopicStanding>,
+    /// How each round went, in the order in which they were begun.
+    pub rounds: IndexMap<String, Tally>,
+    /// How each topic went, by its name.
+    pub topics: IndexMap<String, TopicStanding>,
     /// The misconceptions that all answers together show.
     pub beliefs: Vec<HeldBelief>,
-    /// Where each round and each topic stands in its list, by its name.
-    round_places: HashMap<String, usize>,
-    topic_places: HashMap<String, usize>,
 }
 
 impl<'a> ClassResults<'a> {
@@ -47,57 +45,44 @@ impl<'a> ClassResults<'a> {
 
     /// The rounds that anybody has begun, in the order of their codes.
     pub fn rounds(&self) -> Vec<&str> {
-        let all = self.pupils.iter().flat_map(|it| &it.rounds);
-        let names: BTreeSet<&str> = all.map(|it| it.round.as_str()).collect();
-        names.into_iter().collect()
+        sorted(self.pupils.iter().flat_map(|it| it.rounds.keys()))
     }
 
     /// The topics that anybody was asked about, in the order of their names.
     pub fn topics(&self) -> Vec<&str> {
-        let all = self.pupils.iter().flat_map(|it| &it.topics);
-        let names: BTreeSet<&str> = all.map(|it| it.name.as_str()).collect();
-        names.into_iter().collect()
+        sorted(self.pupils.iter().flat_map(|it| it.topics.keys()))
     }
 }
 
 impl<'a> PupilResults<'a> {
     fn of(pupil: &'a Pupil) -> Self {
         let mut asked = HashSet::new();
-        let all = pupil.attempts.iter().map(|it| (it, round_of(it)));
+        let all = pupil.attempts.iter().map(|it| (it, it.round()));
         let answers: Vec<_> = all
-            .filter(|(it, round)| asked.insert((round.clone(), it.number, it.question.as_str())))
+            .filter(|(it, round)| asked.insert((round.clone(), it.number, &it.question)))
             .collect();
+        let mut rounds: IndexMap<String, Tally> = IndexMap::new();
+        for (attempt, round) in &answers {
+            rounds.entry(round.clone()).or_default().add(attempt);
+        }
         let counted = || answers.iter().map(|(it, _)| *it);
-        let rounds = rounds::tallies(&answers);
-        let topics = progress::topics(counted());
+        let mut topics = IndexMap::new();
+        for topic in progress::topics(counted()) {
+            topics.entry(topic.name.clone()).or_insert(topic);
+        }
         Self {
             pupil,
             tally: Tally::of(counted()),
             beliefs: progress::beliefs(&pupil.attempts),
-            round_places: places(rounds.iter().map(|it| &it.round)),
-            topic_places: places(topics.iter().map(|it| &it.name)),
             rounds,
             topics,
             answers,
         }
     }
-
-    /// How a round went, if it was begun.
-    pub fn round(&self, name: &str) -> Option<&RoundTally> {
-        self.rounds.get(*self.round_places.get(name)?)
-    }
-
-    /// How a topic went, if it was met.
-    pub fn topic(&self, name: &str) -> Option<&TopicStanding> {
-        self.topics.get(*self.topic_places.get(name)?)
-    }
 }
 
-/// The first place of each name.
-fn places<'n>(names: impl Iterator<Item = &'n String>) -> HashMap<String, usize> {
-    let mut places = HashMap::new();
-    for (place, name) in names.enumerate() {
-        places.entry(name.clone()).or_insert(place);
-    }
-    places
+/// Each of these names once.
+fn sorted<'n>(names: impl Iterator<Item = &'n String>) -> Vec<&'n str> {
+    let names: BTreeSet<&str> = names.map(String::as_str).collect();
+    names.into_iter().collect()
 }

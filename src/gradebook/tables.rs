@@ -29,26 +29,25 @@ pub fn pupils_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let rows: Vec<Vec<String>> = { results.pupils.iter() }
         .map(|it| {
             let tally = it.tally;
-            let points: f64 = it.rounds.iter().map(|it| it.points).sum();
             let mut row = vec![
                 it.pupil.name.clone(),
                 it.pupil.class.clone(),
                 tally.attempts.to_string(),
                 tally.right.to_string(),
-                tally.share_right().map_or(String::new(), |it| fixed(it, 3)),
-                fixed(points, 1),
+                figure(tally.share_right(), 3),
+                fixed(tally.points(), 1),
             ];
             for round in &rounds {
-                row.extend(it.round(round).map_or_else(Default::default, |it| {
+                row.extend(it.rounds.get(*round).map_or_else(Default::default, |it| {
                     [
-                        it.answered.to_string(),
+                        it.attempts.to_string(),
                         it.right.to_string(),
-                        fixed(it.points, 1),
+                        fixed(it.points(), 1),
                     ]
                 }));
             }
             for topic in &topics {
-                row.extend(it.topic(topic).map_or_else(Default::default, |it| {
+                row.extend(it.topics.get(*topic).map_or_else(Default::default, |it| {
                     [it.all.attempts.to_string(), it.all.right.to_string()]
                 }));
             }
@@ -57,6 +56,11 @@ pub fn pupils_csv(results: &ClassResults<'_>) -> Result<String, String> {
         .collect();
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
     csv_table(&heads, &rows)
+}
+
+/// A figure; nothing where there is none.
+fn figure(x: Option<f64>, decimals: usize) -> String {
+    x.map_or(String::new(), |x| fixed(x, decimals))
 }
 
 /// A row a question: how all who answered it did.
@@ -74,10 +78,10 @@ pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
                 it.round,
                 it.number.to_string(),
                 it.question.unwrap_or_default(),
-                it.answered.to_string(),
-                fixed(it.right, 3),
-                fixed(it.points, 1),
-                it.discrimination.map_or(String::new(), |it| fixed(it, 3)),
+                it.tally.attempts.to_string(),
+                figure(it.tally.share_right(), 3),
+                figure(it.tally.mean_points(), 1),
+                figure(it.discrimination, 3),
                 belief,
                 count,
                 class.clone(),

@@ -44,7 +44,7 @@ pub fn answer_of_json(value: &Value) -> Option<Response> {
         let line = usize::try_from(line.as_u64()?).ok()?;
         return line.checked_sub(1).map(Response::Choice);
     }
-    Rays::of_json(value).map(Response::Rays)
+    Rays::of_figures(value.as_object()?).map(Response::Rays)
 }
 
 #[cfg(test)]

@@ -73,13 +73,9 @@ fn overview(results: &ClassResults<'_>) -> Markup {
         "Rounds: points (right of answered)",
         &rounds,
         |pupil, round| {
-            let it = pupil.round(round)?;
-            Some(format!(
-                "{} ({} of {})",
-                fixed(it.points, 1),
-                it.right,
-                it.answered
-            ))
+            let it = pupil.rounds.get(round)?;
+            let points = fixed(it.points(), 1);
+            Some(format!("{points} ({} of {})", it.right, it.attempts))
         },
     );
     let topics = by_columns(
@@ -87,7 +83,7 @@ fn overview(results: &ClassResults<'_>) -> Markup {
         "Topics: right of answered",
         &topics,
         |pupil, topic| {
-            let it = pupil.topic(topic)?;
+            let it = pupil.topics.get(topic)?;
             Some(format!("{} of {}", it.all.right, it.all.attempts))
         },
     );
@@ -134,9 +130,9 @@ fn questions(results: &ClassResults<'_>) -> Markup {
             it.number.to_string(),
             clean(&it.question.unwrap_or_default(), QUESTION),
             commonest,
-            it.answered.to_string(),
-            percent(Some(it.right)),
-            fixed(it.points, 1),
+            it.tally.attempts.to_string(),
+            percent(it.tally.share_right()),
+            it.tally.mean_points().map_or("–".into(), |it| fixed(it, 1)),
             it.discrimination.map_or("–".into(), |it| fixed(it, 2)),
         ]
     });
@@ -168,17 +164,12 @@ fn believed(results: &ClassResults<'_>) -> Markup {
 fn report(results: &PupilResults<'_>) -> Markup {
     let (pupil, tally) = (results.pupil, results.tally);
     let rounds: Vec<Vec<String>> = { results.rounds.iter() }
-        .map(|it| {
-            let answered = it.answered.to_string();
-            vec![
-                clean(&it.round, NAME),
-                answered,
-                it.right.to_string(),
-                fixed(it.points, 1),
-            ]
+        .map(|(round, it)| {
+            let [answered, right] = [it.attempts, it.right].map(|it| it.to_string());
+            vec![clean(round, NAME), answered, right, fixed(it.points(), 1)]
         })
         .collect();
-    let topics: Vec<Vec<String>> = { results.topics.iter() }
+    let topics: Vec<Vec<String>> = { results.topics.values() }
         .map(|it| {
             let [answered, right] = [it.all.attempts, it.all.right].map(|it| it.to_string());
             let mastery = it.mastery().name().to_owned();

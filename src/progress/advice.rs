@@ -58,7 +58,9 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
 mod tests {
     use super::super::tally::tests::attempt;
     use super::*;
+    use crate::quiz::figures;
     use crate::quiz::{Confidence, Misconception};
+    use serde_json::json;
 
     #[test]
     fn what_is_worth_most_comes_first() {
@@ -77,7 +79,7 @@ mod tests {
         assert!(says(Some(sure), None).contains("came out differently: equal masses"));
         assert!(says(None, Some(1000)).contains("Due again: equal masses"));
         let held = |number: u32| Attempt {
-            question: format!("{{\"number\":{number},\"by_chance\":0.01}}"),
+            question: figures(json!({ "number": number, "by_chance": 0.01 })),
             misconception: Some("swapped".into()),
             ..attempt("equal-masses", 9.0)
         };

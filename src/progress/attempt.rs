@@ -1,11 +1,11 @@
 //! One answer, with all that is known of it.
 
-use serde::Deserialize;
-use serde_json::{Map, Value};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use crate::physics::units::deg_from_rad;
 use crate::quiz::{
-    Answer, Clue, Code, Confidence, Form, Grade, Misconception, Question, Rays, Topic,
+    Answer, Clue, Code, Confidence, Figures, Form, Grade, Misconception, Question, Rays, Topic,
 };
 
 /// The family of all questions that chapters ask.
@@ -16,14 +16,22 @@ const FURTHEST_OFF_DEG: f64 = 180.0 + 1e-6;
 /// Most lines of a choice in a chapter, with room for those of years to come.
 const MOST_LINES: u64 = 26;
 
+/// Figures as the text of a JSON object.
+pub(crate) fn figures_text(figures: &Figures) -> String {
+    serde_json::to_string(figures).unwrap_or_default()
+}
+
 /// One answer, with all that is known of it. Nothing of it is particular to the quiz:
-/// whatever asks a question can note what was answered.
-#[derive(Debug, Clone, PartialEq)]
+/// whatever asks a question can note what was answered. As it is serialized here it stands in a
+/// pupil's hand-in, whose file names the player once.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
     /// When, in seconds since 1970 began (UTC). Noted by whoever keeps it; `None`
     /// before that, and where nobody knows the time.
+    #[serde(default)]
     pub time_s: Option<i64>,
     /// Who.
+    #[serde(skip)]
     pub player: String,
     /// The family of the question, by its name in files: "where-to", or [`LESSON`].
     pub family: String,
@@ -33,24 +41,27 @@ pub struct Attempt {
     pub seed: u64,
     /// Its place in the round, or the page of the chapter, from 1.
     pub number: u32,
-    /// The figures of the question: a JSON object, with the units in the names. With
-    /// those of the quiz stand the `misconceptions` that an answer could have shown, by
-    /// their names in files, and the chance that a guess fits one of them, `by_chance`.
-    pub question: String,
-    /// What was answered, likewise.
-    pub answer: String,
-    /// What is true, likewise.
-    pub truth: String,
+    /// The figures of the question. With those of the quiz stand the code of the `round`, the
+    /// `misconceptions` that an answer could have shown, by their names in files, and the chance
+    /// that a guess fits one of them, `by_chance`.
+    pub question: Figures,
+    /// What was answered.
+    pub answer: Figures,
+    /// What is true.
+    pub truth: Figures,
     /// How far off the angle was, in degrees, or of several the one furthest off;
     /// `None` where there was no angle to be off.
+    #[serde(default)]
     pub error_deg: Option<f64>,
     /// Credit from 0 to 1.
     pub credit: f64,
     /// Whether it counts as right.
     pub right: bool,
     /// How sure the player was; `None` where that is not asked.
+    #[serde(default)]
     pub confidence: Option<Confidence>,
     /// The misconception it fits, by its name in files.
+    #[serde(default)]
     pub misconception: Option<String>,
 }
 
@@ -65,7 +76,7 @@ impl Attempt {
     ) -> Self {
         let grade = Grade::new(question, answer);
         let mut figures = question.figures.clone();
-        figures.insert("round".into(), code.to_string().into());
+        figures.insert(ROUND.into(), code.to_string().into());
         figures.insert("difficulty".into(), question.difficulty.id().into());
         let clue = Clue::new(question, answer);
         let beliefs = clue.could_show.iter().map(|it| it.id());
@@ -78,9 +89,9 @@ impl Attempt {
             topic: question.topic.id().to_owned(),
             seed: code.seed,
             number,
-            question: Value::Object(figures).to_string(),
-            answer: question.form.kept(&answer.said).to_string(),
-            truth: question.form.kept(&question.form.truth()).to_string(),
+            question: figures,
+            answer: question.form.kept(&answer.said),
+            truth: question.form.kept(&question.form.truth()),
             error_deg: grade.angle_error.map(deg_from_rad),
             credit: grade.credit,
             right: grade.right,
@@ -117,14 +128,11 @@ impl Attempt {
     }
 
     fn answer_is_possible(&self) -> bool {
-        let Ok(answer) = serde_json::from_str::<Map<String, Value>>(&self.answer) else {
-            return false;
-        };
-        let truth: Map<String, Value> = serde_json::from_str(&self.truth).unwrap_or_default();
+        let (answer, truth) = (&self.answer, &self.truth);
         let is_like_truth = truth.is_empty() || answer.keys().all(|name| truth.contains_key(name));
         let is_in_range = match self.family.as_str() {
-            LESSON => lesson_answer_is_possible(&answer),
-            _ => Form::could_be_kept(&answer),
+            LESSON => lesson_answer_is_possible(answer),
+            _ => Form::could_be_kept(answer),
         };
         // Where nothing was noted, what counts is noted all the same.
         answer.is_empty() || (is_like_truth && is_in_range)
@@ -133,29 +141,45 @@ impl Attempt {
     /// What it says of misconceptions. One that this carrom does not know is left out; where
     /// it was not noted what an answer could have shown, only what it did is known.
     pub(super) fn clue(&self) -> Clue {
-        let noted: StoredFigures = serde_json::from_str(&self.question).unwrap_or_default();
-        let shows = self
-            .misconception
-            .as_deref()
-            .and_then(Misconception::with_id);
-        let noted_here = noted.misconceptions.len();
-        let ids = noted.misconceptions.into_iter();
+        let noted = self.question.get(MISCONCEPTIONS).and_then(Value::as_array);
+        let noted = noted.map_or(&[][..], Vec::as_slice);
+        let ids = noted.iter().filter_map(Value::as_str);
+        let by_chance = self.question.get(BY_CHANCE).and_then(Value::as_f64);
         Clue {
-            question: self.question.clone(),
+            question: figures_text(&self.question),
             could_show: ids.filter_map(Misconception::with_id).collect(),
-            shows,
-            by_chance: noted
-                .by_chance
+            shows: self.shows(),
+            by_chance: by_chance
                 .filter(|chance| (0.001..=0.9).contains(chance))
-                .unwrap_or_else(|| self.by_chance_at_most(noted_here)),
+                .unwrap_or_else(|| self.by_chance_at_most(noted.len())),
         }
+    }
+
+    /// The misconception it fits, if this carrom knows it.
+    pub fn shows(&self) -> Option<Misconception> {
+        Misconception::with_id(self.misconception.as_deref()?)
+    }
+
+    /// The round in which it was given: its code; of a chapter its title.
+    pub fn round(&self) -> String {
+        if self.family == LESSON {
+            return format!("chapter: {}", self.topic);
+        }
+        // Before codes were noted with the figures the seed was all there was.
+        let noted = self.question.get(ROUND).and_then(Value::as_str);
+        noted.map_or_else(|| self.seed.to_string(), str::to_owned)
+    }
+
+    /// Points by how near it was, 0 to [`Grade::MOST`], however sure the player was.
+    pub fn points(&self) -> f64 {
+        Grade::MOST * self.credit
     }
 
     /// The chance that a guess fits a misconception, where it was not noted: no smaller than
     /// it was, as far as the answer tells. Choices were three or more, and at least as many as
     /// what is noted and the right one.
     fn by_chance_at_most(&self, misconceptions: usize) -> f64 {
-        match self.truth.contains("\"choice\"") {
+        match self.truth.contains_key("choice") {
             true => 1.0 / (misconceptions + 1).max(3) as f64,
             false => ONE_BY_CHANCE,
         }
@@ -169,13 +193,13 @@ impl Attempt {
 
 /// Whether this is an answer to some checkpoint of a chapter: two rays, any number, or a line
 /// counted from 1.
-fn lesson_answer_is_possible(answer: &Map<String, Value>) -> bool {
+fn lesson_answer_is_possible(answer: &Figures) -> bool {
     match (answer.get("number"), answer.get("choice")) {
         (Some(number), None) => number.is_f64() || number.is_i64() || number.is_u64(),
         (None, Some(line)) => line
             .as_u64()
             .is_some_and(|line| (1..=MOST_LINES).contains(&line)),
-        _ => Rays::of_json(&Value::Object(answer.clone())).is_some_and(|it| it.are_in_range()),
+        _ => Rays::of_figures(answer).is_some_and(|it| it.are_in_range()),
     }
 }
 
@@ -187,7 +211,10 @@ pub(super) fn topic_name(family: &str, topic: &str) -> String {
     }
 }
 
-/// Where [`Attempt::question`] says what an answer could have shown.
+/// Where [`Attempt::question`] has the code of the round.
+pub(crate) const ROUND: &str = "round";
+
+/// Where it says what an answer could have shown.
 const MISCONCEPTIONS: &str = "misconceptions";
 
 /// Where it says how likely a guess fits one of them.
@@ -195,15 +222,6 @@ const BY_CHANCE: &str = "by_chance";
 
 /// The chance that a guess fits a number or one ray, as questions have it.
 const ONE_BY_CHANCE: f64 = 0.08;
-
-/// What of the figures of a question is read again.
-#[derive(Deserialize, Default)]
-struct StoredFigures<'a> {
-    #[serde(borrow, default)]
-    misconceptions: Vec<&'a str>,
-    #[serde(default)]
-    by_chance: Option<f64>,
-}
 
 #[cfg(test)]
 mod tests {
@@ -230,6 +248,10 @@ mod tests {
         Attempt::of_quiz("Ada", &code, 3, &Question::from(&HIT), &answer)
     }
 
+    fn read(figures: &str) -> Figures {
+        serde_json::from_str(figures).unwrap()
+    }
+
     #[test]
     fn an_answer_that_no_question_can_have_got_has_a_fault() {
         let sound = attempt(60.0, 30.0);
@@ -252,35 +274,30 @@ mod tests {
             assert!(changed.fault().is_some(), "{credit} {error_deg:?}");
         }
         for answer in [
-            "",
-            "null",
-            "[]",
-            "\"choice 99\"",
             "{\"choice\":99}",
             // Of another kind than the truth.
             "{\"choice\":\"B\"}",
             "{\"theta1_deg\":200.0,\"theta2_deg\":0.0}",
-            "{\"theta1_deg\":1e999,\"theta2_deg\":0.0}",
-            "{\"theta1_deg\":NaN,\"theta2_deg\":0.0}",
+            "{\"theta1_deg\":null}",
             "{\"theta1_deg\":20.0}",
         ] {
             let changed = Attempt {
-                answer: answer.into(),
+                answer: read(answer),
                 ..sound.clone()
             };
             assert!(changed.fault().is_some(), "{answer}");
         }
         let of_chapter = |answer: &str, truth: &str| Attempt {
             family: LESSON.into(),
-            answer: answer.into(),
-            truth: truth.into(),
+            answer: read(answer),
+            truth: read(truth),
             error_deg: Some(5000.0),
             ..sound.clone()
         };
         for (answer, truth, is_sound) in [
             ("{\"number\":-1e6}", "{\"number\":2,\"unit\":\"°\"}", true),
             ("{\"choice\":2}", "{\"choice\":1}", true),
-            ("{\"theta1_deg\":null,\"theta2_deg\":0}", "null", true),
+            ("{\"theta1_deg\":null,\"theta2_deg\":0}", "{}", true),
             ("{\"choice\":99}", "{\"choice\":1}", false),
             ("{\"choice\":0}", "{\"choice\":1}", false),
             ("{\"choice\":1}", "{\"number\":1,\"unit\":\"\"}", false),
@@ -299,10 +316,10 @@ mod tests {
         assert!(right.error_deg.unwrap() < 1e-9);
         assert_eq!(right.misconception, None);
         // Equal masses without loss part at a right angle: 60° and 30°.
-        let truth: Value = serde_json::from_str(&right.truth).unwrap();
+        let truth = &right.truth;
         assert!((truth["theta1_deg"].as_f64().unwrap() - 60.0).abs() < 1e-9);
         assert!((truth["theta2_deg"].as_f64().unwrap() - 30.0).abs() < 1e-9);
-        let figures: Value = serde_json::from_str(&right.question).unwrap();
+        let figures = &right.question;
         assert_eq!(figures["alpha_deg"].as_f64(), Some(30.0));
         assert_eq!(figures["direction_deg"].as_f64(), Some(90.0));
         let clue = right.clue();

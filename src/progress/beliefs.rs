@@ -101,6 +101,8 @@ pub fn beliefs(attempts: &[Attempt]) -> Vec<HeldBelief> {
 mod tests {
     use super::super::tally::tests::attempt;
     use super::*;
+    use crate::quiz::figures;
+    use serde_json::json;
 
     /// What follows from answers about two rays, each of which could show these, and shows the
     /// first if it is marked so: how often of how often in each half.
@@ -108,12 +110,11 @@ mod tests {
         let attempts: Vec<_> = (0..)
             .zip(answers)
             .map(|(number, (could_show, shows))| Attempt {
-                question: serde_json::json!({
+                question: figures(json!({
                     "number": number,
                     "misconceptions": could_show,
                     "by_chance": 0.01,
-                })
-                .to_string(),
+                })),
                 misconception: could_show.first().filter(|_| *shows).map(|id| (*id).into()),
                 ..attempt("a", 20.0)
             })
@@ -159,7 +160,7 @@ mod tests {
         const C: &[&str] = &["copied-angle"];
         assert!(trend(&[(C, true)]).is_empty());
         let again = Attempt {
-            question: serde_json::json!({ "misconceptions": C, "by_chance": 0.01 }).to_string(),
+            question: figures(json!({ "misconceptions": C, "by_chance": 0.01 })),
             misconception: Some("copied-angle".into()),
             ..attempt("a", 20.0)
         };
@@ -170,7 +171,7 @@ mod tests {
     fn what_is_unknown_is_left_out_and_what_was_not_noted_counts_where_it_shows() {
         assert!(trend(&[(&["unheard-of"], true), (&["unheard-of"], true)]).is_empty());
         let old = |number: u32| Attempt {
-            question: format!("{{\"number\":{number}}}"),
+            question: figures(json!({ "number": number })),
             misconception: Some("swapped".into()),
             ..attempt("a", 20.0)
         };

@@ -4,10 +4,11 @@ use jiff::Timestamp;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
+use super::attempt::{ROUND, figures_text};
 use super::{Attempt, Calendar, Tally, advice, beliefs, calibration, topics};
 use crate::files::{csv_table, write_json};
 use crate::numbers;
-use crate::quiz::{Confidence, Grade};
+use crate::quiz::{Confidence, Figures};
 
 /// The heads of the columns.
 const COLUMNS: [&str; 14] = [
@@ -29,7 +30,6 @@ const COLUMNS: [&str; 14] = [
 
 /// What stands in each of the [`COLUMNS`], as JSON has it.
 fn values(attempt: &Attempt) -> [Value; COLUMNS.len()] {
-    let figures = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| Value::from(text));
     [
         attempt.time_s.and_then(utc).into(),
         attempt.player.as_str().into(),
@@ -37,9 +37,9 @@ fn values(attempt: &Attempt) -> [Value; COLUMNS.len()] {
         attempt.topic_name().into(),
         attempt.seed.into(),
         attempt.number.into(),
-        figures(&attempt.question),
-        figures(&attempt.answer),
-        figures(&attempt.truth),
+        attempt.question.clone().into(),
+        attempt.answer.clone().into(),
+        attempt.truth.clone().into(),
         attempt.error_deg.into(),
         attempt.credit.into(),
         attempt.right.into(),
@@ -54,25 +54,18 @@ const IN_WORDS: [&str; 4] = ["round", "points", "answer_in_words", "truth_in_wor
 
 /// What stands in each of [`IN_WORDS`].
 fn in_words(attempt: &Attempt) -> [String; IN_WORDS.len()] {
-    let figures = |text: &str| match serde_json::from_str(text) {
-        Ok(Value::Object(figures)) => figures,
-        _ => Default::default(),
-    };
-    let words = |text: &str| {
-        let each = figures(&tidied(text))
-            .into_iter()
-            .map(|(name, value)| match value {
-                Value::String(text) => text,
-                Value::Null => format!("{name} none"),
-                value => format!("{name} {value}"),
-            });
+    let words = |said: &Figures| {
+        let each = tidied(said).into_iter().map(|(name, value)| match value {
+            Value::String(text) => text,
+            Value::Null => format!("{name} none"),
+            value => format!("{name} {value}"),
+        });
         each.collect::<Vec<_>>().join(", ")
     };
-    let round = figures(&attempt.question).remove("round");
-    let round = round.and_then(|it| Some(it.as_str()?.to_owned()));
+    let round = attempt.question.get(ROUND).and_then(Value::as_str);
     [
-        round.unwrap_or_default(),
-        numbers::points(Grade::MOST * attempt.credit),
+        round.unwrap_or_default().to_owned(),
+        numbers::points(attempt.points()),
         words(&attempt.answer),
         words(&attempt.truth),
     ]
@@ -83,10 +76,8 @@ fn in_words(attempt: &Attempt) -> [String; IN_WORDS.len()] {
 /// # Errors
 /// None that can be met in practice; the reason, should a row not be writable.
 pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
-    let cell = |attempt: &Attempt, column: &str, value: Value| match (column, value) {
-        ("question", _) => attempt.question.clone(),
-        ("answer", _) => tidied(&attempt.answer),
-        ("truth", _) => tidied(&attempt.truth),
+    let cell = |column: &str, value: Value| match (column, value) {
+        ("answer" | "truth", Value::Object(said)) => figures_text(&tidied(&said)),
         (_, Value::Null) => String::new(),
         (_, Value::String(text)) => text,
         (_, Value::Bool(right)) => if right { "yes" } else { "no" }.into(),
@@ -95,7 +86,7 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
     };
     let row = |attempt: &Attempt| {
         let columns = COLUMNS.into_iter().zip(values(attempt));
-        let cells = columns.map(|(column, value)| cell(attempt, column, value));
+        let cells = columns.map(|(column, value)| cell(column, value));
         cells.chain(in_words(attempt)).collect()
     };
     let rows: Vec<Vec<String>> = attempts.iter().map(row).collect();
@@ -104,10 +95,8 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
 
 /// What was said, with its numbers as they were typed: a 30 is kept in radians and comes
 /// back as 29.999999999999996.
-fn tidied(said: &str) -> String {
-    let Ok(Value::Object(mut said)) = serde_json::from_str(said) else {
-        return said.to_owned();
-    };
+fn tidied(said: &Figures) -> Figures {
+    let mut said = said.clone();
     for value in said.values_mut() {
         let number = value.as_f64().map(numbers::tidy);
         match number {
@@ -116,7 +105,7 @@ fn tidied(said: &str) -> String {
             None => {}
         }
     }
-    Value::Object(said).to_string()
+    said
 }
 
 /// A time in seconds since 1970 began, as 2026-11-21T10:00:00Z; `None` outside the

@@ -21,11 +21,13 @@ pub(crate) mod words;
 
 pub use advice::advice;
 pub use attempt::{Attempt, LESSON};
+pub(crate) use attempt::{ROUND, figures_text};
 pub use beliefs::{HeldBelief, Trend, beliefs};
 pub use calendar::{Calendar, long_day};
 pub use calibration::{Calibrated, calibration, calibration_over_time, calibration_words};
 pub use due::Due;
 pub use export::{csv, json, utc};
 pub use schedule::{Review, reviews};
+pub(crate) use tally::discrimination;
 pub use tally::{Tally, ends_deg, smoothed_errors_deg};
 pub use topics::{LATELY, Mastery, TopicStanding, topics};

@@ -20,6 +20,7 @@
 //! This is the box of cards of S. Leitner (1972): the better something is known, the
 //! longer it may rest, and an answer that takes some effort teaches most.
 
+use indexmap::IndexMap;
 use jiff::ToSpan;
 use jiff::civil::Date;
 
@@ -77,7 +78,7 @@ impl Review {
 /// When to come back to each topic, the earliest first. Attempts whose time nobody
 /// knows are left out.
 pub fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> {
-    let mut reviews: Vec<Review> = Vec::new();
+    let mut reviews: IndexMap<&str, Review> = IndexMap::new();
     for attempt in attempts {
         let day = attempt
             .time_s
@@ -86,8 +87,8 @@ pub fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> {
             continue;
         };
         let known = attempt.right && attempt.confidence != Some(Confidence::Guess);
-        let found = reviews.iter().position(|it| it.topic == attempt.topic);
-        let step = match found.and_then(|i| reviews[i].step.map(|step| (step, &reviews[i]))) {
+        let found = reviews.get(attempt.topic.as_str());
+        let step = match found.and_then(|it| Some((it.step?, it))) {
             _ if !known => None,
             Some((step, review)) if review.is_due(day) => {
                 let rested = review.days_to(day).max(1).ilog2();
@@ -105,11 +106,9 @@ pub fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> {
             due: day.saturating_add(rest.days()),
             since_s,
         };
-        match found {
-            Some(i) => reviews[i] = review,
-            None => reviews.push(review),
-        }
+        reviews.insert(&attempt.topic, review);
     }
+    let mut reviews: Vec<Review> = reviews.into_values().collect();
     reviews.sort_by_key(|review| (review.due, review.since_s));
     reviews
 }

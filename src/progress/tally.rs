@@ -1,50 +1,108 @@
 //! Attempts counted.
 
 use super::Attempt;
-use crate::quiz::ENOUGH_ANGLES;
+use crate::numbers::correlation;
+use crate::physics::units::deg_from_rad;
+use crate::quiz::{ENOUGH_ANGLES, Grade};
 
-/// Attempts counted.
+/// Answers counted: those of a player, of a class to one question, of a round.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tally {
     /// How many.
     pub attempts: usize,
     /// How many of them were right.
     pub right: usize,
-    /// Sum of the errors in degrees, and of how many.
-    errors: (f64, usize),
+    credit: f64,
+    /// How many had an angle to be off, the sum of their errors in degrees and of the squares.
+    errors: (usize, [f64; 2]),
 }
 
 impl Tally {
     /// Counts these.
     pub fn of<'a>(attempts: impl IntoIterator<Item = &'a Attempt>) -> Self {
         let mut tally = Self::default();
-        for attempt in attempts {
-            tally.attempts += 1;
-            tally.right += usize::from(attempt.right);
-            if let Some(error) = attempt.error_deg {
-                tally.errors.0 += error;
-                tally.errors.1 += 1;
-            }
+        attempts.into_iter().for_each(|it| tally.add(it));
+        tally
+    }
+
+    /// Counts answers that are graded and nothing else, as the votes of a class.
+    pub fn of_grades<'a>(grades: impl IntoIterator<Item = &'a Grade>) -> Self {
+        let mut tally = Self::default();
+        for grade in grades {
+            tally.count(
+                grade.right,
+                grade.credit,
+                grade.angle_error.map(deg_from_rad),
+            );
         }
         tally
     }
 
+    /// Counts one more.
+    pub fn add(&mut self, attempt: &Attempt) {
+        self.count(attempt.right, attempt.credit, attempt.error_deg);
+    }
+
+    fn count(&mut self, right: bool, credit: f64, error_deg: Option<f64>) {
+        self.attempts += 1;
+        self.right += usize::from(right);
+        self.credit += credit;
+        if let Some(error) = error_deg {
+            let (count, [sum, squares]) = self.errors;
+            self.errors = (count + 1, [sum + error, squares + error * error]);
+        }
+    }
+
+    fn share(&self, of: f64) -> Option<f64> {
+        (self.attempts > 0).then(|| of / self.attempts as f64)
+    }
+
     /// Which share of them was right, 0 to 1; `None` if there are none.
     pub fn share_right(&self) -> Option<f64> {
-        (self.attempts > 0).then(|| self.right as f64 / self.attempts as f64)
+        self.share(self.right as f64)
+    }
+
+    /// Their points by how near they were, 0 to [`Grade::MOST`] each.
+    pub fn points(&self) -> f64 {
+        Grade::MOST * self.credit
+    }
+
+    /// The mean of their points; `None` if there are none.
+    pub fn mean_points(&self) -> Option<f64> {
+        self.share(self.points())
     }
 
     /// How many of them had an angle to be off.
     pub fn angles(&self) -> usize {
-        self.errors.1
+        self.errors.0
     }
 
     /// The mean angle error in degrees; `None` where fewer than [`ENOUGH_ANGLES`] answers
     /// had one.
     pub fn mean_error_deg(&self) -> Option<f64> {
-        let (sum, count) = self.errors;
-        (count >= ENOUGH_ANGLES).then(|| sum / count as f64)
+        let [mean, _] = self.spread_deg()?;
+        (self.angles() >= ENOUGH_ANGLES).then_some(mean)
     }
+
+    /// The mean angle error in degrees, however few there are, and the standard deviation about
+    /// it: that of the answers given, not an estimate for others.
+    pub fn spread_deg(&self) -> Option<[f64; 2]> {
+        let (count, sums) = self.errors;
+        let [mean, square] = sums.map(|sum| sum / count as f64);
+        let deviation = (square - mean * mean).max(0.0).sqrt();
+        (count > 0).then_some([mean, deviation])
+    }
+}
+
+/// Fewest answers from which on it is said how well a question tells apart who gave them.
+const ENOUGH_TO_TELL_APART: usize = 10;
+
+/// How well a question tells the better apart from the others: the correlation between their
+/// points for it and their points for all other questions, −1 to 1; `None` for fewer than ten
+/// answers or where all did alike.
+pub(crate) fn discrimination(own_and_rest: impl IntoIterator<Item = (f64, f64)>) -> Option<f64> {
+    let (own, rest): (Vec<f64>, Vec<f64>) = own_and_rest.into_iter().unzip();
+    correlation(&own, &rest).filter(|_| own.len() >= ENOUGH_TO_TELL_APART)
 }
 
 /// Of every attempt that has an angle error its number from 1, the error in degrees,
@@ -78,6 +136,7 @@ pub fn ends_deg(attempts: &[Attempt]) -> Option<(f64, f64)> {
 pub(super) mod tests {
     use super::*;
     use crate::quiz::Confidence;
+    use crate::quiz::Figures;
 
     /// An attempt of "Ada" at this topic, right if its error is at most 4°.
     pub(crate) fn attempt(topic: &str, error_deg: f64) -> Attempt {
@@ -88,9 +147,9 @@ pub(super) mod tests {
             topic: topic.into(),
             seed: 7,
             number: 1,
-            question: "{}".into(),
-            answer: "{}".into(),
-            truth: "{}".into(),
+            question: Figures::new(),
+            answer: Figures::new(),
+            truth: Figures::new(),
             error_deg: Some(error_deg),
             credit: 0.5,
             right: error_deg <= 4.0,
@@ -106,6 +165,9 @@ pub(super) mod tests {
         assert_eq!((tally.attempts, tally.right), (3, 2));
         assert!((tally.share_right().unwrap() - 2.0 / 3.0).abs() < 1e-12);
         assert!((tally.mean_error_deg().unwrap() - 4.0).abs() < 1e-12);
+        let [mean, deviation] = Tally::of(&all[..2]).spread_deg().unwrap();
+        assert!((mean - 6.0).abs() < 1e-12 && (deviation - 4.0).abs() < 1e-12);
+        assert_eq!(Tally::default().spread_deg(), None);
         assert_eq!(Tally::default().share_right(), None);
         assert_eq!(Tally::default().mean_error_deg(), None);
     }

@@ -1,6 +1,6 @@
 //! How each topic stands.
 
-use std::collections::HashMap;
+use indexmap::IndexMap;
 
 use super::{Attempt, Tally};
 
@@ -99,17 +99,12 @@ impl TopicStanding {
 
 /// All topics that were ever met, in the order in which they first were.
 pub fn topics<'a>(attempts: impl IntoIterator<Item = &'a Attempt>) -> Vec<TopicStanding> {
-    let mut places: HashMap<&str, usize> = HashMap::new();
-    let mut met: Vec<(String, Vec<&Attempt>)> = Vec::new();
+    let mut met: IndexMap<&str, Vec<&Attempt>> = IndexMap::new();
     for attempt in attempts {
-        let at = *places.entry(&attempt.topic).or_insert(met.len());
-        match met.get_mut(at) {
-            Some((_, of_it)) => of_it.push(attempt),
-            None => met.push((attempt.topic_name(), vec![attempt])),
-        }
+        met.entry(&attempt.topic).or_default().push(attempt);
     }
-    met.into_iter()
-        .map(|(name, of_it)| TopicStanding::of(name, of_it))
+    let met = met.into_values();
+    met.filter_map(|of_it| Some(TopicStanding::of(of_it.first()?.topic_name(), of_it)))
         .collect()
 }
 

@@ -33,9 +33,10 @@ pub use families::where_to::hits;
 pub use misconceptions::{
     Clue, Evidence, Explanation, NAMED_ODDS, evidence, explain, named, reasoning, why, why_of_hit,
 };
+pub(crate) use question::figures;
 pub use question::{
-    AimTask, Answer, Confidence, Diagnosis, Dice, Difficulty, Family, Fit, Form, Grade, Hit,
-    Illustration, MIN_SEPARATION, Markings, Measure, Misconception, Passage, Pieces, Question,
+    AimTask, Answer, Confidence, Diagnosis, Dice, Difficulty, Family, Figures, Fit, Form, Grade,
+    Hit, Illustration, MIN_SEPARATION, Markings, Measure, Misconception, Passage, Pieces, Question,
     RIGHT_DEG, Ray, RayGrade, Rays, RaysGrade, Response, Topic, WrongAnswer, letter,
 };
 pub use rounds::{

@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 use carrom::class::Vote;
 use carrom::gradebook::HandIn;
 use carrom::messages::{HostCall, HostNews};
+use carrom::quiz::Figures;
 use carrom::shells::host::{Host, HostOptions};
 use serde_json::{Value, json};
 use tungstenite::Message;
@@ -488,7 +489,7 @@ fn what_is_handed_in_is_on_the_disk_before_its_device_hears_so() {
     let read = HandIn::read(&first).unwrap();
     assert_eq!((read.name.as_str(), read.class.as_str()), ("Ada", "10b"));
     let answers = |it: &HandIn| it.attempts.iter().map(|it| it.answer.clone()).collect();
-    let [kept, sent]: [Vec<String>; 2] = [&read, &half].map(answers);
+    let [kept, sent]: [Vec<Figures>; 2] = [&read, &half].map(answers);
     assert_eq!(kept, sent);
     #[cfg(unix)]
     {

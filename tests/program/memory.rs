@@ -130,7 +130,7 @@ fn an_answer_is_kept_before_its_explanation_is_seen() {
     assert_eq!(attempts.len(), 1);
     assert_eq!((attempts[0].seed, attempts[0].number), (7, 1));
     assert!(attempts[0].time_s.is_some());
-    let answer: serde_json::Value = serde_json::from_str(&attempts[0].answer).unwrap();
+    let answer = &attempts[0].answer;
     assert!((answer["theta1_deg"].as_f64().unwrap().abs() - 60.0).abs() < 1e-9);
 }
 

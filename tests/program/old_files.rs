@@ -59,7 +59,8 @@ fn a_database_of_format_2_means_the_same() {
     });
     let all = attempts(&mut store, None);
     let kept = all.iter().map(|it| {
-        let texts = (it.question.clone(), it.answer.clone(), it.truth.clone());
+        let text = |figures| serde_json::to_string(figures).unwrap();
+        let texts = (text(&it.question), text(&it.answer), text(&it.truth));
         (texts, (it.credit, it.time_s, it.right))
     });
     assert!(rows.unwrap().map(Result::unwrap).eq(kept));

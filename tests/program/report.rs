@@ -16,7 +16,7 @@ use carrom::paper::clean;
 use carrom::paper::report::{Report, Sources};
 use carrom::progress::{Attempt, Calendar, LESSON, csv, json};
 use carrom::quiz::Confidence;
-use carrom::quiz::{Rays, Response};
+use carrom::quiz::{Figures, Rays, Response};
 use carrom::screens::{Place, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
@@ -67,9 +67,9 @@ fn attempt(player: &str, number: u32) -> Attempt {
         topic: player.into(),
         seed: 7,
         number,
-        question: "{}".into(),
-        answer: "{}".into(),
-        truth: "{}".into(),
+        question: Figures::new(),
+        answer: Figures::new(),
+        truth: Figures::new(),
         error_deg: Some(f64::from(number)),
         credit: 0.5,
         right: number <= 4,

@@ -73,13 +73,14 @@ fn printed_answers_give_no_orders_to_a_terminal_or_a_spreadsheet() {
     let mut store = Store::in_folder(folder.path());
     let hostile = "=cmd|'/c calc'!A1\u{1b}[2J\u{0}\u{9b}31m\u{202e}\u{2066}";
     let mut attempt = hand_in(1, "Ada", 1, 1).attempts.remove(0);
-    let figures = serde_json::json!({"round": hostile, hostile: hostile}).to_string();
+    let figures = serde_json::json!({"round": hostile, hostile: hostile});
     attempt.player = hostile.into();
     attempt.topic = hostile.into();
     attempt.family = hostile.into();
     attempt.misconception = Some(hostile.into());
-    attempt.question = figures;
-    let choice = serde_json::json!({ "choice": hostile }).to_string();
+    attempt.question = figures.as_object().unwrap().clone();
+    let choice = serde_json::json!({ "choice": hostile });
+    let choice = choice.as_object().unwrap().clone();
     (attempt.answer, attempt.truth) = (choice.clone(), choice);
     let call = StoreCall {
         ticket: 0,

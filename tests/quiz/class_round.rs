@@ -39,7 +39,7 @@ fn the_second_vote_scores_and_the_first_is_kept() {
     assert!((board[0].points - 10.0 * asked as f64).abs() < 1e-9);
     assert!((board[1].gain - 10.0).abs() < 1e-9 && board[2].points < board[0].points);
     for item in items(&round, asked) {
-        let [first, second] = item.right.map(Option::unwrap);
+        let [first, second] = item.votes.map(|it| it.share_right().unwrap());
         assert!((first - 1.0 / 3.0).abs() < 1e-12 && (second - 2.0 / 3.0).abs() < 1e-12);
         let held = round.questions()[item.question].beliefs[0].misconception;
         assert_eq!(item.commonest, Some((held, 2)));

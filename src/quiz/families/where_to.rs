@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use serde_json::{Map, Value, json};
+use serde_json::json;
 
 use super::hit_kinds::HitKind::{self, *};
 use super::hit_kinds::KINDS;
@@ -10,7 +10,8 @@ use crate::physics::ImpactPoint;
 use crate::physics::units::mm_from_m;
 use crate::quiz::misconceptions::{OF_RAYS, reasoning};
 use crate::quiz::question::{
-    Dice, Difficulty, Family, Form, Hit, Illustration, Markings, Question, Response, WrongAnswer,
+    Dice, Difficulty, Family, Figures, Form, Hit, Illustration, Markings, Question, Response,
+    WrongAnswer,
 };
 
 /// How many hits a round of this family has.
@@ -117,7 +118,7 @@ fn beliefs(hit: &Hit) -> Vec<WrongAnswer> {
 }
 
 /// All that fixes a hit.
-pub(super) fn figures(hit: &Hit) -> Map<String, Value> {
+pub(super) fn figures(hit: &Hit) -> Figures {
     let (striker, target) = (hit.pieces.striker(), hit.pieces.target());
     let [m1_g, m2_g] = hit.masses_g();
     let place = match hit.given {

@@ -5,6 +5,17 @@ use serde_json::{Map, Value, json};
 use super::{Form, Measure, Rays, Response};
 use crate::physics::units::mm_from_m;
 
+/// What is noted of a question or an answer, by names that end in the unit.
+pub type Figures = Map<String, Value>;
+
+/// The figures that stand in a JSON object; none in any other value.
+pub(crate) fn figures(value: Value) -> Figures {
+    match value {
+        Value::Object(figures) => figures,
+        _ => Figures::new(),
+    }
+}
+
 /// Where the words of a choice are kept: its place among the others is the round's alone.
 const CHOICE: &str = "choice";
 const OFFSET: &str = "offset_mm";
@@ -14,18 +25,18 @@ const LONGEST_CHOICE: usize = 400;
 
 impl Form {
     /// An answer to a question of this form as it is kept.
-    pub fn kept(&self, said: &Response) -> Value {
-        match (self, said) {
+    pub fn kept(&self, said: &Response) -> Figures {
+        figures(match (self, said) {
             (_, Response::Rays(rays)) => rays.json(),
             (Self::Number { quantity, .. }, Response::Number(x)) => json!({ quantity.id(): x }),
             (_, Response::Shot(offset)) => json!({ OFFSET: mm_from_m(*offset) }),
             _ => json!({ CHOICE: self.words(said) }),
-        }
+        })
     }
 
     /// Whether an answer that was kept can have been given to a question of some form: it is of
     /// one kind and in the range of that kind, as for [`Form::accepts`].
-    pub fn could_be_kept(answer: &Map<String, Value>) -> bool {
+    pub fn could_be_kept(answer: &Figures) -> bool {
         let number = |(name, value): (&String, &Value)| {
             let x = value.as_f64()?;
             match Measure::with_id(name) {
@@ -33,7 +44,7 @@ impl Form {
                 None => Some(name == OFFSET && x.abs() <= Measure::Length.largest()),
             }
         };
-        if let Some(rays) = Rays::of_json(&Value::Object(answer.clone())) {
+        if let Some(rays) = Rays::of_figures(answer) {
             return answer.len() == 2 && rays.are_in_range();
         }
         let mut fields = answer.iter();

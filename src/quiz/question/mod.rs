@@ -31,6 +31,8 @@ pub use form::{AimTask, Form, letter};
 pub use grade::{Grade, RIGHT_DEG, RayGrade, RaysGrade};
 pub use hit::Hit;
 pub use illustration::{Illustration, Markings};
+pub use kept::Figures;
+pub(crate) use kept::figures;
 pub use measure::Measure;
 pub use misconception::Misconception;
 pub use passage::Passage;

@@ -3,11 +3,11 @@
 
 use std::collections::BTreeMap;
 
-use serde_json::{Map, Value};
-
 use crate::physics::Frame;
 
-use super::{Answer, Difficulty, Family, Form, Illustration, Misconception, Ray, Response, Topic};
+use super::{
+    Answer, Difficulty, Family, Figures, Form, Illustration, Misconception, Ray, Response, Topic,
+};
 
 /// Answers nearer to each other than this cannot be told apart, counted in the widest
 /// that can count as right; more than 2, so that no answer fits two.
@@ -39,7 +39,7 @@ pub struct Question {
     pub why: String,
     /// The figures that fix it, with the units in their names, to be kept with every
     /// answer.
-    pub figures: Map<String, Value>,
+    pub figures: Figures,
 }
 
 /// What a misconception would answer.

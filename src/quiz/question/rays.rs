@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use crate::physics::CollisionOutcome;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
+use super::Figures;
 use super::form::is_within;
 use crate::numbers;
 
@@ -84,8 +85,8 @@ impl Rays {
     }
 
     /// Rays as [`Rays::json`] writes them; `None` if they are none.
-    pub fn of_json(value: &Value) -> Option<Self> {
-        let ray = |name| match value.get(name)? {
+    pub fn of_figures(figures: &Figures) -> Option<Self> {
+        let ray = |name| match figures.get(name)? {
             Value::Null => Some(None),
             angle => {
                 let degrees = angle.as_f64().filter(|angle| angle.abs() <= 360.0)?;

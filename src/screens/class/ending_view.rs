@@ -9,7 +9,7 @@ use super::play::{ClassPlay, EndPage};
 use super::view::{Text, column};
 use crate::class::{ClassRound, ItemAnalysis, Vote, WayOfVoting, items};
 use crate::numbers::fixed;
-use crate::physics::units::deg_from_rad;
+use crate::progress::words::percent;
 use crate::quiz::{Evidence, Form, Misconception, Question, letter};
 use crate::widgets::{Lines, Role, text};
 
@@ -170,17 +170,19 @@ fn told(question: &Question, item: &ItemAnalysis) -> String {
 const MOST_COUNTS: usize = 5;
 
 fn row(item: &ItemAnalysis, about: &str, topic: usize) -> String {
-    let percent =
-        |share: Option<f64>| share.map_or("-".into(), |it| format!("{:.0} %", 100.0 * it));
-    let mean =
-        |vote: usize| item.spread[vote].map_or("-".into(), |it| fixed(deg_from_rad(it.mean), 1));
+    let right = item.votes.map(|it| percent(it.share_right()));
+    let mean = |vote: usize| {
+        item.votes[vote]
+            .spread_deg()
+            .map_or("-".into(), |[mean, _]| fixed(mean, 1))
+    };
     let tells = item.discrimination.map_or("-".into(), |it| fixed(it, 2));
     let filled = " ".repeat(topic.saturating_sub(text::width(about)));
     format!(
         "{:>2} {about}{filled} {:>5} {:>5} {:>6} {:>5} {tells:>8}",
         item.question + 1,
-        percent(item.right[0]),
-        percent(item.right[1]),
+        right[0],
+        right[1],
         mean(0),
         mean(1),
     )

@@ -102,7 +102,7 @@ fn of_teams(round: &ClassRound, asked: usize) -> Vec<ScoreRow> {
 fn of_questions(round: &ClassRound, asked: usize) -> Vec<ScoreRow> {
     let items = items(round, asked).into_iter();
     let rows = items.map(|it| {
-        let [first, second] = it.right.map(|share| share.unwrap_or(0.0));
+        let [first, second] = it.votes.map(|it| it.share_right().unwrap_or(0.0));
         ScoreRow {
             name: format!("Question {}", it.question + 1),
             points: format!("{:.0} %", 100.0 * second),

@@ -5,7 +5,7 @@ use serde_json::json;
 use crate::lessons::{AFTER_HINT, Chapter, answer_json};
 use crate::physics::units::deg_from_rad;
 use crate::progress::{Attempt, LESSON};
-use crate::quiz::{Form, Response};
+use crate::quiz::{Form, Response, figures};
 
 /// An answer to the checkpoint of page `at` (from 0), which asks by `form`, marked. After a
 /// hint it earns half the credit.
@@ -38,9 +38,9 @@ pub fn attempt(
         topic: chapter.title.clone(),
         seed: 0,
         number,
-        question: question.to_string(),
-        answer: answer_json(answer).to_string(),
-        truth: truth.to_string(),
+        question: figures(question),
+        answer: figures(answer_json(answer)),
+        truth: figures(truth),
         error_deg: form.angle_error(answer).map(deg_from_rad),
         credit: share * form.credit(answer),
         right: form.is_right(answer),

@@ -129,6 +129,7 @@ mod tests {
     use super::*;
     use crate::levels::Starred;
     use crate::progress::Attempt;
+    use crate::quiz::Figures;
 
     /// Whoever holds the database holds up neither the keys nor the picture for long.
     #[test]
@@ -150,9 +151,9 @@ mod tests {
             topic: "speeds".into(),
             seed: 7,
             number: 1,
-            question: "{}".into(),
-            answer: "{}".into(),
-            truth: "{}".into(),
+            question: Figures::new(),
+            answer: Figures::new(),
+            truth: Figures::new(),
             error_deg: None,
             credit: 0.0,
             right: false,

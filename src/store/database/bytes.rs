@@ -119,6 +119,7 @@ mod tests {
     use super::super::tests as database_tests;
     use super::*;
     use crate::levels::Starred;
+    use crate::quiz::Figures;
 
     fn attempt(number: u32) -> Attempt {
         Attempt {
@@ -128,9 +129,9 @@ mod tests {
             topic: "speeds".into(),
             seed: 7,
             number,
-            question: "{}".into(),
-            answer: "{}".into(),
-            truth: "{}".into(),
+            question: Figures::new(),
+            answer: Figures::new(),
+            truth: Figures::new(),
             error_deg: None,
             credit: 0.5,
             right: false,

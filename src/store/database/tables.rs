@@ -6,8 +6,8 @@ use rusqlite::{Connection, Row, named_params, params};
 use super::{Database, NAME};
 use crate::levels::Starred;
 use crate::numbers::counted;
-use crate::progress::Attempt;
-use crate::quiz::Confidence;
+use crate::progress::{Attempt, figures_text};
+use crate::quiz::{Confidence, Figures};
 
 const ATTEMPTS: &str = "SELECT time_s, player, family, topic, seed, number, question, answer, \
     truth, error_deg, credit, is_right, confidence, misconception \
@@ -82,9 +82,9 @@ pub(super) fn insert_attempt(
             attempt.topic,
             attempt.seed.cast_signed(),
             attempt.number,
-            attempt.question,
-            attempt.answer,
-            attempt.truth,
+            figures_text(&attempt.question),
+            figures_text(&attempt.answer),
+            figures_text(&attempt.truth),
             attempt.error_deg,
             attempt.credit,
             attempt.right,
@@ -136,6 +136,12 @@ impl FromSql for Text {
 
 fn attempt(row: &Row) -> rusqlite::Result<Attempt> {
     let text = |name| row.get::<_, Text>(name).map(|text| text.0);
+    // Without its figures an answer still counts; without what was answered it is none.
+    let figures = |name| text(name).map(|text| read_figures(&text).unwrap_or_default());
+    let answer = text("answer")?;
+    let answer = read_figures(&answer).map_err(|error| {
+        rusqlite::Error::FromSqlConversionFailure(0, rusqlite::types::Type::Text, Box::new(error))
+    })?;
     let confidence: Option<Text> = row.get("confidence")?;
     let misconception: Option<Text> = row.get("misconception")?;
     Ok(Attempt {
@@ -145,15 +151,19 @@ fn attempt(row: &Row) -> rusqlite::Result<Attempt> {
         topic: text("topic")?,
         seed: row.get::<_, i64>("seed")?.cast_unsigned(),
         number: row.get("number")?,
-        question: text("question")?,
-        answer: text("answer")?,
-        truth: text("truth")?,
+        question: figures("question")?,
+        answer,
+        truth: figures("truth")?,
         error_deg: row.get("error_deg")?,
         credit: nothing_or_more(row.get("credit")?),
         right: row.get("is_right")?,
         confidence: confidence.and_then(|it| Confidence::with_id(&it.0)),
         misconception: misconception.map(|it| it.0),
     })
+}
+
+fn read_figures(text: &str) -> serde_json::Result<Figures> {
+    serde_json::from_str(text)
 }
 
 /// A credit; in older rows that of a wrong answer is only nearly nothing.

@@ -2,12 +2,15 @@ use std::collections::BTreeMap;
 use std::env;
 use std::process;
 
+use serde_json::json;
+
 use super::*;
 use crate::lessons::{Bookmark, Forget, GivenAnswer};
 use crate::levels::Starred;
 use crate::progress::Attempt;
 use crate::quiz::Response;
 use crate::quiz::{Confidence, Topic};
+use crate::quiz::{Figures, figures};
 
 /// An empty folder, removed when it is dropped.
 struct Scratch(PathBuf);
@@ -53,9 +56,9 @@ fn attempt(player: &str, number: u32) -> Attempt {
         topic: "equal-masses".into(),
         seed: u64::MAX - 1,
         number,
-        question: "{\"alpha_deg\":30}".into(),
-        answer: "{}".into(),
-        truth: "{}".into(),
+        question: figures(json!({"alpha_deg": 30})),
+        answer: Figures::new(),
+        truth: Figures::new(),
         error_deg: Some(0.1 + 0.2),
         credit: 0.7,
         right: true,
@@ -327,8 +330,7 @@ fn long_rows_and_rows_in_the_log_of_a_damaged_database_are_saved() {
     let (scratch, _) = filled("long");
     let mut database = scratch.database();
     let long = Attempt {
-        question: "球\0".repeat(30_000),
-        truth: String::new(),
+        question: figures(json!({"text": "球\0".repeat(30_000)})),
         ..attempt(&"Ada".repeat(4000), 1000)
     };
     database.record(&long).unwrap();
