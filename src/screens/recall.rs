@@ -2,7 +2,7 @@
 
 use super::Context;
 use crate::messages::{History, StoreAnswer, StoreReply, StoreRequest};
-use crate::widgets::{Lines, Role};
+use crate::widgets::Role;
 
 /// What the player has done, as far as it is known here.
 #[derive(Debug, Clone)]
@@ -32,13 +32,6 @@ impl Recall {
                 Err(reason) => Self::Unknown(reason.clone()),
             };
         }
-    }
-
-    /// Writes that it is looked for, or why it cannot be; says whether that is so.
-    pub(super) fn write_unknown(&self, lines: &mut Lines) -> bool {
-        self.unknown()
-            .inspect(|(text, role)| lines.paragraph(text, *role))
-            .is_some()
     }
 
     /// That it is looked for, or why it cannot be.

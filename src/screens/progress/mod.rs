@@ -6,15 +6,13 @@ mod beliefs;
 mod over_time;
 mod page;
 mod sure;
-mod sure_over_time;
 mod topics;
-mod words;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::recall::Recall;
+use super::view::View;
 use super::{Context, Next, Place, Screen, leads};
 use crate::gradebook::HandIn;
 use crate::lessons::Book;
@@ -23,7 +21,9 @@ use crate::numbers::counted;
 use crate::progress::Due;
 use crate::quiz::{Code, Course, CourseKind, Passage};
 use crate::widgets::input::KeyTable;
-use crate::widgets::{Lines, Role, Scroll, SplitLayout, scroll_keys};
+use crate::widgets::panel::Panel;
+use crate::widgets::picture::Picture;
+use crate::widgets::{Lines, Look, Role, Room, SplitLayout, text};
 use page::ProgressPage;
 
 /// What keys do on the progress screen.
@@ -34,8 +34,6 @@ pub enum ProgressAction {
     Turn(isize),
     /// over time, topics, how sure, that over time, beliefs
     TurnTo(usize),
-    /// scroll what is longer than its place; PageUp and PageDown by eight rows
-    Scroll(i16),
     /// do what the page suggests: a review, the page of a chapter, a round of the quiz
     DoNext,
     /// hand in every answer: one small file for a teacher
@@ -55,17 +53,14 @@ enum NextStep {
 }
 
 impl NextStep {
-    /// What Enter does, in a line.
+    /// What it is, in a line.
     fn words(&self, book: &Book) -> String {
         match self {
             Self::Review(kind) => {
-                format!("Enter: review {}.", counted(kind.length(), "topic"))
+                format!("review {}", counted(kind.length(), "topic"))
             }
-            Self::Read(passage) => {
-                let page = book.named(*passage).unwrap_or_default();
-                format!("Enter: read {page}.")
-            }
-            Self::Choose => "Enter: choose a round of the quiz.".into(),
+            Self::Read(passage) => format!("read {}", book.named(*passage).unwrap_or_default()),
+            Self::Choose => "choose a round of the quiz".into(),
         }
     }
 
@@ -89,14 +84,6 @@ const NARROW_PANEL: u16 = 26;
 pub(crate) struct Progress {
     history: Recall,
     page: ProgressPage,
-    scroll: Scrolls,
-}
-
-/// How far both sides are scrolled.
-#[derive(Debug, Clone, Copy, Default)]
-struct Scrolls {
-    picture: Scroll,
-    panel: Scroll,
 }
 
 impl Progress {
@@ -106,7 +93,6 @@ impl Progress {
         Self {
             history: Recall::ask(cx),
             page: ProgressPage::OverTime,
-            scroll: Scrolls::default(),
         }
     }
 
@@ -131,6 +117,21 @@ impl Progress {
         step.unwrap_or(NextStep::Choose)
     }
 
+    /// The same view with what Enter does below all.
+    fn with_next_step<'s>(
+        &self,
+        view: View<'s, ProgressAction>,
+        book: &Book,
+    ) -> View<'s, ProgressAction> {
+        let mut second = view.second;
+        second.prompt(self.next_step().words(book), ProgressAction::DoNext);
+        View {
+            layout,
+            second,
+            ..view
+        }
+    }
+
     /// Writes the file for a teacher.
     fn hand_in(&self, cx: &mut Context) {
         let Some(history) = self.history() else {
@@ -142,102 +143,30 @@ impl Progress {
             Err(reason) => cx.tell(format!("The file could not be written: {reason}")),
         }
     }
+}
 
-    fn turn_to(&mut self, page: ProgressPage) {
-        self.page = page;
-        self.scroll = Scrolls::default();
-    }
-
-    /// Where both parts are. Only pictures have sizes of their own.
-    fn layout(&self, cx: &Context) -> SplitLayout {
-        let room = match self.page {
-            ProgressPage::OverTime | ProgressPage::SureOverTime => cx.room(),
-            _ => cx.body.into(),
-        };
-        match room.area.width < NARROW {
-            true => SplitLayout::with_panel(room, NARROW_PANEL),
-            false => SplitLayout::new(room),
-        }
-    }
-
-    fn scroll_by(&mut self, rows: i16, cx: &Context) {
-        let look = cx.settings.look();
-        let layout = self.layout(cx);
-        let table = |lines: &mut Lines| self.table(&cx.book, lines);
-        let panel = |lines: &mut Lines| self.panel(&cx.book, lines);
-        self.scroll = Scrolls {
-            picture: self.scroll.picture.by(rows, layout.picture, look, table),
-            panel: self.scroll.panel.by(rows, layout.panel, look, panel),
-        };
-    }
-
-    fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
-        match (mouse.wheel(), mouse.kind) {
-            (Some(by), _) => self.scroll_by(-i16::from(by), cx),
-            (None, MouseKind::Down) => self.turn_to(self.page.beside(1)),
-            _ => return Next::Ignored,
-        }
-        Next::Stay
-    }
-
-    /// Writes the left side, where it is not a plot.
-    fn table(&self, book: &Book, lines: &mut Lines) {
-        let Some(history) = self.history() else {
-            if !self.history.write_unknown(lines) {
-                nothing_yet(lines);
-            }
-            return;
-        };
-        match self.page {
-            ProgressPage::OverTime | ProgressPage::SureOverTime => {}
-            ProgressPage::Topics => topics::table(history, book, lines),
-            ProgressPage::Sure => sure::table(history, lines),
-            ProgressPage::Beliefs => beliefs::table(history, lines),
-        }
-    }
-
-    /// Writes the right side.
-    fn panel(&self, book: &Book, lines: &mut Lines) {
-        if let Some(history) = self.history() {
-            match self.page {
-                ProgressPage::OverTime => over_time::panel(history, book, lines),
-                ProgressPage::Topics => topics::panel(history, lines),
-                ProgressPage::Sure => sure::panel(history, lines),
-                ProgressPage::SureOverTime => sure_over_time::panel(history, lines),
-                ProgressPage::Beliefs => beliefs::panel(history, lines),
-            }
-            lines.gap();
-        }
-        lines.paragraph(&self.next_step().words(book), Role::Key);
-    }
-
-    fn draw_picture(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        let look = cx.settings.look();
-        let plot = self.history().and_then(|history| match self.page {
-            ProgressPage::OverTime => Some(over_time::plot(history, area, look)),
-            ProgressPage::SureOverTime => Some(sure_over_time::plot(history, area, look)),
-            _ => None,
-        });
-        let table = |lines: &mut Lines| self.table(&cx.book, lines);
-        match plot {
-            Some(Ok(picture)) => picture.draw(buf, &look),
-            Some(Err(why)) => Lines::new(area, buf, look).paragraph(why, Role::Text),
-            None => self.scroll.picture.draw(area, buf, look, table),
-        }
+/// Only on a wide screen the panel has its usual room: else the tables need it.
+fn layout(room: Room) -> SplitLayout {
+    match room.area.width < NARROW {
+        true => SplitLayout::with_panel(room, NARROW_PANEL),
+        false => SplitLayout::new(room),
     }
 }
 
 /// What to say where nothing has been done.
-fn nothing_yet(lines: &mut Lines) {
+fn nothing_yet(panel: &mut Panel<ProgressAction>) {
     for text in [
         "Nothing here yet: every beginning is a clean board.",
         "Answer a few questions of the quiz, then come back. Here you will see your answers \
          come closer to the truth.",
     ] {
-        lines.gap();
-        lines.paragraph(text, Role::Text);
+        panel.gap();
+        panel.paragraph(text, Role::Text);
     }
 }
+
+/// What is drawn in the place of a picture: that, or why there is nothing to draw.
+type Plot<'a> = fn(&'a History, Rect, Look) -> Result<Picture, &'static str>;
 
 impl Screen for Progress {
     type Action = ProgressAction;
@@ -247,7 +176,7 @@ impl Screen for Progress {
     }
 
     fn status(&self, cx: &Context) -> String {
-        let player = words::brief(&cx.settings.player, 24);
+        let player = text::clipped(&cx.settings.player, 24);
         match self.history() {
             Some(history) => format!("{player}   {}", counted(history.attempts.len(), "answer")),
             None => player,
@@ -255,7 +184,7 @@ impl Screen for Progress {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<ProgressAction> {
-        use ProgressAction::{Back, DoNext, HandIn, Scroll, Turn, TurnTo};
+        use ProgressAction::{Back, DoNext, HandIn, Turn, TurnTo};
         let pages = ('1'..).zip((0..ProgressPage::ALL.len()).map(TurnTo));
         let some = self.history().is_some();
         KeyTable::new("progress")
@@ -268,9 +197,6 @@ impl Screen for Progress {
             .when(some)
             .each(pages, "page")
             .when(some)
-            .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
-            .or(scroll_keys(Scroll))
-            .when(some)
             .on(Key::Enter, DoNext, self.next_step().name())
             .on('h', HandIn, "hand in")
             .when(some)
@@ -279,9 +205,8 @@ impl Screen for Progress {
 
     fn act(&mut self, action: ProgressAction, cx: &mut Context) -> Next {
         match action {
-            ProgressAction::Turn(by) => self.turn_to(self.page.beside(by)),
-            ProgressAction::TurnTo(page) => self.turn_to(ProgressPage::ALL[page]),
-            ProgressAction::Scroll(rows) => self.scroll_by(rows, cx),
+            ProgressAction::Turn(by) => self.page = self.page.beside(by),
+            ProgressAction::TurnTo(page) => self.page = ProgressPage::ALL[page],
             ProgressAction::DoNext => {
                 let code = match self.next_step() {
                     NextStep::Read(passage) => return leads::open(Some(passage), cx),
@@ -301,7 +226,6 @@ impl Screen for Progress {
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
-            Input::Mouse(mouse) => self.mouse(mouse, cx),
             Input::Kept(answer) => {
                 self.history.take(answer);
                 Next::Stay
@@ -314,17 +238,65 @@ impl Screen for Progress {
         }
     }
 
-    fn draw(&self, _area: Rect, buf: &mut Buffer, cx: &Context) {
-        let look = cx.settings.look();
-        let layout = self.layout(cx);
-        let (picture, panel) = match self.history() {
-            Some(_) => self.page.titles(),
-            None => ("your progress", "what next"),
+    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, ProgressAction>> {
+        let (book, page) = (&cx.book, self.page);
+        let Some(history) = self.history() else {
+            let mut first = Panel::new("your progress");
+            match self.history.unknown() {
+                Some((words, role)) => first.paragraph(words, role),
+                None => nothing_yet(&mut first),
+            }
+            return Some(self.with_next_step(View::panels(first, Panel::new("what next")), book));
         };
-        layout.draw(buf, &look, picture, panel);
-        self.draw_picture(layout.picture, buf, cx);
-        let write = |lines: &mut Lines| self.panel(&cx.book, lines);
-        self.scroll.panel.draw(layout.panel, buf, look, write);
+        let (title, beside) = page.titles();
+        let (mut first, mut second) = (Panel::new(title), Panel::new(beside));
+        let plot: Option<Plot> = match page {
+            ProgressPage::OverTime => {
+                over_time::panel(history, book, &mut second);
+                Some(over_time::plot)
+            }
+            ProgressPage::SureOverTime => {
+                sure::panel_over_time(history, &mut second);
+                Some(sure::plot_over_time)
+            }
+            ProgressPage::Topics => {
+                topics::table(history, book, &cx.settings.look(), &mut first);
+                topics::panel(history, &mut second);
+                None
+            }
+            ProgressPage::Sure => {
+                sure::table(history, &mut first);
+                sure::panel(history, &mut second);
+                None
+            }
+            ProgressPage::Beliefs => {
+                let columns = layout(cx.body.into()).picture.width;
+                beliefs::table(history, columns, &mut first);
+                beliefs::panel(history, &mut second);
+                None
+            }
+        };
+        second.gap();
+        let view = match plot {
+            Some(plot) => View::picture(
+                title,
+                move |area, buf, look| match plot(history, area, *look) {
+                    Ok(picture) => picture.draw(buf, look),
+                    Err(why) => Lines::new(area, buf, *look).paragraph(why, Role::Text),
+                },
+                second,
+            ),
+            None => View::panels(first, second),
+        };
+        Some(self.with_next_step(view, book))
+    }
+
+    fn point(&mut self, mouse: &Mouse, _picture: Rect, _cx: &mut Context) -> Next {
+        if mouse.kind != MouseKind::Down {
+            return Next::Ignored;
+        }
+        self.page = self.page.beside(1);
+        Next::Stay
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {

@@ -2,14 +2,16 @@
 
 use ratatui::layout::Rect;
 
-use super::words::{degrees, percent};
+use super::ProgressAction;
 use crate::lessons::Book;
 use crate::messages::History;
+use crate::progress::words::{degrees, percent};
 use crate::progress::{Tally, advice, ends_deg};
 use crate::quiz::RIGHT_DEG;
+use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
 use crate::widgets::plot::errors_picture;
-use crate::widgets::{Lines, Look, Role};
+use crate::widgets::{Look, Role};
 
 /// How many of the last answers are shown.
 const SHOWN: usize = 100;
@@ -22,27 +24,27 @@ pub(super) fn plot(history: &History, area: Rect, look: Look) -> Result<Picture,
 }
 
 /// The figures of all, how the ends compare, and what to do next.
-pub(super) fn panel(history: &History, book: &Book, lines: &mut Lines) {
+pub(super) fn panel(history: &History, book: &Book, panel: &mut Panel<ProgressAction>) {
     let attempts = &history.attempts;
     let all = Tally::of(attempts);
-    lines.fact("answers", &all.attempts.to_string());
-    lines.fact("right", &percent(all.share_right()));
-    lines.fact("chapters done", &book.done());
+    panel.fact("answers", all.attempts.to_string());
+    panel.fact("right", percent(all.share_right()));
+    panel.fact("chapters done", book.done());
     if let Some(error) = all.mean_error_deg() {
-        lines.fact("angles", &all.angles().to_string());
-        lines.fact("  mean error", &degrees(Some(error)));
+        panel.fact("angles", all.angles().to_string());
+        panel.fact("mean error", degrees(Some(error)));
     }
     if let Some((first, last)) = ends_deg(attempts) {
-        lines.fact("  first ten", &degrees(Some(first)));
-        lines.fact("  last ten", &degrees(Some(last)));
-        lines.gap();
-        lines.paragraph(compared(first, last), Role::Text);
+        panel.fact("first ten", degrees(Some(first)));
+        panel.fact("last ten", degrees(Some(last)));
+        panel.gap();
+        panel.paragraph(compared(first, last), Role::Text);
     }
-    lines.gap();
-    lines.line("What next", Role::Title);
-    lines.paragraph(&advice(attempts, &history.calendar), Role::Text);
-    lines.gap();
-    lines.paragraph(
+    panel.gap();
+    panel.heading("What next");
+    panel.paragraph(advice(attempts, &history.calendar), Role::Text);
+    panel.gap();
+    panel.paragraph(
         "o is right, x not yet; the line is the mean of five.",
         Role::Dim,
     );

@@ -103,6 +103,7 @@ fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction
         width,
         flush_right,
         room,
+        drawn: false,
     };
     const ALWAYS: u16 = 0;
     const WIDE: u16 = 104;
@@ -139,7 +140,7 @@ fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction
                     false => Role::Text,
                 },
                 chosen: number == at,
-                action: QuizAction::LookBack(ListAction::Point(number)),
+                action: Some(QuizAction::LookBack(ListAction::Point(number))),
             }
         };
     let lines = summary.lines.iter().zip(answered()).enumerate();

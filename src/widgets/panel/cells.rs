@@ -7,7 +7,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Block, Content, Panel, TableColumn, TableRow};
-use crate::widgets::bar::bar;
+use crate::widgets::bar::{bar, stretch};
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Lines, Look, Role, Words, areas, formula, text};
 
@@ -367,6 +367,33 @@ fn write(content: &Content, lines: &mut Lines) {
                 |lines| lines.pair(&format!("{before}{bar}"), value, Role::Text, Role::Text),
             );
         }
+        Content::Gauge {
+            share,
+            value,
+            role,
+            meant: (from, to),
+            name,
+        } => {
+            let width = lines
+                .width()
+                .min(LONGEST_GAUGE)
+                .saturating_sub(BESIDE_GAUGE);
+            let full = bar(*share, width, lines.charset());
+            lines.written_as(
+                |_| Words::meter("", *share, value, *role),
+                |lines| lines.pair(&full, value, *role, Role::Text),
+            );
+            let stretch = stretch(*from, *to, width, lines.charset());
+            let shares = format!("from {:.0} to {:.0} %", 100.0 * from, 100.0 * to);
+            let [meant, shares] = [name, &shares].map(|it| Run::new(it.as_str(), Role::Dim));
+            lines.written_as(
+                |_| Words::Pair {
+                    name: meant,
+                    value: shares,
+                },
+                |lines| lines.pair(&stretch, name, Role::Dim, Role::Dim),
+            );
+        }
         Content::Choice {
             letter,
             text,
@@ -429,6 +456,9 @@ const LEAST: u16 = 6;
 /// Columns by which a formula is set in, and what is left of a line of working.
 const FORMULA: u16 = 2;
 const WORKING: u16 = 4;
+/// Columns of a gauge at most, and of those what is left for its words.
+const LONGEST_GAUGE: u16 = 52;
+const BESIDE_GAUGE: u16 = 10;
 
 /// Columns of a share, `100 %`.
 const SHARE: usize = 5;
@@ -476,7 +506,7 @@ fn write_table(
     };
     let recorded = |cells: &[&str], role: Role, charset: Charset| {
         let shown = columns.iter().zip(cells);
-        let shown = shown.filter(|(column, _)| width >= column.room);
+        let shown = shown.filter(|(column, _)| width >= column.room && !column.drawn);
         let mut runs = shown.map(|(_, cell)| Run::new(*cell, role).spelt(charset));
         Words::Columns {
             name: runs.next().unwrap_or_else(|| Run::new("", role)),
@@ -484,7 +514,9 @@ fn write_table(
         }
     };
     let heads: Vec<_> = columns.iter().map(|column| column.head.as_str()).collect();
-    let head = written(" ", &mut heads.iter().copied());
+    // Only rows that do something can be chosen.
+    let has_marks = rows.iter().any(|row| row.action.is_some());
+    let head = written(if has_marks { " " } else { "" }, &mut heads.iter().copied());
     lines.written_as(
         |charset| recorded(&heads, Role::Dim, charset),
         |lines| lines.line(&head, Role::Dim),
@@ -493,13 +525,16 @@ fn write_table(
         let (mark, role) = row.role.of_choice(row.chosen);
         let from = lines.written();
         let cells: Vec<_> = row.cells.iter().map(String::as_str).collect();
+        let mark = if has_marks { mark } else { "" };
         let line = written(mark, &mut cells.iter().copied());
         lines.clicked_as(
             |charset| recorded(&cells, row.role, charset),
-            Some(row.chosen),
+            row.action.map(|_| row.chosen),
             |lines| lines.line(&line, role),
         );
-        take(from..lines.written(), 0..width + 1, own);
+        if row.action.is_some() {
+            take(from..lines.written(), 0..width + 1, own);
+        }
     }
 }
 

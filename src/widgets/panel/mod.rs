@@ -110,6 +110,14 @@ enum Content {
         share: f64,
         value: String,
     },
+    /// A share of a whole, and the part of it that is meant, each with its words.
+    Gauge {
+        share: f64,
+        value: String,
+        role: Role,
+        meant: (f64, f64),
+        name: String,
+    },
     /// One of several answers, with its letter.
     Choice {
         letter: char,
@@ -149,6 +157,8 @@ pub(crate) struct TableColumn {
     pub flush_right: bool,
     /// Columns of the panel from which on there is room for it.
     pub room: u16,
+    /// Whether its cells are drawn, and say nothing that the others do not.
+    pub drawn: bool,
 }
 
 /// A row of a [`Content::Table`].
@@ -161,17 +171,17 @@ pub(crate) struct TableRow<A> {
     /// Whether it is the one that is chosen.
     pub chosen: bool,
     /// What a click on it does.
-    pub action: A,
+    pub action: Option<A>,
 }
 
 impl<A> TableRow<A> {
     /// What it shows, and what a click on it does.
-    fn apart(self) -> (TableRow<()>, A) {
+    fn apart(self) -> (TableRow<()>, Option<A>) {
         let row = TableRow {
             cells: self.cells,
             role: self.role,
             chosen: self.chosen,
-            action: (),
+            action: self.action.as_ref().map(|_| ()),
         };
         (row, self.action)
     }
@@ -411,6 +421,22 @@ impl<A> Panel<A> {
         });
     }
 
+    /// A share of a whole, from 0 to 1, how it reads, and from where to where it is meant to be,
+    /// by a name.
+    pub(crate) fn gauge(
+        &mut self,
+        (share, value, role): (f64, impl Into<String>, Role),
+        (meant, name): ((f64, f64), impl Into<String>),
+    ) {
+        self.push(Content::Gauge {
+            share,
+            value: value.into(),
+            role,
+            meant,
+            name: name.into(),
+        });
+    }
+
     /// One of several answers, with its letter and what a click on it does.
     pub(crate) fn choice(&mut self, letter: char, text: Vec<Run>, chosen: bool, action: Option<A>) {
         let content = Content::Choice {
@@ -453,9 +479,10 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// Rows under heads, one of which can be chosen.
+    /// Rows under heads; each of them can be chosen, or none.
     pub(crate) fn table(&mut self, columns: Vec<TableColumn>, rows: Vec<TableRow<A>>) {
-        let (rows, actions): (_, Vec<A>) = rows.into_iter().map(TableRow::apart).unzip();
+        let (rows, actions): (_, Vec<_>) = rows.into_iter().map(TableRow::apart).unzip();
+        let actions = actions.into_iter().flatten();
         self.push_with(Content::Table { columns, rows }, actions);
     }
 

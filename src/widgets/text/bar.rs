@@ -33,6 +33,17 @@ pub fn bar(share: f64, width: u16, charset: Charset) -> String {
     }
 }
 
+/// A stroke as long as the part `from` one share `to` another of such a bar.
+pub(crate) fn stretch(from: f64, to: f64, width: u16, charset: Charset) -> String {
+    let [from, to] = [from, to].map(|share| (share * f64::from(width)).round() as usize);
+    let [left, line, right] = match charset {
+        Charset::Ascii => ["|", "-", "|"],
+        Charset::Unicode => ["├", "─", "┤"],
+    };
+    let inner = to.saturating_sub(from + 2);
+    format!("{}{left}{}{right}", " ".repeat(from), line.repeat(inner))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
