@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::files::NumberSpec;
+use crate::files::{NumberSpec, quoted};
 
 /// H. Geiger and E. Marsden, Phil. Mag. 25 (1913) 604, Table II, first series.
 const TABLE: &str = include_str!("../../assets/geiger-marsden-1913.csv");
@@ -69,10 +69,7 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
     match lines.next() {
         Some((_, HEADER)) => {}
         Some((line, other)) => {
-            return fault(
-                line,
-                format!("expected {HEADER}, found \"{}\"", other.escape_debug()),
-            );
+            return fault(line, format!("expected {HEADER}, found {}", quoted(other)));
         }
         None => return fault(end, format!("expected {HEADER}, found nothing")),
     }
@@ -85,8 +82,7 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
         let read = |name, text: &str, spec: &NumberSpec| {
             let value = text.trim().parse().ok();
             value.filter(|value| spec.allows(*value)).ok_or_else(|| {
-                let found = text.trim().escape_debug();
-                let what = format!("{name}: expected {spec}, found \"{found}\"");
+                let what = format!("{name}: expected {spec}, found {}", quoted(text.trim()));
                 Fault { line, what }
             })
         };

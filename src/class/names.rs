@@ -6,7 +6,7 @@ use thiserror::Error;
 use unicode_segmentation::UnicodeSegmentation;
 
 use super::way::WayOfVoting;
-use crate::files::{NO_NAME, is_blank_name, tidy_name};
+use crate::files::{NO_NAME, is_blank_name, short_name};
 
 /// Most teams that play at one keyboard.
 pub const MOST_TEAMS: usize = 8;
@@ -16,9 +16,6 @@ pub const MOST_PEOPLE: usize = 250;
 
 /// Most letters of a name.
 pub const LONGEST_NAME: usize = 24;
-
-/// Most bytes of a name: a letter may be made of several signs.
-const MOST_BYTES: usize = 8 * LONGEST_NAME;
 
 /// Why these cannot be the names of the teams.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -79,17 +76,7 @@ pub(super) fn folded(name: &str) -> String {
 /// A name as it is shown and kept: visible letters alone, no blanks at the ends, no more
 /// than [`LONGEST_NAME`] letters.
 pub(super) fn tidy(name: &str) -> String {
-    let name = tidy_name(name);
-    let mut bytes = 0;
-    let letters = name
-        .graphemes(true)
-        .take(LONGEST_NAME)
-        .take_while(|letter| {
-            bytes += letter.len();
-            bytes <= MOST_BYTES
-        });
-    let short: String = letters.collect();
-    short.trim_end().to_owned()
+    short_name(name, LONGEST_NAME)
 }
 
 /// A name from a file. One without a visible letter, as earlier versions took it, is replaced
@@ -154,7 +141,7 @@ mod tests {
         let zalgo = "Z\u{300}\u{301}\u{302}\u{303}".repeat(100);
         for name in [family, zalgo, "ﷺ".repeat(500)] {
             let tidy = tidy(&name);
-            assert!(!tidy.is_empty() && tidy.len() <= MOST_BYTES, "{tidy}");
+            assert!(!tidy.is_empty() && tidy.len() <= 8 * LONGEST_NAME, "{tidy}");
             assert!(tidy.graphemes(true).count() <= LONGEST_NAME);
             assert_eq!(super::tidy(&tidy), tidy);
         }

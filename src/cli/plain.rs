@@ -10,7 +10,7 @@ use super::{Failure, GlobalOptions, solve};
 use crate::files::quoted;
 use crate::messages::StoreCall;
 use crate::quiz::Code;
-use crate::shells::plain::{self, Leave, Recorder, Talk};
+use crate::shells::plain::{self, AnswerRecorder, Leave, Talk};
 
 /// A round of the quiz.
 pub(super) fn quiz(code: Option<&Code>, options: &GlobalOptions) -> Result<(), Failure> {
@@ -67,12 +67,12 @@ pub(super) fn advise(message: &mut clap::Error) {
 
 fn with_recorder(
     options: &GlobalOptions,
-    run: impl FnOnce(&mut Recorder) -> Result<(), Leave>,
+    run: impl FnOnce(&mut AnswerRecorder) -> Result<(), Leave>,
 ) -> Result<(), Failure> {
     let mut store = options.store();
     let player = options.player_name();
     let mut keep = |call: &StoreCall| store.answer(call);
-    let talked = talk(|talk| run(&mut Recorder::new(talk, &player, &mut keep)));
+    let talked = talk(|talk| run(&mut AnswerRecorder::new(talk, &player, &mut keep)));
     store.pay_at_last().map_err(|lost| anyhow!(lost))?;
     talked
 }

@@ -1,5 +1,6 @@
 //! Which characters of a text from outside are letters, and which play tricks.
 
+use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthChar;
 
 /// The most marks without a width of their own, such as accents, that may stand upon one
@@ -41,6 +42,16 @@ pub(super) fn is_picture(letter: &str) -> bool {
                 && !letter.ends_with('\u{200d}')
         }
     }
+}
+
+/// A path as a part of an address: what is not plain in it is written as bytes in percent.
+pub(crate) fn percent_encoded(path: &[u8]) -> String {
+    let plain = |byte: &u8| byte.is_ascii_alphanumeric() || b"-._/".contains(byte);
+    let written = path.iter().map(|byte| match plain(byte) {
+        true => char::from(*byte).to_string(),
+        false => format!("%{byte:02X}"),
+    });
+    written.collect()
 }
 
 /// What somebody is called whose name in a file has no visible letter.
@@ -89,6 +100,18 @@ pub fn tidy_name(name: &str) -> String {
     }
     tidy.truncate(tidy.trim_end().len());
     tidy
+}
+
+/// The same of so many letters at most; a letter may be made of several signs, but not of many.
+pub(crate) fn short_name(name: &str, letters: usize) -> String {
+    const BYTES: usize = 8;
+    let name = tidy_name(name);
+    let mut bytes = 0;
+    let letters = name.graphemes(true).take(letters).take_while(|letter| {
+        bytes += letter.len();
+        bytes <= BYTES * letters
+    });
+    letters.collect::<String>().trim_end().to_owned()
 }
 
 /// Whether a character only says how those beside it look together.

@@ -23,6 +23,7 @@ pub use fields::{Fields, newer};
 pub(crate) use fields::{all, is_id};
 pub use json::write_json;
 pub use letters::{NO_NAME, is_blank_name, is_invisible, tidy_name};
+pub(crate) use letters::{percent_encoded, short_name};
 pub use list::{List, embedded, list, not_a_file};
 pub use number::{NumberSpec, Range};
 pub use put::{Document, Existing, Unwritten, put};

@@ -6,7 +6,7 @@ use crate::quiz::Misconception;
 
 /// A misconception that a class has shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ClassBelief {
+pub struct BeliefCount {
     /// Which.
     pub misconception: Misconception,
     /// How many pupils hold it, by the evidence of all their answers.
@@ -16,7 +16,7 @@ pub struct ClassBelief {
 }
 
 /// The misconceptions that any answer fitted, those that most pupils hold first.
-pub fn beliefs(results: &ClassResults<'_>) -> Vec<ClassBelief> {
+pub fn beliefs(results: &ClassResults<'_>) -> Vec<BeliefCount> {
     let pupils = &results.pupils;
     let of = |misconception: Misconception| {
         let holds = |it: &&PupilResults<'_>| {
@@ -24,7 +24,7 @@ pub fn beliefs(results: &ClassResults<'_>) -> Vec<ClassBelief> {
         };
         let fits =
             |it: &&progress::Attempt| it.misconception.as_deref() == Some(misconception.id());
-        ClassBelief {
+        BeliefCount {
             misconception,
             pupils: pupils.iter().filter(holds).count(),
             answers: { pupils.iter() }

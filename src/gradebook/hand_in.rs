@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::files::{BYTE_ORDER_MARK, LONGEST_QUOTE, escape_control, newer, quoted, tidy_name};
+use crate::files::{BYTE_ORDER_MARK, LONGEST_QUOTE, escape_control, newer, quoted, short_name};
 use crate::progress::{Attempt, LESSON, ROUND};
 use crate::quiz::{Code, Course, CourseKind, Family, Topic};
 
@@ -32,7 +32,7 @@ pub struct HandIn {
 
 /// What stands in a file; an answer is an [`Attempt`], of which each is read by itself.
 #[derive(Serialize, Deserialize)]
-struct Written<A> {
+struct HandInFile<A> {
     format: u32,
     carrom: String,
     name: String,
@@ -63,8 +63,8 @@ impl HandIn {
 
     fn of(name: &str, class: &str, attempts: Vec<Attempt>) -> Self {
         Self {
-            name: tidy(name),
-            class: tidy(class),
+            name: short_name(name, LONGEST),
+            class: short_name(class, LONGEST),
             attempts,
         }
     }
@@ -105,7 +105,7 @@ impl HandIn {
         serde_json::to_value(self.written()).map_err(|error| error.to_string())
     }
 
-    fn written(&self) -> Written<Attempt> {
+    fn written(&self) -> HandInFile<Attempt> {
         let mut codes: Vec<String> = Vec::new();
         for round in self.attempts.iter().map(Attempt::round) {
             if !codes.contains(&round) {
@@ -113,7 +113,7 @@ impl HandIn {
             }
         }
         let points: f64 = self.attempts.iter().map(Attempt::points).sum();
-        Written {
+        HandInFile {
             format: FORMAT,
             carrom: KIND.into(),
             name: self.name.clone(),
@@ -154,7 +154,7 @@ impl HandIn {
         if format > FORMAT.into() {
             return Err(newer(format!("format {format}"), FORMAT));
         }
-        let written: Written<Value> = serde_json::from_value(value)
+        let written: HandInFile<Value> = serde_json::from_value(value)
             .map_err(|error| format!("it is damaged: {}", short(&error)))?;
         let mut known = KnownTopics::default();
         let attempts = { 1.. }.zip(written.answers).map(|(number, answer)| {
@@ -213,10 +213,7 @@ fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, Str
             ));
         }
     }
-    attempt.topic = tidy_name(&attempt.topic)
-        .chars()
-        .take(LONGEST_TOPIC)
-        .collect();
+    attempt.topic = short_name(&attempt.topic, LONGEST_TOPIC);
     Ok(attempt)
 }
 
@@ -254,9 +251,4 @@ fn short(error: &serde_json::Error) -> String {
         Some(what) => escape_control(what, LONGEST_QUOTE) + &place,
         None => escape_control(&message, LONGEST_QUOTE),
     }
-}
-
-fn tidy(name: &str) -> String {
-    let short: String = tidy_name(name).chars().take(LONGEST).collect();
-    short.trim_end().to_owned()
 }

@@ -11,7 +11,7 @@ mod pupils;
 mod results;
 mod tables;
 
-pub use beliefs::{ClassBelief, beliefs};
+pub use beliefs::{BeliefCount, beliefs};
 pub use hand_in::HandIn;
 pub use items::{ItemStatistics, items};
 pub use pupils::{Gradebook, Pupil};

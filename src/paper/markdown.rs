@@ -1,5 +1,7 @@
 //! A Markdown document.
 
+use crate::files::percent_encoded;
+
 /// A Markdown document: CommonMark, and tables as GitHub has them.
 ///
 /// Text that is given to it is plain text: whatever is in it is shown and nothing in it
@@ -78,7 +80,11 @@ impl Markdown {
     /// A picture in the file `place`, a path from the document's own folder with `/`
     /// between its parts; `words` say what is to be seen.
     pub fn picture(&mut self, words: &str, place: &str) -> &mut Self {
-        self.block(&format!("![{}]({})", escape(words), address(place)))
+        self.block(&format!(
+            "![{}]({})",
+            escape(words),
+            percent_encoded(place.as_bytes())
+        ))
     }
 
     /// A line across.
@@ -144,19 +150,6 @@ fn escape(text: &str) -> String {
 
 fn starts_with_www(word: &str) -> bool {
     word.to_lowercase().contains("www.")
-}
-
-/// A path as an address: what is not plain in it is written as bytes in percent.
-fn address(place: &str) -> String {
-    let mut written = String::new();
-    for byte in place.bytes() {
-        if byte.is_ascii_alphanumeric() || b"-._/".contains(&byte) {
-            written.push(byte.into());
-        } else {
-            written.push_str(&format!("%{byte:02X}"));
-        }
-    }
-    written
 }
 
 #[cfg(test)]

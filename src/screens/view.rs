@@ -23,7 +23,7 @@ pub struct View<'s, A> {
 /// The larger part of a view.
 pub(super) enum Part<'s, A> {
     /// A picture in a frame with a title.
-    Picture(String, Draw<'s>),
+    Picture(String, DrawPicture<'s>),
     /// Text.
     Panel(Panel<A>),
     /// Nothing: the other part has all the room.
@@ -31,7 +31,7 @@ pub(super) enum Part<'s, A> {
 }
 
 /// What draws a picture into its place.
-type Draw<'s> = Box<dyn Fn(Rect, &mut Buffer, &Look) + 's>;
+type DrawPicture<'s> = Box<dyn Fn(Rect, &mut Buffer, &Look) + 's>;
 
 impl<'s, A> View<'s, A> {
     /// A picture under a title, and a panel beside it.

@@ -17,7 +17,7 @@ const ADDRESS: SocketAddrV4 = SocketAddrV4::new(Ipv4Addr::new(192, 168, 43, 117)
 /// A class in one process.
 pub struct Classroom {
     host: Headless,
-    pupils: Vec<Pupil>,
+    pupils: Vec<PupilDevice>,
     code: Option<DoorCode>,
     /// How many connections there have been.
     lines: LineId,
@@ -26,7 +26,7 @@ pub struct Classroom {
 }
 
 /// A pupil.
-struct Pupil {
+struct PupilDevice {
     name: String,
     game: Headless,
     /// The connection, while there is one.
@@ -62,7 +62,7 @@ impl Classroom {
 
     /// A pupil comes with an app of their own; gives who that is.
     pub fn add(&mut self, name: &str, app: App, columns: u16, rows: u16) -> Who {
-        self.pupils.push(Pupil {
+        self.pupils.push(PupilDevice {
             name: name.to_owned(),
             game: Headless::new(app, columns, rows),
             line: None,
@@ -187,7 +187,7 @@ impl Classroom {
         }
     }
 
-    fn at(&mut self, line: LineId) -> Option<&mut Pupil> {
+    fn at(&mut self, line: LineId) -> Option<&mut PupilDevice> {
         self.pupils.iter_mut().find(|it| it.line == Some(line))
     }
 

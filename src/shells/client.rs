@@ -29,7 +29,7 @@ pub struct Client {
     hear: Arc<dyn Fn(JoinNews) + Send + Sync>,
     /// Counts the calls: what comes of an earlier one means nothing any more.
     call: Arc<AtomicU64>,
-    wire: Arc<Mutex<Option<Wire>>>,
+    wire: Arc<Mutex<Option<ClientStream>>>,
     address: String,
     /// What brings back which name, by address.
     seats: BTreeMap<String, (String, String)>,
@@ -37,18 +37,18 @@ pub struct Client {
 
 /// A connection; what is written is written whole.
 #[derive(Clone)]
-struct Wire {
+struct ClientStream {
     stream: Arc<TcpStream>,
     writing: Arc<Mutex<()>>,
 }
 
-impl Read for Wire {
+impl Read for ClientStream {
     fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
         (&*self.stream).read(bytes)
     }
 }
 
-impl Write for Wire {
+impl Write for ClientStream {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let _alone = lock(&self.writing);
         (&*self.stream).write_all(bytes)?;
@@ -157,7 +157,7 @@ fn mask() -> [u8; 4] {
     mask
 }
 
-fn connect(address: &str) -> io::Result<(WebSocket<Wire>, Wire)> {
+fn connect(address: &str) -> io::Result<(WebSocket<ClientStream>, ClientStream)> {
     let mut failed = io::Error::from(ErrorKind::NotFound);
     for place in address.to_socket_addrs()? {
         match TcpStream::connect_timeout(&place, PATIENCE) {
@@ -165,7 +165,7 @@ fn connect(address: &str) -> io::Result<(WebSocket<Wire>, Wire)> {
                 stream.set_nodelay(true)?;
                 stream.set_read_timeout(Some(PATIENCE))?;
                 stream.set_write_timeout(Some(PATIENCE))?;
-                let wire = Wire {
+                let wire = ClientStream {
                     stream: Arc::new(stream),
                     writing: Arc::default(),
                 };
@@ -186,7 +186,7 @@ fn connect(address: &str) -> io::Result<(WebSocket<Wire>, Wire)> {
 }
 
 /// Hears what the host says until it is gone; gives the reason.
-fn listen(socket: &mut WebSocket<Wire>, say: &impl Fn(JoinNews)) -> String {
+fn listen(socket: &mut WebSocket<ClientStream>, say: &impl Fn(JoinNews)) -> String {
     loop {
         match socket.read() {
             Ok(Message::Text(text)) => say(JoinNews::Heard(text.to_string())),

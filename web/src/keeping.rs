@@ -47,7 +47,7 @@ struct Pending {
 }
 
 /// The store and what is not yet safe of it.
-pub(crate) struct Keeping {
+pub(crate) struct PageStorage {
     store: Store,
     /// Whether the files that were there before are known.
     begun: bool,
@@ -66,9 +66,9 @@ pub(crate) struct Keeping {
 }
 
 /// Files to be put, and paths of those to be removed.
-pub(crate) type Changes = (Vec<FileBytes>, Vec<String>);
+pub(crate) type ChangedFiles = (Vec<FileBytes>, Vec<String>);
 
-impl Keeping {
+impl PageStorage {
     /// A store that waits for its files, or without a browser one that has none.
     pub(crate) fn new(own: &Arc<Library>, simulated: bool) -> Self {
         let store = Store::in_memory().with_own(own);
@@ -218,7 +218,7 @@ impl Keeping {
     }
 
     /// What has changed since the browser kept it.
-    pub(crate) fn changes(&mut self) -> Result<Changes, String> {
+    pub(crate) fn changes(&mut self) -> Result<ChangedFiles, String> {
         self.given = self.store.files()?.into_iter().collect();
         self.given.extend(self.own.iter().cloned());
         self.under_way = self.pending.len();
@@ -332,14 +332,14 @@ mod tests {
 
     /// A browser's files, and a carrom that has them.
     struct Browser {
-        keeping: Keeping,
+        keeping: PageStorage,
         files: BTreeMap<String, Vec<u8>>,
     }
 
     impl Browser {
         fn new() -> Self {
             let mut browser = Self {
-                keeping: Keeping::new(&Arc::default(), false),
+                keeping: PageStorage::new(&Arc::default(), false),
                 files: BTreeMap::new(),
             };
             browser.hand_over();
@@ -442,9 +442,11 @@ mod tests {
             Some("full"),
         );
         for _ in 0..2 {
-            let left =
-                std::mem::replace(&mut browser.keeping, Keeping::new(&Arc::default(), false));
-            browser.keeping = Keeping::new(&Arc::default(), false).taking_over(left.left());
+            let left = std::mem::replace(
+                &mut browser.keeping,
+                PageStorage::new(&Arc::default(), false),
+            );
+            browser.keeping = PageStorage::new(&Arc::default(), false).taking_over(left.left());
             browser.hand_over();
             let refused = browser.keep(Some("full"));
             assert!(refused.iter().all(|it| it.owed == 3), "{refused:?}");

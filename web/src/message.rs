@@ -137,7 +137,7 @@ pub enum News {
 /// What the page is to do for a pupil of a class.
 #[derive(Debug, Clone, Serialize)]
 #[serde(tag = "do", rename_all = "kebab-case")]
-pub enum Call {
+pub enum ClassCall {
     /// Reach the host that the page came from.
     Dial,
     /// Say this.
@@ -203,7 +203,7 @@ pub struct Reply {
     /// Whether carrom was left.
     pub quit: bool,
     /// What is to be done for a pupil of a class, in order.
-    pub calls: Vec<Call>,
+    pub calls: Vec<ClassCall>,
     /// Texts for the player to take away.
     pub downloads: Vec<Download>,
     /// What was drawn, if that was asked for.
@@ -240,7 +240,7 @@ pub struct Painted {
     /// Columns and rows.
     pub size: [u16; 2],
     /// The pictures.
-    pub pictures: Vec<Picture>,
+    pub pictures: Vec<PictureMessage>,
     /// The keys that mean something just now, if they are others than before.
     pub keys: Option<Vec<Keys>>,
     /// The colours of plain text and of what is behind it, 0xRRGGBB.
@@ -248,12 +248,12 @@ pub struct Painted {
     /// The colour of each role, if they are others than before.
     pub inks: Option<Vec<(Role, u32)>>,
     /// What the screen says, and what lies over it, if that is not as before.
-    pub sheets: Option<Vec<Sheet>>,
+    pub sheets: Option<Vec<SheetMessage>>,
 }
 
 /// What a screen says, or what lies over it.
 #[derive(Debug, Clone, Serialize)]
-pub struct Sheet {
+pub struct SheetMessage {
     /// What it is.
     pub kind: SheetKind,
     /// What it is called.
@@ -266,7 +266,7 @@ pub struct Sheet {
 
 /// A picture among the cells.
 #[derive(Debug, Clone, Serialize)]
-pub struct Picture {
+pub struct PictureMessage {
     /// Column, row, columns, rows.
     pub area: [u16; 4],
     /// The colour behind it.

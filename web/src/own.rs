@@ -9,7 +9,7 @@ use carrom::quiz::concepts::Library;
 use carrom::screens::KeptSettings;
 use carrom::store::FileBytes;
 
-use crate::keeping::{Change, Keeping, OWN};
+use crate::keeping::{Change, OWN, PageStorage};
 
 /// The path of the database.
 pub(crate) const PROGRESS: &str = "progress.db";
@@ -79,7 +79,11 @@ pub(crate) fn path(name: &str, bytes: &[u8]) -> Option<String> {
 ///
 /// # Errors
 /// What is wrong with it, in words.
-pub(crate) fn take_in(keeping: &mut Keeping, name: &str, bytes: &[u8]) -> Result<String, String> {
+pub(crate) fn take_in(
+    keeping: &mut PageStorage,
+    name: &str,
+    bytes: &[u8],
+) -> Result<String, String> {
     let wrong = |error: String| format!("{name} cannot be opened: {error}");
     if bytes.starts_with(DATABASE) || name.ends_with(".db") {
         let progress = Change::Progress(bytes.to_vec());

@@ -18,9 +18,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Modifier;
 
-use crate::keeping::{Change, Keeping};
+use crate::keeping::{Change, PageStorage};
 use crate::message::{
-    Call, Command, Download, FileLength, Keys, News, Opening, Painted, Picture, Reply, split,
+    ClassCall, Command, Download, FileLength, Keys, News, Opening, Painted, PictureMessage, Reply,
+    split,
 };
 use crate::{message, opening, own, talk};
 
@@ -40,7 +41,7 @@ pub struct Shell {
     told_sheets: Vec<Sheet>,
     told_inks: Vec<(Role, u32)>,
     told_pictures: Vec<String>,
-    keeping: Keeping,
+    keeping: PageStorage,
     downloads: Vec<Download>,
     calls: Vec<JoinCall>,
     quit: bool,
@@ -72,7 +73,7 @@ impl Shell {
         if opening.simulated {
             data.folder = None;
         }
-        let keeping = Keeping::new(&data.own, opening.simulated).taking_over(left);
+        let keeping = PageStorage::new(&data.own, opening.simulated).taking_over(left);
         let app = opening::app(opening, data, own::settings(&files));
         let Ok(screen) = Terminal::new(TestBackend::new(opening.columns, opening.rows));
         let mut shell = Self {
@@ -331,13 +332,13 @@ impl Shell {
     }
 
     /// The pictures, without the vectors of those that are as they were told last.
-    fn changed_pictures(&mut self, pictures: Vec<PaintedPicture>) -> Vec<Picture> {
+    fn changed_pictures(&mut self, pictures: Vec<PaintedPicture>) -> Vec<PictureMessage> {
         let before = mem::take(&mut self.told_pictures);
         let told = pictures.into_iter().enumerate().map(|(at, picture)| {
             let area = picture.area;
             let is_new = before.get(at) != Some(&picture.svg);
             self.told_pictures.push(picture.svg.clone());
-            Picture {
+            PictureMessage {
                 area: [area.x, area.y, area.width, area.height],
                 paper: picture.paper,
                 svg: is_new.then_some(picture.svg),
@@ -348,7 +349,7 @@ impl Shell {
 
     /// What the screen says, without the sections that are as they were told last; `None` if
     /// all are.
-    fn changed_sheets(&mut self, sheets: Vec<Sheet>) -> Option<Vec<message::Sheet>> {
+    fn changed_sheets(&mut self, sheets: Vec<Sheet>) -> Option<Vec<message::SheetMessage>> {
         // Who compares cells has no use for it.
         if self.opening.simulated || sheets == self.told_sheets {
             return None;
@@ -360,7 +361,7 @@ impl Shell {
                 let told = same.and_then(|it| it.sections.get(number));
                 (told != Some(section)).then(|| Section::clone(section))
             };
-            message::Sheet {
+            message::SheetMessage {
                 kind: sheet.kind,
                 title: sheet.title.clone(),
                 status: sheet.status.clone(),
@@ -430,12 +431,12 @@ impl Shell {
 }
 
 /// What the page is to do for a pupil of a class.
-fn call(call: JoinCall) -> Call {
+fn call(call: JoinCall) -> ClassCall {
     match call {
-        JoinCall::Dial(_) => Call::Dial,
-        JoinCall::Say(text) => Call::Say { text },
-        JoinCall::Remember { seat, name, code } => Call::Remember { seat, name, code },
-        JoinCall::HangUp => Call::HangUp,
+        JoinCall::Dial(_) => ClassCall::Dial,
+        JoinCall::Say(text) => ClassCall::Say { text },
+        JoinCall::Remember { seat, name, code } => ClassCall::Remember { seat, name, code },
+        JoinCall::HangUp => ClassCall::HangUp,
     }
 }
 

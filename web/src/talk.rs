@@ -12,9 +12,9 @@ use carrom::lessons::ChapterLibrary;
 use carrom::messages::{StoreAnswer, StoreCall};
 use carrom::quiz::Code;
 use carrom::quiz::concepts::Library;
-use carrom::shells::plain::{self, Leave, Recorder, Talk};
+use carrom::shells::plain::{self, AnswerRecorder, Leave, Talk};
 
-use crate::keeping::Keeping;
+use crate::keeping::PageStorage;
 use crate::opening::unescaped;
 
 /// What a talk has had from the store so far.
@@ -37,7 +37,7 @@ impl Talked {
         &mut self,
         heard: &[String],
         asked: &Asked,
-        keeping: &mut Keeping,
+        keeping: &mut PageStorage,
     ) -> (Vec<String>, bool) {
         let heard: String = heard.iter().map(|line| format!("{line}\n")).collect();
         let ran_out = Cell::new(false);
@@ -45,7 +45,7 @@ impl Talked {
             left: heard.as_bytes(),
             ran_out: &ran_out,
         };
-        let mut said = Said {
+        let mut said = Transcript {
             text: Vec::new(),
             ran_out: &ran_out,
         };
@@ -58,7 +58,7 @@ impl Talked {
             self.0[number - 1].clone()
         };
         let mut talk = Talk::new(&mut heard, &mut said);
-        let mut recorder = Recorder::new(&mut talk, asked.player, &mut keep);
+        let mut recorder = AnswerRecorder::new(&mut talk, asked.player, &mut keep);
         let ended = hold(&mut recorder, asked);
         let over = !ran_out.get() || !matches!(ended, Err(Leave::Ended));
         let text = String::from_utf8_lossy(&said.text);
@@ -67,7 +67,7 @@ impl Talked {
 }
 
 /// Holds the talk that the link asks for.
-fn hold(recorder: &mut Recorder, asked: &Asked) -> Result<(), Leave> {
+fn hold(recorder: &mut AnswerRecorder, asked: &Asked) -> Result<(), Leave> {
     let parts = asked.fragment.split('&');
     for (name, value) in parts.map(|part| part.split_once('=').unwrap_or((part, ""))) {
         let value = unescaped(value);
@@ -111,12 +111,12 @@ impl BufRead for Heard<'_> {
 }
 
 /// What carrom says until it waits.
-struct Said<'a> {
+struct Transcript<'a> {
     text: Vec<u8>,
     ran_out: &'a Cell<bool>,
 }
 
-impl Write for Said<'_> {
+impl Write for Transcript<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         if !self.ran_out.get() {
             self.text.extend(bytes);
@@ -146,7 +146,7 @@ mod tests {
             own: &data.own,
             chapters: data.book.library(),
         };
-        let mut keeping = Keeping::new(&data.own, true);
+        let mut keeping = PageStorage::new(&data.own, true);
         let mut talked = Talked::default();
         let mut heard = Vec::new();
         let mut before = 0;

@@ -10,14 +10,14 @@ use super::answer::SolveAnswer;
 use super::lines::{BatchError, InputLine, LONGEST, LineReader};
 use super::problem::Problem;
 use crate::cli::write_json_line;
-use crate::files::BYTE_ORDER_MARK;
+use crate::files::{BYTE_ORDER_MARK, escape_control};
 
 /// The longest error message, in characters: noise is not echoed at length.
 const LONGEST_MESSAGE: usize = 200;
 
 /// What stands in place of an answer to a line that is no problem.
 #[derive(Debug, Serialize)]
-struct Refusal {
+struct RefusedLine {
     line: u64,
     error: String,
 }
@@ -47,7 +47,7 @@ pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> Result<ExitCode,
             Err(error) => {
                 status = ExitCode::FAILURE;
                 let line = number;
-                write_json_line(out, &Refusal { line, error })
+                write_json_line(out, &RefusedLine { line, error })
             }
         };
         written.map_err(BatchError::Write)?;
@@ -68,8 +68,5 @@ fn said(error: impl Display) -> String {
         .to_string()
         .replace(" at line 1 column ", " at column ")
         .replace("expected f64", "expected a number");
-    match message.char_indices().nth(LONGEST_MESSAGE) {
-        Some((end, _)) => format!("{}...", message.get(..end).unwrap_or_default()),
-        None => message,
-    }
+    escape_control(&message, LONGEST_MESSAGE)
 }

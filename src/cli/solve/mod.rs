@@ -14,7 +14,6 @@ use std::process::ExitCode;
 
 use super::{Failure, GlobalOptions, write_json};
 use crate::physics::worked::{self, WorkedStep};
-use crate::widgets::Charset;
 use answer::SolveAnswer;
 pub(super) use args::Args;
 use lines::BatchError;
@@ -59,7 +58,6 @@ impl Args {
             write_json(&mut line, &SolveAnswer::of(&collision))?;
             return Ok(line);
         }
-        let unicode = options.printed() == Charset::Unicode;
-        Ok(text::render(&self.steps()?, unicode).into_bytes())
+        Ok(text::render(&self.steps()?, options.printed()).into_bytes())
     }
 }

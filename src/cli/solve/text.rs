@@ -1,56 +1,47 @@
 //! A worked solution as plain text.
 
-use std::fmt::Write;
-
-use crate::physics::worked::{WorkedStep, ascii};
+use crate::physics::worked::WorkedStep;
+use crate::widgets::{Charset, text};
 
 /// Columns that prose is wrapped to.
 const WIDTH: usize = 78;
+/// What stands before prose, and before a line of working.
+const PROSE: &str = "   ";
+const WORKING: &str = "     ";
 
 /// The steps one below the other, numbered, in the signs the reader can see.
-pub(super) fn render(steps: &[WorkedStep], unicode: bool) -> String {
-    let mut text = String::new();
-    for (count, step) in steps.iter().enumerate() {
-        if count > 0 {
-            text.push('\n');
-        }
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "{}. {}", count + 1, step.title);
-        let why = if unicode {
-            step.why.clone()
-        } else {
-            ascii(&step.why)
+pub(super) fn render(steps: &[WorkedStep], charset: Charset) -> String {
+    let step = |(number, step): (usize, &WorkedStep)| {
+        let why = text::wrap(&charset.text(&step.why), WIDTH - PROSE.len());
+        let why = why.into_iter().filter(|line| !line.is_empty());
+        let why: String = why.map(|line| format!("{PROSE}{line}\n")).collect();
+        let lines = step.lines.iter().map(|line| charset.text(line));
+        let lines: String = lines.map(|line| format!("{WORKING}{line}\n")).collect();
+        let gap = match why.is_empty() || lines.is_empty() {
+            true => "",
+            false => "\n",
         };
-        wrap(&mut text, &why, "   ");
-        if !step.why.is_empty() && !step.lines.is_empty() {
-            text.push('\n');
-        }
-        for line in &step.lines {
-            let line = if unicode { line.clone() } else { ascii(line) };
-            let _ = writeln!(text, "     {line}");
-        }
-    }
-    text
+        format!("{number}. {}\n{why}{gap}{lines}", step.title)
+    };
+    let steps: Vec<String> = (1..).zip(steps).map(step).collect();
+    steps.join("\n")
 }
 
-fn wrap(text: &mut String, prose: &str, indent: &str) {
-    let mut column = 0;
-    for word in prose.split_whitespace() {
-        let width = word.chars().count();
-        if column > 0 && column + 1 + width <= WIDTH {
-            text.push(' ');
-            column += 1;
-        } else {
-            if column > 0 {
-                text.push('\n');
-            }
-            text.push_str(indent);
-            column = indent.len();
-        }
-        text.push_str(word);
-        column += width;
-    }
-    if column > 0 {
-        text.push('\n');
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::CollisionSpec;
+    use crate::physics::worked;
+
+    #[test]
+    fn every_sign_of_a_solution_has_a_spelling_in_ascii() {
+        let solution = worked::steps(&CollisionSpec::default().collision(), false);
+        let written = render(&solution, Charset::Ascii);
+        assert!(
+            written.is_ascii() && written.starts_with("1. "),
+            "{written}"
+        );
+        let signs = render(&solution, Charset::Unicode).replace('?', "");
+        assert!(!Charset::Ascii.text(&signs).contains('?'), "{signs}");
     }
 }

@@ -1,19 +1,14 @@
 //! A collision worked out step by step, as a teacher would write it on the board.
 //!
 //! The steps are data: a title, the reason for the step and the lines of working with
-//! the numbers filled in. Whoever shows them chooses the layout, and spells them with
-//! [`ascii()`] where the screen knows no other signs. In the working, masses are in g,
+//! the numbers filled in. Whoever shows them chooses the layout and the signs. In the working, masses are in g,
 //! lengths in mm and speeds in m/s.
 
-mod ascii;
 mod number;
 mod slip;
 mod stick;
 mod words;
 
-// The command line alone has use for it.
-#[cfg(not(target_family = "wasm"))]
-pub(crate) use ascii::ascii;
 pub(crate) use number::{beside, number};
 
 use glam::DVec2;
@@ -266,7 +261,6 @@ mod tests {
             for never in ["NaN", "inf"] {
                 prop_assert!(!text.contains(never), "{}", text);
             }
-            prop_assert!(!ascii(&text.replace('?', "")).contains('?'), "{}", text);
         }
     }
 }

@@ -1,8 +1,10 @@
-//! What the player says.
+//! What the player says, and how it is kept in databases and files: JSON, with the units in the
+//! names.
 
+use serde_json::{Map, Value, json};
+
+use super::{Confidence, Form, Measure, Rays};
 use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
-
-use super::{Confidence, Rays};
 
 /// What is said to a question, in the way it asks for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,6 +86,61 @@ impl Answer {
     }
 }
 
+/// What is noted of a question or an answer, by names that end in the unit.
+pub type Figures = Map<String, Value>;
+
+/// The figures that stand in a JSON object; none in any other value.
+pub(crate) fn figures(value: Value) -> Figures {
+    match value {
+        Value::Object(figures) => figures,
+        _ => Figures::new(),
+    }
+}
+
+/// Where the words of a choice are kept: its place among the others is the round's alone.
+const CHOICE: &str = "choice";
+const OFFSET: &str = "offset_mm";
+/// Most letters of a choice. Those of questions have at most 90; this also holds those of years
+/// to come.
+const LONGEST_CHOICE: usize = 400;
+
+impl Form {
+    /// An answer to a question of this form as it is kept.
+    pub fn kept(&self, said: &Response) -> Figures {
+        figures(match (self, said) {
+            (_, Response::Rays(rays)) => rays.json(),
+            (Self::Number { quantity, .. }, Response::Number(x)) => json!({ quantity.id(): x }),
+            (_, Response::Shot(offset)) => json!({ OFFSET: mm_from_m(*offset) }),
+            _ => json!({ CHOICE: self.words(said) }),
+        })
+    }
+
+    /// Whether an answer that was kept can have been given to a question of some form: it is of
+    /// one kind and in the range of that kind, as for [`Form::accepts`].
+    pub fn could_be_kept(answer: &Figures) -> bool {
+        let number = |(name, value): (&String, &Value)| {
+            let x = value.as_f64()?;
+            match Measure::with_id(name) {
+                Some(measure) => Some(measure.allows(x)),
+                None => Some(name == OFFSET && x.abs() <= Measure::Length.largest()),
+            }
+        };
+        if let Some(rays) = Rays::of_figures(answer) {
+            return answer.len() == 2 && rays.are_in_range();
+        }
+        let mut fields = answer.iter();
+        let (Some(field), None) = (fields.next(), fields.next()) else {
+            return false;
+        };
+        match field {
+            (name, Value::String(words)) => {
+                name == CHOICE && (1..=LONGEST_CHOICE).contains(&words.chars().count())
+            }
+            field => number(field).unwrap_or(false),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -121,6 +178,46 @@ mod tests {
             "ray 1 2",
         ] {
             assert_eq!(Response::parse(text), None, "{text}");
+        }
+    }
+
+    fn could_be(text: &str) -> bool {
+        serde_json::from_str(text).is_ok_and(|answer| Form::could_be_kept(&answer))
+    }
+
+    #[test]
+    fn answers_in_range_can_be_kept_and_others_cannot() {
+        for answer in [
+            r#"{"theta1_deg": 60.0, "theta2_deg": null}"#,
+            r#"{"theta1_deg": -180, "theta2_deg": 180.00000000000003}"#,
+            r#"{"choice": "less than 90°"}"#,
+            r#"{"angle_deg": -12}"#,
+            r#"{"share_percent": 100}"#,
+            r#"{"offset_mm": -21.5}"#,
+        ] {
+            assert!(could_be(answer), "{answer}");
+        }
+        let long = format!(r#"{{"choice": "{}"}}"#, "x".repeat(500));
+        for answer in [
+            "{}",
+            r#"{"theta1_deg": 200, "theta2_deg": 0}"#,
+            r#"{"theta1_deg": 20}"#,
+            r#"{"theta1_deg": 20, "theta2_deg": 0, "choice": "a"}"#,
+            r#"{"theta1_deg": "=1", "theta2_deg": 0}"#,
+            r#"{"choice": 99}"#,
+            r#"{"choice": ""}"#,
+            &long,
+            r#"{"angle_deg": 1e999}"#,
+            r#"{"angle_deg": NaN}"#,
+            r#"{"angle_deg": 181}"#,
+            r#"{"share_percent": -1}"#,
+            r#"{"speed": 1e300}"#,
+            r#"{"offset_mm": 1e300}"#,
+            r#"{"offset_mm": true}"#,
+            r#"{"unheard_of": 1}"#,
+            r#"{"unheard_of": "x"}"#,
+        ] {
+            assert!(!could_be(answer), "{answer}");
         }
     }
 }

@@ -36,9 +36,9 @@ fn shown(question: &Question) -> impl Iterator<Item = (Misconception, u32)> {
 
 /// How much each misconception has been met.
 #[derive(Default)]
-struct Met(Vec<(Misconception, u32)>);
+struct TimesMet(Vec<(Misconception, u32)>);
 
-impl Met {
+impl TimesMet {
     fn of(&self, misconception: Misconception) -> u32 {
         let met = self.0.iter().filter(|(it, _)| *it == misconception);
         met.map(|(_, strength)| strength).sum()
@@ -63,7 +63,7 @@ const LONG: usize = 16;
 /// Questions of these families, rising in difficulty. No family comes twice in a row, and none
 /// much oftener than once in four.
 pub(super) fn questions(families: &[Family], count: usize, dice: &mut Dice) -> Vec<Question> {
-    let mut met = Met::default();
+    let mut met = TimesMet::default();
     let mut questions: Vec<Question> = Vec::with_capacity(count);
     for i in 0..count {
         let difficulty = Difficulty::rising(i, count);

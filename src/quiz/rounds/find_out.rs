@@ -51,12 +51,12 @@ const NOT_SOUGHT: [Misconception; 8] = [
 ];
 
 /// How likely each misconception that is looked for is, and none, as far as answers tell.
-struct Standing {
+struct Posterior {
     held: Vec<(Misconception, f64)>,
     none: f64,
 }
 
-impl Standing {
+impl Posterior {
     /// After answers that say this.
     fn new(evidence: &[Evidence]) -> Self {
         let weight = |it: Misconception| {
@@ -129,16 +129,16 @@ pub(super) fn is_settled(clues: &[Clue]) -> bool {
         return false;
     }
     let evidence = evidence(clues);
-    let standing = Standing::new(&evidence);
+    let posterior = Posterior::new(&evidence);
     let first = evidence.first();
-    first.is_some_and(|it| it.names() && standing.of(it.misconception) >= CLEAR)
-        || standing.none >= NONE_LEFT
+    first.is_some_and(|it| it.names() && posterior.of(it.misconception) >= CLEAR)
+        || posterior.none >= NONE_LEFT
 }
 
 /// The question that tells most after these answers, of those that the dice bring; none of
 /// `asked` again.
 pub(super) fn ask(asked: &[Question], clues: &[Clue], dice: &mut Dice) -> Option<Question> {
-    let standing = Standing::new(&evidence(clues));
+    let posterior = Posterior::new(&evidence(clues));
     let hardest = match asked.len() < BEFORE_HARD {
         true => Difficulty::Middle,
         false => Difficulty::Hard,
@@ -154,7 +154,7 @@ pub(super) fn ask(asked: &[Question], clues: &[Clue], dice: &mut Dice) -> Option
                 continue;
             }
             // To a millionth of a bit: no choice hangs on the last digit of a logarithm.
-            let tells = (1e6 * standing.information(&question)).round() as i64;
+            let tells = (1e6 * posterior.information(&question)).round() as i64;
             if best.as_ref().is_none_or(|(most, _)| tells > *most) {
                 best = Some((tells, question));
             }

@@ -13,7 +13,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::recall::Recall;
 use super::view::View;
-use super::{Context, Next, Place, Screen, leads};
+use super::{Context, Next, Place, Screen, SharedAction, leads};
 use crate::gradebook::HandIn;
 use crate::lessons::Book;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
@@ -34,6 +34,8 @@ pub enum ProgressAction {
     Turn(isize),
     /// over time, topics, how sure, that over time, beliefs
     TurnTo(usize),
+    /// scroll a text that is longer than its place
+    Scroll(i16),
     /// do what the page suggests: a review, the page of a chapter, a round of the quiz
     DoNext,
     /// hand in every answer: one small file for a teacher
@@ -166,7 +168,7 @@ fn nothing_yet(panel: &mut Panel<ProgressAction>) {
 }
 
 /// What is drawn in the place of a picture: that, or why there is nothing to draw.
-type Plot<'a> = fn(&'a History, Rect, Look) -> Result<Picture, &'static str>;
+type DrawPlot<'a> = fn(&'a History, Rect, Look) -> Result<Picture, &'static str>;
 
 impl Screen for Progress {
     type Action = ProgressAction;
@@ -184,7 +186,7 @@ impl Screen for Progress {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<ProgressAction> {
-        use ProgressAction::{Back, DoNext, HandIn, Turn, TurnTo};
+        use ProgressAction::{Back, DoNext, HandIn, Scroll, Turn, TurnTo};
         let pages = ('1'..).zip((0..ProgressPage::ALL.len()).map(TurnTo));
         let some = self.history().is_some();
         KeyTable::new("progress")
@@ -197,6 +199,8 @@ impl Screen for Progress {
             .when(some)
             .each(pages, "page")
             .when(some)
+            .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
+            .when(some)
             .on(Key::Enter, DoNext, self.next_step().name())
             .on('h', HandIn, "hand in")
             .when(some)
@@ -207,6 +211,7 @@ impl Screen for Progress {
         match action {
             ProgressAction::Turn(by) => self.page = self.page.beside(by),
             ProgressAction::TurnTo(page) => self.page = ProgressPage::ALL[page],
+            ProgressAction::Scroll(rows) => return Next::Shared(SharedAction::Scroll(rows)),
             ProgressAction::DoNext => {
                 let code = match self.next_step() {
                     NextStep::Read(passage) => return leads::open(Some(passage), cx),
@@ -250,7 +255,7 @@ impl Screen for Progress {
         };
         let (title, beside) = page.titles();
         let (mut first, mut second) = (Panel::new(title), Panel::new(beside));
-        let plot: Option<Plot> = match page {
+        let plot: Option<DrawPlot> = match page {
             ProgressPage::OverTime => {
                 over_time::panel(history, book, &mut second);
                 Some(over_time::plot)

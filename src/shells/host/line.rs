@@ -146,12 +146,12 @@ fn drain(line: &Line, patience: Duration) {
 
 /// A connection as a WebSocket takes it: reading ends at a deadline, and what is written is
 /// written whole.
-struct Wire {
+struct ServerStream {
     line: Arc<Line>,
     deadline: Option<Instant>,
 }
 
-impl Read for Wire {
+impl Read for ServerStream {
     fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
         let patience = match self.deadline {
             Some(deadline) => left(deadline)?,
@@ -162,7 +162,7 @@ impl Read for Wire {
     }
 }
 
-impl Write for Wire {
+impl Write for ServerStream {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         write_whole(&self.line, bytes)?;
         Ok(bytes.len())
@@ -186,7 +186,7 @@ fn talk(board: &Arc<Switchboard>, line: &Arc<Line>, rest: Vec<u8>) {
         .max_write_buffer_size(8 * LARGEST_SAYING)
         .max_message_size(Some(LARGEST_SAYING))
         .max_frame_size(Some(LARGEST_SAYING));
-    let wire = Wire {
+    let wire = ServerStream {
         line: Arc::clone(line),
         deadline: Some(Instant::now() + JOIN_TIME),
     };
@@ -211,7 +211,7 @@ fn talk(board: &Arc<Switchboard>, line: &Arc<Line>, rest: Vec<u8>) {
 
 /// What comes next: something said, or why there is nothing more; `None` if the other side
 /// is gone.
-fn next(socket: &mut WebSocket<Wire>) -> Result<Saying, Option<Refusal>> {
+fn next(socket: &mut WebSocket<ServerStream>) -> Result<Saying, Option<Refusal>> {
     loop {
         match socket.read() {
             Ok(Message::Text(text)) => return Saying::read(&text).map_err(Some),
@@ -235,7 +235,7 @@ fn is_late(error: &io::Error) -> bool {
 fn join(
     board: &Arc<Switchboard>,
     line: &Arc<Line>,
-    socket: &mut WebSocket<Wire>,
+    socket: &mut WebSocket<ServerStream>,
 ) -> Result<(), Option<Refusal>> {
     let Saying::Join {
         code, name, seat, ..
@@ -279,7 +279,7 @@ fn join(
 fn listen(
     board: &Arc<Switchboard>,
     line: &Arc<Line>,
-    socket: &mut WebSocket<Wire>,
+    socket: &mut WebSocket<ServerStream>,
 ) -> Option<Refusal> {
     let mut messages = Bucket::full(MESSAGES);
     loop {

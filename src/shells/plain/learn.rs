@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::by_words::{KEY, by_words};
 use super::own_shot::{HELP, ShotWish};
-use super::recorder::Recorder;
+use super::recorder::AnswerRecorder;
 use super::spoken::{sentence, verbatim};
 use super::talk::{Leave, Talk};
 use super::{answering, figure, formula, own_shot};
@@ -30,7 +30,7 @@ const OWN: &str = "You can set a shot of your own here: help says how.";
 /// # Errors
 /// If the player quits, or nothing more is to be heard: the place is kept.
 pub fn learn(
-    recorder: &mut Recorder,
+    recorder: &mut AnswerRecorder,
     library: &ChapterLibrary,
     chapter: Option<usize>,
 ) -> Result<(), Leave> {
@@ -54,7 +54,7 @@ pub fn learn(
 }
 
 /// Asks which chapter it shall be.
-fn contents(recorder: &mut Recorder, library: &ChapterLibrary) -> Result<usize, Leave> {
+fn contents(recorder: &mut AnswerRecorder, library: &ChapterLibrary) -> Result<usize, Leave> {
     let marks = marks(recorder)?;
     let mut lead = vec!["The chapters.".to_owned()];
     lead.extend((1..).zip(&library.chapters).map(|(number, chapter)| {
@@ -80,7 +80,7 @@ fn contents(recorder: &mut Recorder, library: &ChapterLibrary) -> Result<usize, 
 }
 
 /// The player's bookmarks; none where they cannot be looked up.
-fn marks(recorder: &mut Recorder) -> Result<BTreeMap<String, Bookmark>, Leave> {
+fn marks(recorder: &mut AnswerRecorder) -> Result<BTreeMap<String, Bookmark>, Leave> {
     let player = recorder.player.to_owned();
     Ok(match recorder.wish(StoreRequest::Marks(player))? {
         StoreReply::Marks(Ok(marks)) => marks,
@@ -89,7 +89,7 @@ fn marks(recorder: &mut Recorder) -> Result<BTreeMap<String, Bookmark>, Leave> {
 }
 
 /// Reads a chapter from where it was left; whether to its end.
-fn read(recorder: &mut Recorder, chapter: &Chapter) -> Result<bool, Leave> {
+fn read(recorder: &mut AnswerRecorder, chapter: &Chapter) -> Result<bool, Leave> {
     let marks = marks(recorder)?;
     let mut at = marks.get(&chapter.id).map_or(0, |mark| mark.page(chapter));
     let title = sentence(&chapter.title);
@@ -129,7 +129,7 @@ fn read(recorder: &mut Recorder, chapter: &Chapter) -> Result<bool, Leave> {
 /// Asks where to go from a page, and plays shots of one's own until then; `None` is to the
 /// contents.
 fn turn(talk: &mut Talk, at: usize, page: &ChapterPage) -> Result<Option<usize>, Leave> {
-    enum Wish {
+    enum ReadingWish {
         Turn(Option<usize>),
         Shot(ShotWish),
     }
@@ -147,21 +147,21 @@ fn turn(talk: &mut Talk, at: usize, page: &ChapterPage) -> Result<Option<usize>,
     let help = format!("{MOVES} {HELP}");
     loop {
         let read = |heard: &str| match heard.to_lowercase().as_str() {
-            "" | "next" | "n" => Ok(Wish::Turn(Some(at + 1))),
-            "back" | "b" => Ok(Wish::Turn(Some(at.saturating_sub(1)))),
-            "contents" | "c" => Ok(Wish::Turn(None)),
+            "" | "next" | "n" => Ok(ReadingWish::Turn(Some(at + 1))),
+            "back" | "b" => Ok(ReadingWish::Turn(Some(at.saturating_sub(1)))),
+            "contents" | "c" => Ok(ReadingWish::Turn(None)),
             _ => match ShotWish::read(heard, &shot) {
-                Some(wish) => wish.map(Wish::Shot),
+                Some(wish) => wish.map(ReadingWish::Shot),
                 None => Err(MOVES.to_owned()),
             },
         };
         match talk.ask_for(&[], "Next?", &help, read)? {
-            Wish::Turn(to) => return Ok(to),
-            Wish::Shot(ShotWish::Set(new)) => {
+            ReadingWish::Turn(to) => return Ok(to),
+            ReadingWish::Shot(ShotWish::Set(new)) => {
                 shot = new;
                 own_shot::say_set(talk, &shot)?;
             }
-            Wish::Shot(ShotWish::Shoot) => own_shot::shoot(talk, &shot)?,
+            ReadingWish::Shot(ShotWish::Shoot) => own_shot::shoot(talk, &shot)?,
         }
     }
 }
@@ -193,7 +193,7 @@ impl ShownPage {
     }
 }
 
-fn mark(recorder: &mut Recorder, chapter: &Chapter, later: Bookmark) -> Result<(), Leave> {
+fn mark(recorder: &mut AnswerRecorder, chapter: &Chapter, later: Bookmark) -> Result<(), Leave> {
     recorder.wish(StoreRequest::Mark {
         player: recorder.player.to_owned(),
         chapter: chapter.id.clone(),
@@ -204,7 +204,7 @@ fn mark(recorder: &mut Recorder, chapter: &Chapter, later: Bookmark) -> Result<(
 
 /// Asks what a page asks, keeps the answer, and says how it is; whether there was one.
 fn ask(
-    recorder: &mut Recorder,
+    recorder: &mut AnswerRecorder,
     chapter: &Chapter,
     (at, page): (usize, &ChapterPage),
     checkpoint: &Checkpoint,

@@ -23,7 +23,7 @@ mod working;
 pub use learn::learn;
 pub use own_shot::lab;
 pub use quiz::quiz;
-pub use recorder::{Keeper, Recorder};
+pub use recorder::{AnswerRecorder, Keeper};
 pub use solve::solve;
 pub use spoken::spoken;
 pub use talk::{Leave, Talk};

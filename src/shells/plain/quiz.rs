@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::answering::{answer, confidence};
 use super::by_words::by_words;
 use super::picture::describe;
-use super::recorder::Recorder;
+use super::recorder::AnswerRecorder;
 use super::spoken::{sentence, verbatim};
 use super::talk::{Leave, Talk};
 use crate::lessons::Book;
@@ -23,7 +23,7 @@ use crate::quiz::{
 /// # Errors
 /// If the player quits, or nothing more is to be heard: what was answered is kept.
 pub fn quiz(
-    recorder: &mut Recorder,
+    recorder: &mut AnswerRecorder,
     code: Option<Code>,
     seed: u64,
     own: &Arc<Library>,
@@ -56,7 +56,7 @@ pub fn quiz(
 }
 
 /// Asks which round it shall be.
-fn choose(recorder: &mut Recorder, seed: u64, own: &Arc<Library>) -> Result<Round, Leave> {
+fn choose(recorder: &mut AnswerRecorder, seed: u64, own: &Arc<Library>) -> Result<Round, Leave> {
     let due = due(recorder)?;
     let always = CourseKind::ALWAYS.map(|kind| {
         let most = match Course::new(kind.clone()).follows_answers() {
@@ -111,7 +111,7 @@ fn choose(recorder: &mut Recorder, seed: u64, own: &Arc<Library>) -> Result<Roun
 }
 
 /// What is due for this player.
-fn due(recorder: &mut Recorder) -> Result<Due, Leave> {
+fn due(recorder: &mut AnswerRecorder) -> Result<Due, Leave> {
     let player = recorder.player.to_owned();
     match recorder.wish(StoreRequest::Recall(Some(player)))? {
         StoreReply::Recalled(Ok(history)) => Ok(Due::of(&history.attempts, &history.calendar)),
@@ -121,7 +121,7 @@ fn due(recorder: &mut Recorder) -> Result<Due, Leave> {
 
 /// Plays a round to its end; gives the misconception that was found out, where that was asked
 /// for.
-fn play(recorder: &mut Recorder, mut round: Round) -> Result<Option<Misconception>, Leave> {
+fn play(recorder: &mut AnswerRecorder, mut round: Round) -> Result<Option<Misconception>, Leave> {
     let at_end = round.course().tells_at_end();
     let mut answered: Vec<(Question, Answer)> = Vec::new();
     let outcome = ask_all(recorder, &mut round, &mut answered);
@@ -148,7 +148,7 @@ fn play(recorder: &mut Recorder, mut round: Round) -> Result<Option<Misconceptio
 
 /// Asks all questions of a round, and notes what was answered.
 fn ask_all(
-    recorder: &mut Recorder,
+    recorder: &mut AnswerRecorder,
     round: &mut Round,
     answered: &mut Vec<(Question, Answer)>,
 ) -> Result<(), Leave> {

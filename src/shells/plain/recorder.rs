@@ -9,7 +9,7 @@ use crate::progress::Attempt;
 pub type Keeper<'a> = dyn FnMut(&StoreCall) -> StoreAnswer + 'a;
 
 /// Who plays, how one talks with them, and where what is answered is kept.
-pub struct Recorder<'a, 't> {
+pub struct AnswerRecorder<'a, 't> {
     /// The talk.
     pub(super) talk: &'a mut Talk<'t>,
     /// The name of the player.
@@ -22,7 +22,7 @@ pub struct Recorder<'a, 't> {
     owed: usize,
 }
 
-impl<'a, 't> Recorder<'a, 't> {
+impl<'a, 't> AnswerRecorder<'a, 't> {
     /// Keeps what this player does, who is talked with so.
     pub fn new(talk: &'a mut Talk<'t>, player: &'a str, store: &'a mut Keeper<'a>) -> Self {
         Self {
@@ -84,7 +84,7 @@ mod tests {
         let mut store = Store::nowhere();
         let mut talk = Talk::new(&mut input, &mut output);
         let mut keep = |call: &StoreCall| store.answer(call);
-        let mut recorder = Recorder::new(&mut talk, "Ada", &mut keep);
+        let mut recorder = AnswerRecorder::new(&mut talk, "Ada", &mut keep);
         for number in 1..=3 {
             let attempt = Attempt::of_quiz("Ada", round.code(), number, question, &answer);
             recorder.record(attempt).unwrap();

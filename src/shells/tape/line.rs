@@ -6,14 +6,14 @@ use crate::files::{LONGEST_QUOTE, escape_control, quoted};
 
 /// A part of a line: a bare word or a text in quotes. Shown as messages quote it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum Token {
     /// A run of characters without a blank.
     Word(String),
     /// What stood between double quotes, its escapes resolved.
     Text(String),
 }
 
-impl Part {
+impl Token {
     /// The word, unless it is a text.
     pub(super) fn word(&self) -> Option<&str> {
         match self {
@@ -23,7 +23,7 @@ impl Part {
     }
 }
 
-impl fmt::Display for Part {
+impl fmt::Display for Token {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Word(word) => f.write_str(&escape_control(word, LONGEST_QUOTE)),
@@ -36,7 +36,7 @@ impl fmt::Display for Part {
 ///
 /// # Errors
 /// What is wrong with the line, in words.
-pub(super) fn parts(line: &str) -> Result<Vec<Part>, String> {
+pub(super) fn parts(line: &str) -> Result<Vec<Token>, String> {
     let mut parts = Vec::new();
     let mut rest = line.trim_start();
     while !rest.is_empty() && !rest.starts_with('#') {
@@ -47,11 +47,11 @@ pub(super) fn parts(line: &str) -> Result<Vec<Part>, String> {
                 if !after.is_empty() && !after.starts_with(char::is_whitespace) {
                     return Err("expected a blank after the closing quote".into());
                 }
-                (Part::Text(text), after)
+                (Token::Text(text), after)
             }
             None => {
                 let end = rest.find(char::is_whitespace).unwrap_or(rest.len());
-                (Part::Word(rest[..end].to_owned()), &rest[end..])
+                (Token::Word(rest[..end].to_owned()), &rest[end..])
             }
         };
         parts.push(part);
@@ -89,13 +89,13 @@ fn text(inner: &str) -> Result<(String, &str), String> {
 mod tests {
     use super::*;
 
-    fn word(word: &str) -> Part {
-        Part::Word(word.into())
+    fn word(word: &str) -> Token {
+        Token::Word(word.into())
     }
 
     #[test]
     fn words_texts_and_comments_are_told_apart() {
-        let expected = vec![word("Expect"), Part::Text("a # \"b\"\n\\".into())];
+        let expected = vec![word("Expect"), Token::Text("a # \"b\"\n\\".into())];
         assert_eq!(parts(r#" Expect  "a # \"b\"\n\\" # c "d"#), Ok(expected));
         assert_eq!(parts("   # all of it"), Ok(vec![]));
         assert_eq!(parts("F1#2 #3"), Ok(vec![word("F1#2")]));

@@ -8,7 +8,7 @@ use jiff::civil::Date;
 use jiff::tz::TimeZone;
 use thiserror::Error;
 
-use super::line::{Part, parts};
+use super::line::{Token, parts};
 use super::{Instruction, ScreenSetting, Tape};
 use crate::files::{LONGEST_QUOTE, escape_control};
 use crate::messages::{Key, MouseKind};
@@ -60,7 +60,7 @@ impl Tape {
             return Ok(());
         };
         let arguments = Arguments { of: first, rest };
-        if *first == Part::Word("Run".into()) {
+        if *first == Token::Word("Run".into()) {
             if self.run.is_some() || !self.steps.is_empty() {
                 return Err("Run must be the first instruction, and only once".into());
             }
@@ -84,13 +84,13 @@ impl Tape {
 
 /// What stands after the first word of a line.
 struct Arguments<'a> {
-    of: &'a Part,
-    rest: &'a [Part],
+    of: &'a Token,
+    rest: &'a [Token],
 }
 
 impl<'a> Arguments<'a> {
     /// Exactly `N` of them, or what was expected.
-    fn exactly<const N: usize>(&self, expected: &str) -> Result<&'a [Part; N], String> {
+    fn exactly<const N: usize>(&self, expected: &str) -> Result<&'a [Token; N], String> {
         self.rest.try_into().map_err(|_| self.not(expected))
     }
 
@@ -108,7 +108,7 @@ impl<'a> Arguments<'a> {
 const TEACHER: &str = "teacher";
 
 fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
-    let Part::Word(name) = arguments.of else {
+    let Token::Word(name) = arguments.of else {
         return Err(format!("expected an instruction, found {}", arguments.of));
     };
     let one_text = || -> Result<String, String> {
@@ -174,7 +174,7 @@ fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
 
 fn setting(arguments: &Arguments) -> Result<ScreenSetting, String> {
     const EXPECTED: &str = "Size, Charset, Color or Day with a value";
-    let [Part::Word(what), found @ Part::Word(value)] = arguments.rest else {
+    let [Token::Word(what), found @ Token::Word(value)] = arguments.rest else {
         return Err(arguments.not(EXPECTED));
     };
     let wrong = |expected| format!("Set {what}: expected {expected}, found {found}");
@@ -205,7 +205,7 @@ fn noon(day: &str) -> Option<i64> {
 fn scroll(arguments: &Arguments) -> Result<Instruction, String> {
     let expected = "up or down, then perhaps how far and over which cell";
     let (way, rest) = match arguments.rest {
-        [Part::Word(way), rest @ ..] if rest.len() <= 2 => (way.as_str(), rest),
+        [Token::Word(way), rest @ ..] if rest.len() <= 2 => (way.as_str(), rest),
         rest => ("", rest),
     };
     let way = match way {
@@ -218,10 +218,10 @@ fn scroll(arguments: &Arguments) -> Result<Instruction, String> {
     Ok(Instruction::Scroll(way, notches, at))
 }
 
-fn quoted(part: &Part, expected: &str) -> Result<String, String> {
+fn quoted(part: &Token, expected: &str) -> Result<String, String> {
     match part {
-        Part::Text(text) => Ok(text.clone()),
-        Part::Word(_) => Err(format!("expected {expected}, found {part} without quotes")),
+        Token::Text(text) => Ok(text.clone()),
+        Token::Word(_) => Err(format!("expected {expected}, found {part} without quotes")),
     }
 }
 
@@ -234,7 +234,7 @@ fn within<N: FromStr + PartialOrd + Copy>(digits: &str, most: N) -> Option<N> {
     (number <= most).then_some(number)
 }
 
-fn count(part: &Part) -> Result<u32, String> {
+fn count(part: &Token) -> Result<u32, String> {
     let number = part.word().and_then(|word| within(word, MOST));
     let number = number.filter(|times| *times > 0);
     number.ok_or_else(|| format!("expected a count from 1 to {MOST}, found {part}"))
@@ -246,12 +246,12 @@ fn two(text: &str, between: char) -> Option<(u16, u16)> {
     Some((within(first, WIDEST)?, within(second, WIDEST)?))
 }
 
-fn cell(part: &Part) -> Result<(u16, u16), String> {
+fn cell(part: &Token) -> Result<(u16, u16), String> {
     let cell = part.word().and_then(|word| two(word, ','));
     cell.ok_or_else(|| format!("expected a cell as column,row such as 40,12, found {part}"))
 }
 
-fn duration(part: &Part) -> Result<Duration, String> {
+fn duration(part: &Token) -> Result<Duration, String> {
     let seconds = part.word().and_then(|word| match word.strip_suffix("ms") {
         Some(number) => decimal(number).map(|ms| ms / 1000.0),
         None => word.strip_suffix('s').and_then(decimal),
@@ -271,10 +271,10 @@ fn decimal(text: &str) -> Option<f64> {
 }
 
 /// A name that is safe to make a file of, wherever the tape came from.
-fn file_name(part: &Part) -> Result<String, String> {
+fn file_name(part: &Token) -> Result<String, String> {
     let safe = |b: u8| b.is_ascii_alphanumeric() || b == b'-' || b == b'_';
     match part {
-        Part::Word(name) if name.len() <= 64 && name.bytes().all(safe) => Ok(name.clone()),
+        Token::Word(name) if name.len() <= 64 && name.bytes().all(safe) => Ok(name.clone()),
         _ => Err(format!(
             "Screenshot: expected a name of at most 64 letters, digits, - and _, found {part}"
         )),

@@ -22,7 +22,7 @@ const READINGS: u64 = 16;
 
 /// How the pages of a tree are laid out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Layout {
+pub(super) enum PageLayout {
     /// A table whose rows have ids; the pages at the bottom hold the rows.
     Table,
     /// A table without ids, or an index; every page holds rows.
@@ -38,7 +38,7 @@ pub(super) struct Tree {
 }
 
 /// What is in one place of a page.
-pub(super) struct Cell {
+pub(super) struct BtreeCell {
     /// The row's id, in a table that has them.
     pub(super) id: Option<i64>,
     /// The row; `None` if it cannot be read.
@@ -46,9 +46,9 @@ pub(super) struct Cell {
 }
 
 /// What is on one page.
-pub(super) struct Contents {
-    pub(super) layout: Layout,
-    pub(super) cells: Vec<Cell>,
+pub(super) struct PageContents {
+    pub(super) layout: PageLayout,
+    pub(super) cells: Vec<BtreeCell>,
     /// Whether each cell could be found.
     pub(super) is_whole: bool,
 }
@@ -64,7 +64,7 @@ pub(super) struct Pages<F> {
 /// A page of a tree.
 struct Page {
     bytes: Vec<u8>,
-    layout: Layout,
+    layout: PageLayout,
     is_bottom: bool,
     /// Where its header starts.
     header: usize,
@@ -95,7 +95,7 @@ impl<F: Read + Seek> Pages<F> {
     }
 
     /// The pages that are reached from a root.
-    pub(super) fn tree(&mut self, root: u32, layout: Layout) -> Tree {
+    pub(super) fn tree(&mut self, root: u32, layout: PageLayout) -> Tree {
         let mut pages = BTreeSet::new();
         let mut is_whole = true;
         let mut ahead = vec![root];
@@ -118,19 +118,19 @@ impl<F: Read + Seek> Pages<F> {
     }
 
     /// What is on a page; `None` if it is none of a tree.
-    pub(super) fn contents(&mut self, number: u32) -> Option<Contents> {
+    pub(super) fn contents(&mut self, number: u32) -> Option<PageContents> {
         let page = self.page(number)?;
-        let mut contents = Contents {
+        let mut contents = PageContents {
             layout: page.layout,
             cells: Vec::new(),
             is_whole: true,
         };
-        if page.layout == Layout::Table && !page.is_bottom {
+        if page.layout == PageLayout::Table && !page.is_bottom {
             return Some(contents);
         }
         for start in page.starts() {
             match start.and_then(|start| page.part(start)) {
-                Some(part) => contents.cells.push(Cell {
+                Some(part) => contents.cells.push(BtreeCell {
                     id: part.id,
                     record: self.record(&part),
                 }),
@@ -158,7 +158,7 @@ impl<F: Read + Seek> Pages<F> {
     }
 
     /// A whole row, of which this part is on its page.
-    fn record(&mut self, part: &Part) -> Option<Vec<u8>> {
+    fn record(&mut self, part: &Payload) -> Option<Vec<u8>> {
         if part.length > self.size() {
             return None;
         }
@@ -177,10 +177,10 @@ impl<F: Read + Seek> Pages<F> {
         let bytes = self.bytes(number)?;
         let header = if number == 1 { FILE_HEADER } else { 0 };
         let (layout, is_bottom) = match bytes.get(header)? {
-            2 => (Layout::Index, false),
-            5 => (Layout::Table, false),
-            10 => (Layout::Index, true),
-            13 => (Layout::Table, true),
+            2 => (PageLayout::Index, false),
+            5 => (PageLayout::Table, false),
+            10 => (PageLayout::Index, true),
+            13 => (PageLayout::Table, true),
             _ => return None,
         };
         Some(Page {
@@ -208,7 +208,7 @@ impl<F: Read + Seek> Pages<F> {
 }
 
 /// The part of a row that is on the page of its cell.
-struct Part<'a> {
+struct Payload<'a> {
     id: Option<i64>,
     /// Bytes of the whole row.
     length: usize,
@@ -241,17 +241,17 @@ impl Page {
     }
 
     /// What the page holds of the row whose cell starts there.
-    fn part(&self, start: usize) -> Option<Part<'_>> {
+    fn part(&self, start: usize) -> Option<Payload<'_>> {
         let start = start + if self.is_bottom { 0 } else { 4 };
         let (length, rest) = varint(self.bytes.get(start..)?)?;
         let length = usize::try_from(length).ok()?;
         let (id, rest) = match self.layout {
-            Layout::Table => varint(rest).map(|(id, rest)| (Some(id), rest))?,
-            Layout::Index => (None, rest),
+            PageLayout::Table => varint(rest).map(|(id, rest)| (Some(id), rest))?,
+            PageLayout::Index => (None, rest),
         };
         let most = match self.layout {
-            Layout::Table => PAGE - 35,
-            Layout::Index => (PAGE - 12) * 64 / 255 - 23,
+            PageLayout::Table => PAGE - 35,
+            PageLayout::Index => (PAGE - 12) * 64 / 255 - 23,
         };
         let least = (PAGE - 12) * 32 / 255 - 23;
         let on_page = if length <= most {
@@ -265,7 +265,7 @@ impl Page {
             true => number_at(rest, on_page)?,
             false => 0,
         };
-        Some(Part {
+        Some(Payload {
             id,
             length,
             bytes,

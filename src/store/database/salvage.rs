@@ -6,7 +6,7 @@ use std::io::{Read, Seek};
 use rusqlite::types::{ToSqlOutput, ValueRef};
 use rusqlite::{Connection, ErrorCode, params_from_iter};
 
-use super::pages::{Contents, Layout, Pages, Tree, values};
+use super::pages::{PageContents, PageLayout, Pages, Tree, values};
 
 /// The table of answers, and the index that lists them once more.
 const ANSWERS: &str = "attempt";
@@ -34,7 +34,7 @@ pub(super) struct Saved {
 }
 
 /// A table of the new database, and where its rows are in the damaged one.
-struct Table {
+struct SalvagedTable {
     name: String,
     columns: Columns,
     tree: Tree,
@@ -53,11 +53,11 @@ pub(super) fn salvage<F: Read + Seek>(
         Some(root) => pages.tree(*root, layout),
         None => Tree::default(),
     };
-    let list = tree(LIST_OF_ANSWERS, Layout::Index);
+    let list = tree(LIST_OF_ANSWERS, PageLayout::Index);
     let mut tables = Vec::new();
     for name in table_names(new)? {
         let columns = Columns::of(new, &name)?;
-        tables.push(Table {
+        tables.push(SalvagedTable {
             tree: tree(&name, columns.layout),
             name,
             columns,
@@ -92,7 +92,7 @@ pub(super) fn salvage<F: Read + Seek>(
 /// them.
 fn take_cut_off<F: Read + Seek>(
     pages: &mut Pages<F>,
-    tables: &mut [Table],
+    tables: &mut [SalvagedTable],
     list: &Tree,
     new: &Connection,
 ) -> rusqlite::Result<()> {
@@ -122,7 +122,7 @@ fn take_cut_off<F: Read + Seek>(
 /// The first page of each table and index, by their names.
 fn roots<F: Read + Seek>(pages: &mut Pages<F>) -> HashMap<String, u32> {
     let mut roots = HashMap::new();
-    for number in pages.tree(1, Layout::Table).pages {
+    for number in pages.tree(1, PageLayout::Table).pages {
         let cells = pages.contents(number).map(|it| it.cells);
         for record in cells.into_iter().flatten().filter_map(|it| it.record) {
             if let Some([_, ValueRef::Text(name), _, ValueRef::Integer(root), ..]) =
@@ -136,9 +136,9 @@ fn roots<F: Read + Seek>(pages: &mut Pages<F>) -> HashMap<String, u32> {
     roots
 }
 
-impl Table {
+impl SalvagedTable {
     /// Saves the rows of a page; says whether that was all of them.
-    fn take(&mut self, contents: &Contents, new: &Connection) -> rusqlite::Result<bool> {
+    fn take(&mut self, contents: &PageContents, new: &Connection) -> rusqlite::Result<bool> {
         let mut is_whole = true;
         for cell in &contents.cells {
             let values = cell.record.as_deref().and_then(values);
@@ -200,7 +200,7 @@ pub(super) struct Columns {
     pub(super) names: Vec<String>,
     /// The one that is the row's id.
     id: Option<usize>,
-    layout: Layout,
+    layout: PageLayout,
 }
 
 impl Columns {
@@ -216,11 +216,11 @@ impl Columns {
         let mut columns = Self {
             names: Vec::new(),
             id: None,
-            layout: Layout::Table,
+            layout: PageLayout::Table,
         };
         while let Some(row) = rows.next()? {
             if row.get(0)? {
-                columns.layout = Layout::Index;
+                columns.layout = PageLayout::Index;
             } else if row.get(2)? {
                 columns.id = Some(columns.names.len());
             }

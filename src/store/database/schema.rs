@@ -32,7 +32,7 @@ pub(super) const VERSION: i64 = STEPS.len() as i64;
 
 /// A table, an index or anything else in a schema.
 #[derive(PartialEq, Eq)]
-struct Item {
+struct SchemaItem {
     kind: String,
     name: String,
     /// All that the schema says of it, without spaces and comments.
@@ -113,7 +113,7 @@ pub(super) fn version_of_tables(connection: &Connection) -> Result<Option<i64>, 
 
 /// What is in the schema of a database. What SQLite notes there of how tables are best
 /// searched is left out.
-fn items(connection: &Connection) -> rusqlite::Result<Vec<Item>> {
+fn items(connection: &Connection) -> rusqlite::Result<Vec<SchemaItem>> {
     let mut items = connection.prepare(
         "SELECT type, name, tbl_name, sql FROM sqlite_schema \
          WHERE name NOT GLOB 'sqlite_stat[0-9]' ORDER BY name, type",
@@ -134,7 +134,7 @@ fn items(connection: &Connection) -> rusqlite::Result<Vec<Item>> {
             }
             text.push(b' ');
         }
-        Ok(Item {
+        Ok(SchemaItem {
             kind: readable(0),
             name: readable(1),
             text,
@@ -144,8 +144,8 @@ fn items(connection: &Connection) -> rusqlite::Result<Vec<Item>> {
 }
 
 /// What is in the schema of each version, from 0, which is empty.
-fn known() -> rusqlite::Result<&'static [Vec<Item>]> {
-    static KNOWN: OnceLock<Vec<Vec<Item>>> = OnceLock::new();
+fn known() -> rusqlite::Result<&'static [Vec<SchemaItem>]> {
+    static KNOWN: OnceLock<Vec<Vec<SchemaItem>>> = OnceLock::new();
     if let Some(known) = KNOWN.get() {
         return Ok(known);
     }
@@ -159,9 +159,9 @@ fn known() -> rusqlite::Result<&'static [Vec<Item>]> {
 }
 
 /// Whether a schema differs from another in so few letters that they were damaged.
-fn is_nearly(items: &[Item], known: &[Item]) -> bool {
+fn is_nearly(items: &[SchemaItem], known: &[SchemaItem]) -> bool {
     let text =
-        |items: &[Item]| -> Vec<u8> { items.iter().flat_map(|it| it.text.clone()).collect() };
+        |items: &[SchemaItem]| -> Vec<u8> { items.iter().flat_map(|it| it.text.clone()).collect() };
     let (items, known) = (text(items), text(known));
     items.len() == known.len()
         && items.iter().zip(&known).filter(|(a, b)| a != b).count() <= WRONG_LETTERS

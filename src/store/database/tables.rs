@@ -124,9 +124,9 @@ fn is_nonsense(error: &rusqlite::Error) -> bool {
 }
 
 /// A text, whatever its bytes have become.
-struct Text(String);
+struct LossyText(String);
 
-impl FromSql for Text {
+impl FromSql for LossyText {
     fn column_result(value: ValueRef<'_>) -> FromSqlResult<Self> {
         value
             .as_bytes()
@@ -135,15 +135,15 @@ impl FromSql for Text {
 }
 
 fn attempt(row: &Row) -> rusqlite::Result<Attempt> {
-    let text = |name| row.get::<_, Text>(name).map(|text| text.0);
+    let text = |name| row.get::<_, LossyText>(name).map(|text| text.0);
     // Without its figures an answer still counts; without what was answered it is none.
     let figures = |name| text(name).map(|text| read_figures(&text).unwrap_or_default());
     let answer = text("answer")?;
     let answer = read_figures(&answer).map_err(|error| {
         rusqlite::Error::FromSqlConversionFailure(0, rusqlite::types::Type::Text, Box::new(error))
     })?;
-    let confidence: Option<Text> = row.get("confidence")?;
-    let misconception: Option<Text> = row.get("misconception")?;
+    let confidence: Option<LossyText> = row.get("confidence")?;
+    let misconception: Option<LossyText> = row.get("misconception")?;
     Ok(Attempt {
         time_s: row.get("time_s")?,
         player: text("player")?,

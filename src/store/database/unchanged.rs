@@ -1,7 +1,6 @@
 //! A database where nothing can be written: a copy on a disk for reading, or somebody
 //! else's.
 
-use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
@@ -11,6 +10,7 @@ use rusqlite::{Connection, OpenFlags};
 use super::error::DatabaseError;
 use super::mend::with_ending;
 use super::{limits, schema, size};
+use crate::files::percent_encoded;
 
 /// Opens a database to look things up, without a file beside it; looks it through first if it
 /// is to be `checked`.
@@ -71,19 +71,8 @@ fn brought_up(older: &Connection) -> Result<Connection, DatabaseError> {
     Ok(copy)
 }
 
-/// A path as the address of a file, all that means something there in percent.
+/// A path as the address of a file, to be opened in this way.
 fn address(path: &Path, how: &str) -> String {
-    let mut address = String::from("file:");
-    for byte in path.as_os_str().as_encoded_bytes() {
-        match byte {
-            b'/' | b'-' | b'.' | b'_' | b'0'..=b'9' | b'A'..=b'Z' | b'a'..=b'z' => {
-                address.push(char::from(*byte));
-            }
-            byte => {
-                // Writing to a text cannot fail.
-                let _ = write!(address, "%{byte:02X}");
-            }
-        }
-    }
-    address + "?" + how
+    let path = percent_encoded(path.as_os_str().as_encoded_bytes());
+    format!("file:{path}?{how}")
 }

@@ -25,9 +25,9 @@ pub(crate) struct Placed<'p> {
     /// Where what stays in sight stands, and where the rest is.
     head: Rect,
     area: Rect,
-    pinned: Vec<Piece<'p>>,
+    pinned: Vec<PlacedBlock<'p>>,
     /// The first row of each block, counted from the top of the whole.
-    blocks: Vec<(u16, Piece<'p>)>,
+    blocks: Vec<(u16, PlacedBlock<'p>)>,
     /// Rows of the whole.
     rows: u16,
     targets: Vec<Target>,
@@ -36,7 +36,7 @@ pub(crate) struct Placed<'p> {
 }
 
 /// A block, whatever its actions are.
-struct Piece<'p> {
+struct PlacedBlock<'p> {
     content: &'p Content,
     worth: Option<u8>,
     /// For each of its actions what its key is called; `None` where no key does it, or its
@@ -70,7 +70,7 @@ impl<A: Copy> Panel<A> {
                 _ => vec![None; block.actions.len()],
             }
         };
-        let pieces = self.blocks.iter().map(|block| Piece {
+        let pieces = self.blocks.iter().map(|block| PlacedBlock {
             content: &block.content,
             worth: block.worth,
             keys: piece(block),
@@ -85,7 +85,12 @@ impl<A: Copy> Panel<A> {
 }
 
 /// Lays blocks out, of which the first stay in sight.
-fn placed<'p>(pieces: Vec<Piece<'p>>, pinned: usize, area: Rect, writing: &Writing) -> Placed<'p> {
+fn placed<'p>(
+    pieces: Vec<PlacedBlock<'p>>,
+    pinned: usize,
+    area: Rect,
+    writing: &Writing,
+) -> Placed<'p> {
     let mut scratch = Buffer::empty(area);
     let mut lines = Lines::unseen(area, &mut scratch, writing.look);
     let mut lengths = Vec::new();
@@ -144,7 +149,7 @@ fn placed<'p>(pieces: Vec<Piece<'p>>, pinned: usize, area: Rect, writing: &Writi
 }
 
 /// Which blocks have room in so many rows.
-fn with_room(pieces: &[Piece], height: u16, rows: impl Iterator<Item = u16>) -> Vec<bool> {
+fn with_room(pieces: &[PlacedBlock], height: u16, rows: impl Iterator<Item = u16>) -> Vec<bool> {
     let rows: Vec<u16> = rows.collect();
     let of = |worth: Option<u8>| -> u16 {
         let blocks = pieces.iter().zip(&rows);
@@ -163,7 +168,7 @@ fn with_room(pieces: &[Piece], height: u16, rows: impl Iterator<Item = u16>) -> 
         spare -= if fits { needed } else { 0 };
         fits
     });
-    let shown = |block: &Piece| block.worth.is_none_or(|worth| worths.contains(&worth));
+    let shown = |block: &PlacedBlock| block.worth.is_none_or(|worth| worths.contains(&worth));
     pieces.iter().map(shown).collect()
 }
 
@@ -235,7 +240,7 @@ pub(crate) fn written<A: Copy>(lines: &mut Lines, write_into: impl FnOnce(&mut P
     let mut panel = Panel::new("");
     write_into(&mut panel);
     for block in &panel.blocks {
-        let piece = Piece {
+        let piece = PlacedBlock {
             content: &block.content,
             worth: None,
             keys: vec![None; block.actions.len()],
@@ -248,7 +253,7 @@ pub(crate) fn written<A: Copy>(lines: &mut Lines, write_into: impl FnOnce(&mut P
 /// action in its block.
 type TakeTarget<'t> = dyn FnMut(Range<u16>, Range<u16>, usize) + 't;
 
-impl Piece<'_> {
+impl PlacedBlock<'_> {
     /// Writes it, and tells which cells do what.
     fn write(&self, lines: &mut Lines, take: &mut TakeTarget) {
         let from = lines.written();

@@ -9,7 +9,7 @@ use crate::screens::table::options::Options;
 
 /// How a game is kept.
 #[derive(Debug, Clone, Default)]
-pub(in crate::screens::table) struct Keeping {
+pub(in crate::screens::table) struct GameKeeping {
     /// The ticket it is saved with, once it has been.
     ticket: Option<u64>,
     /// Whether the game as it stands can be gone on with later; `None` while the answer to

@@ -36,7 +36,7 @@ use crate::screens::{Confirmation, Context, Next};
 use crate::widgets::hit::HitPace;
 use crate::widgets::replay::ShotAction;
 use crate::widgets::{NumberEntry, Outcome, RayInput, Scroll, SplitLayout, board};
-pub(super) use keeping::Keeping;
+pub(super) use keeping::GameKeeping;
 pub(super) use pulling::Grip;
 pub(super) use showing::ShownStroke;
 
@@ -58,7 +58,7 @@ pub(super) struct ActiveGame {
     /// How far the panel is scrolled.
     pub(super) scroll: Scroll,
     /// How it is kept.
-    pub(super) keeping: Keeping,
+    pub(super) keeping: GameKeeping,
     /// What the mouse holds while its button is down.
     pub(super) grip: Grip,
 }
@@ -116,7 +116,7 @@ impl ActiveGame {
             notice: None,
             hint: None,
             scroll: Scroll::default(),
-            keeping: Keeping::default(),
+            keeping: GameKeeping::default(),
             grip: Grip::default(),
         };
         active.look_ahead();

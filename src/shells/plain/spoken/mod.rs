@@ -24,7 +24,7 @@ pub fn spoken(text: &str) -> String {
     while let Some((before, after)) = rest.split_once(BEGIN) {
         let (kept, behind) = after.split_once(END).unwrap_or((after, ""));
         line += &spelt(before);
-        line += &escape_control(kept);
+        line += &without_controls(kept);
         rest = behind;
     }
     line += &spelt(rest);
@@ -34,7 +34,7 @@ pub fn spoken(text: &str) -> String {
 /// A text that [`spoken`] leaves as it is: the name of a file, an error, a code to be
 /// typed, or what is spelt already.
 pub(super) fn verbatim(text: &str) -> String {
-    format!("{BEGIN}{}{END}", escape_control(text))
+    format!("{BEGIN}{}{END}", without_controls(text))
 }
 
 /// A formula's signs as words, which [`spoken`] then leaves as they are: its m is a mass
@@ -52,7 +52,7 @@ pub(super) fn sentence(name: &str) -> String {
 }
 
 /// Without what could move a cursor, or end too early what is to stay.
-fn escape_control(text: &str) -> String {
+fn without_controls(text: &str) -> String {
     let marks = |c: &char| !matches!(*c, BEGIN | END);
     let blanked = |c: char| if c.is_control() { ' ' } else { c };
     text.chars().filter(marks).map(blanked).collect()
