@@ -1,6 +1,6 @@
 //! The gradebook as comma-separated values.
 
-use super::{ClassResults, beliefs, items};
+use super::{BeliefCount, ClassResults, ItemStatistics, beliefs, items};
 use crate::files::csv_table;
 use crate::numbers::fixed;
 
@@ -69,37 +69,35 @@ fn figure(x: Option<f64>, decimals: usize) -> String {
 /// None that can be met in practice; the reason, should a row not be writable.
 pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let class = results.book.classes();
-    let rows: Vec<Vec<String>> = { items(results).into_iter() }
-        .map(|it| {
-            let (belief, count) = it.commonest.map_or_else(Default::default, |(held, count)| {
-                (held.id().to_owned(), count.to_string())
-            });
-            vec![
-                it.round,
-                it.number.to_string(),
-                it.question.unwrap_or_default(),
-                it.tally.attempts.to_string(),
-                figure(it.tally.share_right(), 3),
-                figure(it.tally.mean_points(), 1),
-                figure(it.discrimination, 3),
-                belief,
-                count,
-                class.clone(),
-            ]
-        })
-        .collect();
-    let heads = [
-        "round",
-        "number",
-        "question",
-        "answered",
-        "share_right",
-        "mean_points",
-        "discrimination",
-        "commonest_misconception",
-        "commonest_answers",
-        "class",
+    let columns: [(&str, CellOf<ItemStatistics>); 10] = [
+        ("round", &|it| it.round.clone()),
+        ("number", &|it| it.number.to_string()),
+        ("question", &|it| it.question.clone().unwrap_or_default()),
+        ("answered", &|it| it.tally.attempts.to_string()),
+        ("share_right", &|it| figure(it.tally.share_right(), 3)),
+        ("mean_points", &|it| figure(it.tally.mean_points(), 1)),
+        ("discrimination", &|it| figure(it.discrimination, 3)),
+        ("commonest_misconception", &|it| {
+            it.commonest
+                .map_or(String::new(), |(held, _)| held.id().into())
+        }),
+        ("commonest_answers", &|it| {
+            it.commonest
+                .map_or(String::new(), |(_, count)| count.to_string())
+        }),
+        ("class", &|_| class.clone()),
     ];
+    table(&columns, &items(results))
+}
+
+/// What stands in a column of a row.
+type CellOf<'c, T> = &'c dyn Fn(&T) -> String;
+
+/// A table of these columns, each with its head.
+fn table<T>(columns: &[(&str, CellOf<T>)], rows: &[T]) -> Result<String, String> {
+    let heads: Vec<&str> = columns.iter().map(|(head, _)| *head).collect();
+    let row = |it| columns.iter().map(|(_, cell)| cell(it)).collect();
+    let rows: Vec<Vec<String>> = rows.iter().map(row).collect();
     csv_table(&heads, &rows)
 }
 
@@ -109,17 +107,12 @@ pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
 /// None that can be met in practice; the reason, should a row not be writable.
 pub fn beliefs_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let class = results.book.classes();
-    let rows: Vec<Vec<String>> = { beliefs(results).into_iter() }
-        .map(|it| {
-            vec![
-                it.misconception.id().into(),
-                it.misconception.name().into(),
-                it.pupils.to_string(),
-                it.answers.to_string(),
-                class.clone(),
-            ]
-        })
-        .collect();
-    let heads = ["misconception", "in_words", "pupils", "answers", "class"];
-    csv_table(&heads, &rows)
+    let columns: [(&str, CellOf<BeliefCount>); 5] = [
+        ("misconception", &|it| it.misconception.id().into()),
+        ("in_words", &|it| it.misconception.name().into()),
+        ("pupils", &|it| it.pupils.to_string()),
+        ("answers", &|it| it.answers.to_string()),
+        ("class", &|_| class.clone()),
+    ];
+    table(&columns, &beliefs(results))
 }

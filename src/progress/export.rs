@@ -10,43 +10,26 @@ use crate::files::{csv_table, write_json};
 use crate::numbers;
 use crate::quiz::{Confidence, Figures};
 
-/// The heads of the columns.
-const COLUMNS: [&str; 14] = [
-    "time",
-    "player",
-    "family",
-    "topic",
-    "seed",
-    "number",
-    "question",
-    "answer",
-    "truth",
-    "error_deg",
-    "credit",
-    "right",
-    "confidence",
-    "misconception",
-];
+/// What stands in a column, as JSON has it.
+type ColumnValue = fn(&Attempt) -> Value;
 
-/// What stands in each of the [`COLUMNS`], as JSON has it.
-fn values(attempt: &Attempt) -> [Value; COLUMNS.len()] {
-    [
-        attempt.time_s.and_then(utc).into(),
-        attempt.player.as_str().into(),
-        attempt.family.as_str().into(),
-        attempt.topic_name().into(),
-        attempt.seed.into(),
-        attempt.number.into(),
-        attempt.question.clone().into(),
-        attempt.answer.clone().into(),
-        attempt.truth.clone().into(),
-        attempt.error_deg.into(),
-        attempt.credit.into(),
-        attempt.right.into(),
-        attempt.confidence.map(Confidence::id).into(),
-        attempt.misconception.as_deref().into(),
-    ]
-}
+/// The columns: the head of each, and what stands in it.
+const COLUMNS: [(&str, ColumnValue); 14] = [
+    ("time", |it| it.time_s.and_then(utc).into()),
+    ("player", |it| it.player.as_str().into()),
+    ("family", |it| it.family.as_str().into()),
+    ("topic", |it| it.topic_name().into()),
+    ("seed", |it| it.seed.into()),
+    ("number", |it| it.number.into()),
+    ("question", |it| it.question.clone().into()),
+    ("answer", |it| it.answer.clone().into()),
+    ("truth", |it| it.truth.clone().into()),
+    ("error_deg", |it| it.error_deg.into()),
+    ("credit", |it| it.credit.into()),
+    ("right", |it| it.right.into()),
+    ("confidence", |it| it.confidence.map(Confidence::id).into()),
+    ("misconception", |it| it.misconception.as_deref().into()),
+];
 
 /// The heads of the columns that stand behind the [`COLUMNS`] in a table: what no one should have
 /// to read out of JSON.
@@ -85,12 +68,18 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
         (_, number) => number.to_string(),
     };
     let row = |attempt: &Attempt| {
-        let columns = COLUMNS.into_iter().zip(values(attempt));
-        let cells = columns.map(|(column, value)| cell(column, value));
+        let cells = COLUMNS
+            .iter()
+            .map(|(head, value)| cell(head, value(attempt)));
         cells.chain(in_words(attempt)).collect()
     };
     let rows: Vec<Vec<String>> = attempts.iter().map(row).collect();
-    csv_table(&[&COLUMNS[..], &IN_WORDS].concat(), &rows)
+    let heads: Vec<&str> = COLUMNS
+        .iter()
+        .map(|(head, _)| *head)
+        .chain(IN_WORDS)
+        .collect();
+    csv_table(&heads, &rows)
 }
 
 /// What was said, with its numbers as they were typed: a 30 is kept in radians and comes
@@ -146,7 +135,7 @@ struct AttemptRow<'a>(&'a Attempt);
 
 impl Serialize for AttemptRow<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(COLUMNS.into_iter().zip(values(self.0)))
+        serializer.collect_map(COLUMNS.iter().map(|(head, value)| (head, value(self.0))))
     }
 }
 
@@ -243,7 +232,7 @@ mod tests {
         });
         let text = csv(&attempts).unwrap();
         let mut table = csv::Reader::from_reader(text.as_bytes());
-        let heads = [&COLUMNS[..], &IN_WORDS].concat();
+        let heads: Vec<&str> = COLUMNS.iter().map(|it| it.0).chain(IN_WORDS).collect();
         assert_eq!(table.headers().unwrap(), heads);
         let rows: Vec<_> = table.records().map(Result::unwrap).collect();
         assert_eq!(rows.len(), names.len());

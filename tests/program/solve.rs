@@ -406,8 +406,8 @@ fn the_worked_solution_fills_the_numbers_in() {
     for part in [
         "m1 = 20 g   u1 = (3, 0) m/s",
         "n = (cos alpha, -sin alpha) = (0.7071, -0.7071)",
-        "= [(20 - 1 * 40) * 2.121 + 2 * 40 * 0] / 60 = -0.7071 m/s",
-        "v1 = v1n n + v1t t = (1, 2) m/s",
+        "= [(20 - 1 x 40) x 2.121 + 2 x 40 x 0] / 60 = -0.7071 m/s",
+        "v1 = v1_n n + v1_t t = (1, 2) m/s",
         "theta1 = 63.43 deg",
         "separation, from v1 to v2: 108.4 deg",
         "momentum after   m1v1 + m2v2 = (60, 0) g m/s",
