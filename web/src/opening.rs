@@ -206,6 +206,15 @@ mod tests {
     }
 
     #[test]
+    fn a_link_opens_a_screen_by_its_name() {
+        for name in ["lab", "quiz", "levels", "progress", "settings"] {
+            let mut game = Headless::from(opened(name));
+            let screen = game.screen();
+            assert!(screen.contains(&format!("carrom : {name}")), "{screen}");
+        }
+    }
+
+    #[test]
     fn a_link_says_who_plays_and_how_it_looks() {
         let app = opened("quiz=mixed-7&player=Ana&palette=light&charset=ascii");
         let settings = app.settings();
