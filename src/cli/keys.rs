@@ -57,7 +57,7 @@ pub(super) fn read(path: &Path) -> Result<Rebound, FileErrors> {
 /// What an action is called now that once had this name.
 fn present(id: &str) -> &str {
     match id {
-        "lab.scroll" => "everywhere.scroll",
+        "lab.scroll" | "table.scroll" => "everywhere.scroll",
         id => id,
     }
 }

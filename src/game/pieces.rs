@@ -60,8 +60,7 @@ impl fmt::Display for Piece {
 }
 
 /// The colour a team plays in a board; as a name for those who play it, "White".
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Display, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Display)]
 pub enum Colour {
     /// Breaks, and so has the white coins (16).
     White,

@@ -1,7 +1,6 @@
 //! One board, from the break to its end.
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
 
 use super::free_place;
 use super::laws::{
@@ -13,15 +12,12 @@ use super::seat::{ByTeam, Hands, Seat, Team};
 use super::stroke::Stroke;
 
 /// A board in play: what lies where, whose turn it is, what is owed.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct BoardInPlay {
     /// The coins on the board; the striker is never among them.
     pub coins: Vec<Coin>,
     /// Whose turn it is; once the board has ended, who struck last.
     pub seat: Seat,
-    /// Whether that player has struck in this turn already.
-    pub(super) struck: bool,
     /// Strokes spent on the unbroken pack in this turn; `None` once the break is
     /// made.
     pub(super) break_tries: Option<u8>,
@@ -69,7 +65,6 @@ impl BoardInPlay {
         Self {
             coins,
             seat: breaker,
-            struck: false,
             break_tries: Some(0),
             owed: ByTeam::default(),
             pocketed_before: ByTeam::default(),
@@ -133,7 +128,6 @@ impl BoardInPlay {
     /// Takes in what lies where after a stroke, before the referee speaks.
     pub(super) fn take_in(&mut self, terms: &Terms, stroke: &Stroke) {
         self.coins.clone_from(&stroke.left);
-        self.struck = true;
         self.break_tries = self
             .break_tries
             .filter(|_| !stroke.touched)
@@ -260,7 +254,6 @@ impl BoardInPlay {
 
     fn pass_turn(&mut self, hands: Hands) {
         self.seat = hands.next(self.seat);
-        self.struck = false;
         self.break_tries = self.break_tries.map(|_| 0);
     }
 }

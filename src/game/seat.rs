@@ -68,8 +68,7 @@ impl Seat {
 }
 
 /// One of the two teams: a player in singles, a pair of partners in doubles.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Team {
     /// South, and in doubles North as well.
     First,
@@ -91,7 +90,7 @@ impl Team {
 }
 
 /// One value for each team, the first team's first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct ByTeam<T>([T; 2]);
 
 impl<T> Index<Team> for ByTeam<T> {

@@ -64,8 +64,7 @@ pub enum GameStage {
 ///
 /// Everything else is worked out from these. Cloning a game and keeping the
 /// clone is all there is to undo.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Game {
     pub(super) setup: GameSetup,
     pub(super) finished: Vec<BoardWon>,
@@ -195,37 +194,18 @@ impl Game {
         Ok(self.carry_out(&terms, verdict))
     }
 
-    /// The player whose turn it is commits a foul: on a screen, lets the stroke
-    /// clock run out (23, 36, 37).
-    ///
-    /// # Errors
-    /// If the board has ended.
-    pub fn foul(&mut self) -> Result<Vec<Ruling>, StrokeError> {
-        self.without_stroke(|game, player| {
-            let (struck, to_cover) = (game.play.struck, game.play.queen_to_cover());
-            laws::foul(game.setup.rules, player, struck, to_cover)
-        })
-    }
-
     /// The player whose turn it is finds no place for the striker, because coins
     /// bar them all.
     ///
     /// # Errors
     /// If the board has ended.
     pub fn no_place(&mut self) -> Result<Vec<Ruling>, StrokeError> {
-        self.without_stroke(|game, player| laws::no_place(player, game.play.queen_to_cover()))
-    }
-
-    fn without_stroke(
-        &mut self,
-        verdict: impl FnOnce(&Self, Colour) -> Verdict,
-    ) -> Result<Vec<Ruling>, StrokeError> {
         if self.play.won.is_some() {
             return Err(StrokeError::Ended);
         }
         let terms = self.terms();
         let player = terms.colour(self.team(self.seat()));
-        let verdict = verdict(self, player);
+        let verdict = laws::no_place(player, self.play.queen_to_cover());
         Ok(self.carry_out(&terms, verdict))
     }
 

@@ -1,6 +1,7 @@
 //! What a shell tells the app.
 
 use glam::{DVec2, dvec2};
+use ratatui::layout::Rect;
 
 use super::{HostNews, JoinNews, Key, StoreAnswer};
 
@@ -80,6 +81,11 @@ impl Mouse {
     /// The column and the row of the cell.
     pub const fn cell(&self) -> (u16, u16) {
         (self.column, self.row)
+    }
+
+    /// Whether the button went down just now in an area.
+    pub fn presses(&self, area: Rect) -> bool {
+        self.kind == MouseKind::Down && area.contains(self.cell().into())
     }
 
     /// Whether the button is down, just now or for some time.

@@ -6,6 +6,7 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::{Confirmation, Context, Next};
 use crate::messages::{Kept, Key, Mouse, StoreRequest};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
+use crate::widgets::panel::Panel;
 use crate::widgets::{Lines, Outcome, Role, text};
 
 /// What keys do to a list of kept files.
@@ -195,6 +196,61 @@ impl<T> KeptFiles<T> {
             }
         }
         lines.gap();
+    }
+
+    /// A turn of the wheel goes through the list.
+    pub(super) fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        self.act(KeptAction::List(ListAction::Choose(by.into())), cx)
+    }
+
+    /// Writes the list, or why there is none.
+    pub(super) fn write_list(
+        &self,
+        title: impl Fn(&Kept<T>) -> String,
+        panel: &mut Panel<KeptAction>,
+    ) {
+        let KeptKind { all, saved, .. } = self.kind;
+        match &self.files {
+            Ok(None) => panel.paragraph("Looking …", Role::Text),
+            Err(reason) => {
+                let message = format!("The {all} cannot be looked at: {reason}.");
+                panel.paragraph(message, Role::Warn);
+            }
+            Ok(Some(files)) if files.is_empty() => {
+                panel.paragraph(format!("There are none yet. {saved}"), Role::Text);
+            }
+            Ok(Some(files)) => {
+                let chosen = self.list.chosen(files.len());
+                for (i, kept) in files.iter().enumerate() {
+                    let age = kept.age.map(text::ago).unwrap_or_default();
+                    let action = KeptAction::List(ListAction::Point(i));
+                    let name = (title(kept), Role::Text);
+                    panel.row(name, (age, Role::Dim), i == chosen, action);
+                }
+            }
+        }
+    }
+
+    /// Writes what is to be said of the chosen file: the notice, that it cannot be read,
+    /// or what `about` says.
+    pub(super) fn write_chosen<A>(
+        &self,
+        panel: &mut Panel<A>,
+        about: impl FnOnce(&T, &mut Panel<A>),
+    ) {
+        if let Some(notice) = &self.notice {
+            panel.paragraph(notice, Role::Warn);
+            panel.gap();
+        }
+        match self.chosen().map(|kept| &kept.content) {
+            Some(Ok(content)) => about(content, panel),
+            Some(Err(reason)) => {
+                panel.paragraph(format!("It cannot be read. {reason}."), Role::Warn);
+                panel.gap();
+                panel.paragraph("The file is left as it is.", Role::Text);
+            }
+            None => {}
+        }
     }
 
     /// Writes what is to be said of the chosen file: the notice, that it cannot be read,

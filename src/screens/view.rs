@@ -44,6 +44,14 @@ impl<'s, A> View<'s, A> {
         Self::new(SplitLayout::new, first, second)
     }
 
+    /// The same with a picture just as wide as a square board needs.
+    pub(super) fn square(self) -> Self {
+        Self {
+            layout: SplitLayout::square,
+            ..self
+        }
+    }
+
     /// A panel, and one beside it that tells more.
     pub(super) fn panels(first: Panel<A>, second: Panel<A>) -> Self {
         Self::new(SplitLayout::new, Part::Panel(first), second)

@@ -243,7 +243,7 @@ fn a_hint_that_is_set_is_what_it_said_and_legal() {
     assert!(!shown.contains("Not from"), "{shown}");
     // And the striker stays on the board.
     game.press(" ");
-    assert!(panel(&mut game).contains("Enter: go on."));
+    assert!(panel(&mut game).contains("Space: go on."));
     assert!(!panel(&mut game).contains("striker fell"));
 }
 

@@ -206,7 +206,7 @@ const input = (() => {
     const numbers = [], rest = [];
     let back = null, explain = null;
     likely = prompt;
-    for (const { id = "", keys, name, help } of rows) {
+    for (const { id = "", keys, name, help, words = [] } of rows) {
       if (id === "everywhere.help") explain = doing("", "?", "help", () => key(keys[0]));
       if (id === "everywhere.back" || keys[0] === "Escape") {
         back = doing("", "⟵", name || "back", () => key(keys[0]));
@@ -241,8 +241,10 @@ const input = (() => {
       if (letters.length < 2) rest.push(button(letters[0] || keys[0], name, help || name));
       else {
         const pair = panels.make("span", "pair");
-        const signs = letters.length === 2 ? ["‹", "›"] : letters;
-        pair.append(...letters.map((it, i) => button(it, signs[i], help || name, name)));
+        const isNamed = words.length === letters.length;
+        const signs = isNamed ? words : letters.length === 2 ? ["‹", "›"] : letters;
+        const said = (i) => (isNamed ? `${words[i]}, ${name}` : help || name);
+        pair.append(...letters.map((it, i) => button(it, signs[i], said(i), name)));
         rest.push(pair);
       }
     }

@@ -286,6 +286,8 @@ pub struct Keys {
     pub name: &'static str,
     /// What the help page says of them.
     pub help: &'static str,
+    /// What each of them is called on a button, if they have names.
+    pub words: &'static [&'static str],
 }
 
 /// Reads what was said, and gives the bytes behind it.

@@ -415,6 +415,7 @@ impl Shell {
                 },
                 name: row.name,
                 help: row.help,
+                words: row.words,
             })
             .collect();
         let has = |key: Key| table.keys().any(|known| known == key);
@@ -424,6 +425,7 @@ impl Shell {
                 keys: vec![Key::Escape.to_string()],
                 name: "go on",
                 help: "",
+                words: &[],
             });
         }
         all

@@ -10,7 +10,6 @@
 //! | `ending` | 25 to 28, 75 to 85: last coins, who wins the board and by how much |
 //! | `queen` | 65 to 74: the queen and her cover |
 //! | `coins` | 21, 45 to 48: own coins, the opponent's, the striker |
-//! | `fouls` | 36, 37 |
 //! | `friendly` | the rules of most families |
 //! | `practice` | no rules at all |
 //!
@@ -18,8 +17,8 @@
 //! hand beyond the arrows, jumping coins (38, 39), coins on edge or on top of
 //! each other (40 to 43), playing out of turn (24), and so every law that begins
 //! "by an improper stroke" (49, 50 and the second half of 71 to 85). The striker
-//! cannot be struck from an illegal place because it cannot be put there. One
-//! foul remains: taking longer than the stroke clock allows (23), if one runs.
+//! cannot be struck from an illegal place because it cannot be put there, and no stroke
+//! clock runs (23), so there are no fouls (36, 37).
 //! Where the Laws grant a point "if demanded", it is always demanded, and a due
 //! is never forgone (53, 60). Sides are not changed (31 to 34): on a screen all are
 //! alike.
@@ -31,7 +30,6 @@
 mod case;
 mod coins;
 mod ending;
-mod fouls;
 mod friendly;
 mod opening;
 mod practice;
@@ -41,10 +39,11 @@ mod ruling;
 mod tests;
 
 pub(crate) use case::{Case, QueenBefore, QueenFate, Side, TurnFate, Verdict};
-pub(crate) use fouls::{foul, no_place};
 pub use ruling::{BoardWon, Law, Ruling, RulingEffect};
 
 use serde::{Deserialize, Serialize};
+
+use super::pieces::Colour;
 
 /// Which rules are played; "friendly" in a word.
 #[derive(
@@ -72,4 +71,11 @@ pub(crate) fn judge(rules: Rules, case: &Case) -> Verdict {
         Rules::Friendly => friendly::judge(case),
         Rules::Practice => practice::judge(case),
     }
+}
+
+/// The verdict when coins bar every place for the striker. The Laws do not
+/// foresee it; the turn passes without a penalty.
+pub(crate) fn no_place(player: Colour, to_cover: bool) -> Verdict {
+    let text = format!("Coins bar every place for the striker, so {player}'s turn passes.");
+    Verdict::passes(None, text).queen_if(to_cover, QueenFate::GoesBack)
 }

@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
-
 use crate::game::pieces::{Coin, Colour};
 use crate::game::seat::{Seat, Team};
 
@@ -87,7 +85,7 @@ pub enum RulingEffect {
 }
 
 /// How a board ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BoardWon {
     /// Who won it.
     pub winner: Team,

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::game::{BaseLines, Game, Misplaced, Rules, Seat, Strike};
+use crate::game::{BaseLines, Game, Rules, Seat, Strike};
 use crate::physics::Board;
 use crate::physics::angle::heading;
 
@@ -65,14 +65,6 @@ impl Aim {
     /// The direction on the board, a unit vector.
     pub(super) fn heading(&self, seat: Seat) -> DVec2 {
         seat.turn(heading(self.direction_deg))
-    }
-
-    /// Why the striker may not stand there.
-    ///
-    /// # Errors
-    /// The reason.
-    pub(super) fn check(&self, game: &Game) -> Result<(), Misplaced> {
-        game.check_place(self.place)
     }
 
     /// The direction on the screen in degrees, anticlockwise from the right, 0 to 360.
@@ -182,7 +174,7 @@ mod tests {
                 ..GameSetup::default()
             });
             let mut aim = Aim::begin(&game);
-            assert_eq!(aim.check(&game), Ok(()));
+            assert_eq!(game.check_place(aim.place), Ok(()));
             for step in [
                 DVec2::splat(0.05),
                 DVec2::splat(-9.0),
@@ -194,7 +186,7 @@ mod tests {
                 assert!(seen.x.abs() <= BaseLines::base_circle_along());
             }
             // Both ends cover a base circle, which is allowed.
-            assert_eq!(aim.check(&game), Ok(()));
+            assert_eq!(game.check_place(aim.place), Ok(()));
             assert!(aim.place_words(&game).ends_with("circle"));
         }
     }

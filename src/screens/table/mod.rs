@@ -2,37 +2,32 @@
 
 mod active_game;
 mod aim;
-mod arrange;
 mod calls;
 mod computer_stroke;
 mod game_history;
-mod keys;
 mod new_game;
 mod options;
-mod panel;
 mod picture;
 mod pointer;
 mod preview;
-mod replay;
 mod saved_games;
 mod tale;
 mod trays;
-mod view;
 mod words;
 
 use std::time::Duration;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Context, Next, Screen};
-use crate::messages::Input;
-use crate::widgets::input::KeyTable;
-use active_game::ActiveGame;
-use keys::TableAction;
-use new_game::NewGame;
+use super::{Context, Next, Screen, View};
+use crate::messages::{Input, Mouse};
+use crate::widgets::input::{FormAction, KeyTable, RayAction};
+use active_game::{
+    ActiveGame, AimAction, ArrangeAction, GameAction, OverAction, Playing, ShowAction, StrokeAction,
+};
+use new_game::{NewGame, NewGameAction};
 pub use options::{Aids, Options, Player};
-use saved_games::SavedGames;
+use saved_games::{SavedGames, SavedGamesAction};
 
 /// The table.
 #[derive(Debug, Clone)]
@@ -48,7 +43,33 @@ enum TablePage {
     /// One is looked for among those that were saved.
     SavedGames(Box<SavedGames>),
     /// One is played.
-    Playing(Box<ActiveGame>),
+    Playing(Box<Playing>),
+}
+
+/// What keys do at the table: each page has actions of its own, and so has each phase of a
+/// game.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TableAction {
+    /// On the page of a new game.
+    NewGame(NewGameAction),
+    /// Its form.
+    Agree(FormAction),
+    /// On the page of saved games.
+    Saved(SavedGamesAction),
+    /// In any phase of a game.
+    Game(GameAction),
+    /// While aiming.
+    Aim(AimAction),
+    /// While the computer's aim is seen.
+    Show(ShowAction),
+    /// While a hit is called.
+    Call(RayAction),
+    /// While a stroke is watched.
+    Watch(StrokeAction),
+    /// While coins are laid out.
+    Arrange(ArrangeAction),
+    /// At the end of a board.
+    Over(OverAction),
 }
 
 impl Default for Table {
@@ -64,8 +85,9 @@ impl Table {
     /// A table at which a game with these options begins at once; `seed` shakes its
     /// packs.
     pub fn playing(options: Options, seed: u64) -> Self {
+        let game = Playing::from(ActiveGame::new(options, seed));
         Self {
-            page: TablePage::Playing(Box::new(ActiveGame::new(options, seed))),
+            page: TablePage::Playing(Box::new(game)),
         }
     }
 }
@@ -89,7 +111,7 @@ impl Screen for Table {
         let options = match &self.page {
             TablePage::NewGame(page) => &page.options,
             TablePage::SavedGames(_) => return String::new(),
-            TablePage::Playing(game) => &game.options,
+            TablePage::Playing(playing) => &playing.game.options,
         };
         let rules = <&str>::from(options.rules);
         format!("{rules}   {}", words::masses(options.set))
@@ -97,36 +119,50 @@ impl Screen for Table {
 
     fn keys(&self, _cx: &Context) -> KeyTable<TableAction> {
         match &self.page {
-            TablePage::NewGame(page) => keys::new_game(page),
-            TablePage::SavedGames(page) => page.keys(),
-            TablePage::Playing(game) => keys::keys(game),
+            TablePage::NewGame(page) => page.keys(),
+            TablePage::SavedGames(page) => page.keys().map(TableAction::Saved),
+            TablePage::Playing(playing) => playing.keys(),
         }
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        keys::about()
+        vec![
+            "Carrom: pocket your nine coins with the striker before the other side does, and the queen on the way. The player who breaks plays white; whoever pockets a coin of their own plays on.",
+            "Put the striker on your base line (the side whose turn it is is marked), aim, choose the strength, strike. After the stroke the referee says what follows, with the number of the law.",
+            "The aim line and the ghost show where the striker will meet its first coin; the two arrows show where both leave that hit. Switch them off one by one as you get better.",
+            "Call it: before the stroke, say at which angles the two of the first hit will leave it. Good calls earn points of their own, which never mix with the score.",
+            "After any stroke you can choose one of its impacts and look at it as in the lab, and go on to other strokes.",
+            "Every game is saved after each stroke. The page of a new game leads to the games there are: resume one, or watch it stroke by stroke. A game that is exported can be played again on any machine: carrom replay FILE.",
+            "Angles, left and right are those of the screen, whoever strikes: 0 is to the right, 90 up, 180 to the left, 270 down.",
+            "With the mouse or a finger: point where to aim, drag the striker along its base lines, pull it back and let go to strike. The farther you pull, the harder; a pull to the side turns the aim. Back to the striker: no stroke.",
+            "You see the computer aim before it strikes. Let it strike at once, or say first where the two discs of its first hit will go. Afterwards the line it meant is drawn beside the line it played.",
+        ]
     }
 
     fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
-        match &mut self.page {
-            TablePage::NewGame(page) => match action {
-                TableAction::Agree(action) => page.act(action),
-                TableAction::Play => *self = Self::playing(page.options, cx.next_seed()),
-                TableAction::SavedGames => {
+        match (&mut self.page, action) {
+            (TablePage::NewGame(page), TableAction::Agree(action)) => {
+                page.form.act(action, &mut page.options);
+            }
+            (TablePage::NewGame(page), TableAction::NewGame(action)) => match action {
+                NewGameAction::Play => *self = Self::playing(page.options, cx.next_seed()),
+                NewGameAction::SavedGames => {
                     let saved = SavedGames::ask(page.options, cx);
                     self.page = TablePage::SavedGames(Box::new(saved));
                 }
-                TableAction::Back => return Next::Back,
-                _ => {}
+                NewGameAction::Back => return Next::Back,
             },
-            TablePage::SavedGames(page) => match action {
-                TableAction::Back => self.page = agreeing(page.options),
-                action => return page.act(action, cx),
-            },
-            TablePage::Playing(game) => match game.act(action, cx) {
-                Next::Back => self.page = agreeing(game.options),
+            (TablePage::SavedGames(page), TableAction::Saved(SavedGamesAction::Back)) => {
+                self.page = agreeing(page.options);
+            }
+            (TablePage::SavedGames(page), TableAction::Saved(action)) => {
+                return page.act(action, cx);
+            }
+            (TablePage::Playing(playing), action) => match playing.act(action, cx) {
+                Next::Back => self.page = agreeing(playing.game.options),
                 next => return next,
             },
+            _ => {}
         }
         Next::Stay
     }
@@ -135,47 +171,67 @@ impl Screen for Table {
         match &mut self.page {
             TablePage::NewGame(_) => {}
             TablePage::SavedGames(page) => page.files.remove(cx),
-            TablePage::Playing(game) => self.page = agreeing(game.options),
+            TablePage::Playing(playing) => self.page = agreeing(playing.game.options),
         }
         Next::Stay
     }
 
-    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        match (input, &mut self.page) {
-            (Input::Mouse(mouse), TablePage::NewGame(page)) => match page.plays(mouse, cx) {
-                true => self.act(TableAction::Play, cx),
-                false => page.mouse(mouse, cx),
-            },
-            (Input::Mouse(mouse), TablePage::SavedGames(page)) => page.mouse(mouse, cx),
-            (Input::Kept(answer), TablePage::SavedGames(page)) => {
-                if let Some(game) = page.take_answer(answer, cx) {
-                    self.page = TablePage::Playing(game);
-                }
-                Next::Stay
+    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, TableAction>> {
+        Some(match &self.page {
+            TablePage::NewGame(page) => page.view(),
+            TablePage::SavedGames(page) => page.view(),
+            TablePage::Playing(playing) => playing.view(cx.settings.charset),
+        })
+    }
+
+    fn point(&mut self, mouse: &Mouse, picture: Rect, cx: &mut Context) -> Next {
+        match &mut self.page {
+            TablePage::NewGame(_) if mouse.presses(picture) => {
+                self.act(TableAction::NewGame(NewGameAction::Play), cx)
             }
-            (input, TablePage::Playing(game)) => game.input(input, cx),
+            TablePage::Playing(playing) => playing.point(mouse, picture, cx),
             _ => Next::Ignored,
         }
     }
 
+    fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        match &mut self.page {
+            TablePage::NewGame(page) => {
+                let action = FormAction::Choose(by.into());
+                page.form.act(action, &mut page.options);
+                Next::Stay
+            }
+            TablePage::SavedGames(page) => page.files.wheel(by, cx),
+            TablePage::Playing(playing) => playing.wheel(by, cx),
+        }
+    }
+
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        let Input::Kept(answer) = input else {
+            return Next::Ignored;
+        };
+        match &mut self.page {
+            TablePage::NewGame(_) => {}
+            TablePage::SavedGames(page) => {
+                if let Some(playing) = page.take_answer(answer, cx) {
+                    self.page = TablePage::Playing(playing);
+                }
+            }
+            TablePage::Playing(playing) => playing.game.take_answer(answer),
+        }
+        Next::Stay
+    }
+
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
-        if let TablePage::Playing(game) = &mut self.page {
-            game.advance(passed, cx);
+        if let TablePage::Playing(playing) = &mut self.page {
+            playing.advance(passed, cx);
         }
     }
 
     fn wake(&self, cx: &Context) -> Option<Duration> {
         match &self.page {
-            TablePage::Playing(game) => game.wake(cx.settings.pace()),
+            TablePage::Playing(playing) => playing.wake(cx.settings.pace()),
             _ => None,
-        }
-    }
-
-    fn draw(&self, _area: Rect, buf: &mut Buffer, cx: &Context) {
-        match &self.page {
-            TablePage::NewGame(page) => page.draw(buf, cx),
-            TablePage::SavedGames(page) => page.draw(buf, cx),
-            TablePage::Playing(game) => view::draw(game, buf, cx),
         }
     }
 }

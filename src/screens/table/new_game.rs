@@ -1,17 +1,16 @@
 //! The page on which a new game is agreed.
 
-use ratatui::buffer::Buffer;
+use strum::{EnumMessage, IntoStaticStr};
 
 use super::options::{Options, Player};
-use super::{picture, words};
+use super::{TableAction, picture, words};
 use crate::game::opponent::Strength;
 use crate::game::pack::pack;
 use crate::game::{Hands, PieceSet, Rules, Seat};
-use crate::messages::{Mouse, MouseKind};
-use crate::screens::{Context, Next};
-use crate::widgets::input::{Field, FieldValue, FormAction, FormFields, ListView, SettingsForm};
-use crate::widgets::panel::written;
-use crate::widgets::{Lines, Role, SplitLayout};
+use crate::messages::Key;
+use crate::screens::View;
+use crate::widgets::input::{Field, FieldValue, FormFields, KeyTable, SettingsForm};
+use crate::widgets::panel::Panel;
 
 /// The page: what is chosen, and the line that keys change.
 #[derive(Debug, Clone, Default)]
@@ -20,72 +19,52 @@ pub(super) struct NewGame {
     pub(super) form: SettingsForm,
 }
 
-/// One thing to be agreed.
-struct Agreement {
-    field: Field,
-    /// The options with each of its choices.
-    options: Vec<Options>,
-}
+/// One thing to be agreed: what it is called, and its choices: the options with each, how it
+/// reads and what it is.
+type Agreement = (&'static str, Vec<(Options, String, &'static str)>);
 
-impl Agreement {
-    /// What is agreed `now`, and its choices: the options with each, how it reads and what
-    /// it is.
-    fn new(
-        now: Options,
-        name: &'static str,
-        choices: impl IntoIterator<Item = (Options, impl ToString, &'static str)>,
-    ) -> Self {
-        let choices: Vec<_> = choices.into_iter().collect();
-        let at = choices.iter().position(|choice| choice.0 == now);
-        let at = at.unwrap_or(0);
-        let count = choices.len();
-        let value = FieldValue::Choice { at, count };
-        let chosen = choices.get(at);
-        let shown = chosen.map_or(String::new(), |(_, shown, _)| shown.to_string());
-        let about = chosen.map_or("", |(_, _, about)| about);
-        let options = choices.iter().map(|choice| choice.0).collect();
-        Self {
-            field: Field::new(name, shown, value, about),
-            options,
-        }
-    }
+/// What keys do on the page, beside its form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum NewGameAction {
+    /// play
+    Play,
+    /// the games that are saved: resume one, or watch it again
+    SavedGames,
+    /// back
+    Back,
 }
 
 impl NewGame {
-    /// Does what a key of the form stands for.
-    pub(super) fn act(&mut self, action: FormAction) {
-        self.form.act(action, &mut self.options);
+    pub(super) fn keys(&self) -> KeyTable<TableAction> {
+        let play = KeyTable::new("table")
+            .on(Key::Enter, NewGameAction::Play, "play")
+            .on('s', NewGameAction::SavedGames, "saved games");
+        let back = KeyTable::new("table").on(Key::Escape, NewGameAction::Back, "back");
+        play.map(TableAction::NewGame)
+            .with(self.form.keys(&self.options), TableAction::Agree)
+            .with(back, TableAction::NewGame)
     }
 
-    /// Whether a click is on the board: then the game begins.
-    pub(super) fn plays(&self, mouse: &Mouse, cx: &Context) -> bool {
-        let board = SplitLayout::square(cx.room()).picture;
-        mouse.kind == MouseKind::Down && board.contains(mouse.cell().into())
-    }
-
-    /// A click on a row selects it and changes it; the wheel goes through the rows.
-    pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &Context) -> Next {
-        let row = ListView::row_at(SplitLayout::square(cx.room()).panel, mouse.cell());
-        let outcome = self.form.mouse(mouse, row, &mut self.options);
-        Next::after(outcome.is_used())
-    }
-
-    /// Draws the page: the pack on the board, and beside it what is agreed.
-    pub(super) fn draw(&self, buf: &mut Buffer, cx: &Context) {
-        let look = cx.settings.look();
-        let layout = SplitLayout::square(cx.room());
-        layout.draw(buf, &look, "the pack", "a new game");
-        let coins = pack(self.options.set, Seat::South);
-        picture::of_pack(&coins, self.options.set, layout.picture).draw(buf, &look);
-        let mut lines = Lines::new(layout.panel, buf, look);
-        written(&mut lines, |panel| {
+    /// The pack on the board, and beside it what is agreed.
+    pub(super) fn view(&self) -> View<'_, TableAction> {
+        let mut panel = Panel::new("a new game");
+        panel.part(TableAction::Agree, |panel| {
             self.form.write(&self.options, panel);
             panel.gap();
             self.form.write_about(&self.options, panel);
         });
-        lines.gap();
-        lines.paragraph("Enter, or a click on the board: play!", Role::Key);
-        lines.paragraph("s: saved games", Role::Key);
+        panel.gap();
+        panel.part(TableAction::NewGame, |panel| {
+            panel.prompt("play!", NewGameAction::Play);
+            panel.prompt("saved games", NewGameAction::SavedGames);
+        });
+        let set = self.options.set;
+        let draw = move |area, buf: &mut _, look: &_| {
+            let coins = pack(set, Seat::South);
+            picture::of_pack(&coins, set, area).draw(buf, look);
+        };
+        View::picture("the pack", draw, panel).square()
     }
 }
 
@@ -105,8 +84,11 @@ fn agreements(now: Options) -> Vec<Agreement> {
             "No turns and no dues: striker and coins anywhere, and every stroke can be taken back.",
         ),
     ];
-    let rules = rules.map(|(rules, about)| (Options { rules, ..now }, <&str>::from(rules), about));
-    let mut rows = vec![Agreement::new(now, "rules", rules)];
+    let rules = rules.map(|(rules, about)| {
+        let shown = <&str>::from(rules).to_owned();
+        (Options { rules, ..now }, shown, about)
+    });
+    let mut rows: Vec<Agreement> = vec![("rules", rules.into())];
     if now.rules != Rules::Practice {
         let hands = [
             (Hands::Two, "two", "South against North."),
@@ -116,9 +98,10 @@ fn agreements(now: Options) -> Vec<Agreement> {
                 "Partners sit opposite: South and North against East and West.",
             ),
         ];
-        let hands = hands.map(|(hands, shown, about)| (Options { hands, ..now }, shown, about));
-        rows.push(Agreement::new(now, "hands", hands));
-        rows.extend(now.seats().map(|seat| seated(seat, now)));
+        let hands =
+            hands.map(|(hands, shown, about)| (Options { hands, ..now }, shown.into(), about));
+        rows.push(("hands", hands.into()));
+        rows.extend(now.seats().map(|seat| (seat.into(), players(seat, now))));
     }
     let sets = [
         (
@@ -130,21 +113,21 @@ fn agreements(now: Options) -> Vec<Agreement> {
             "Striker and coins weigh the same, so the two of a hit part at 90°.",
         ),
     ];
-    let sets = sets.map(|(set, about)| (Options { set, ..now }, words::masses(set), about));
-    rows.push(Agreement::new(now, "pieces", sets));
+    let sets = sets.map(|(set, about)| (Options { set, ..now }, words::masses(set).into(), about));
+    rows.push(("pieces", sets.into()));
     rows.extend(SWITCHES.map(|(name, switch, about)| {
-        let choice = |(on, shown)| {
+        let choice = |(on, shown): (bool, &str)| {
             let mut options = now;
             *switch(&mut options) = on;
-            (options, shown, about)
+            (options, shown.to_owned(), about)
         };
-        Agreement::new(now, name, [(false, "off"), (true, "on")].map(choice))
+        (name, [(false, "off"), (true, "on")].map(choice).into())
     }));
     rows
 }
 
-/// Who plays from a seat.
-fn seated(seat: Seat, now: Options) -> Agreement {
+/// Who may play from a seat.
+fn players(seat: Seat, now: Options) -> Vec<(Options, String, &'static str)> {
     let mut person = now;
     person.set_player(seat, Player::Person);
     let shown = match person.count(Player::Person) {
@@ -160,11 +143,7 @@ fn seated(seat: Seat, now: Options) -> Agreement {
         let about = "The computer: the stronger, the farther it looks and the steadier its hand is. It always says what it saw.";
         (options, format!("computer, {strength}"), about)
     }));
-    // How strong a computer would be where a person sits makes no other game.
-    if now.player(seat) == Player::Person {
-        choices[0].0 = now;
-    }
-    Agreement::new(now, seat.into(), choices)
+    choices
 }
 
 /// What is on or off: its name, where it stands, and what it is.
@@ -195,13 +174,20 @@ const SWITCHES: [Switch; 4] = [
 
 impl FormFields for Options {
     fn fields(&self) -> Vec<Field> {
-        let rows = agreements(*self).into_iter();
-        rows.map(|row| row.field).collect()
+        let field = |(name, choices): Agreement| {
+            let at = choices.iter().position(|(options, ..)| options == self);
+            let (at, count) = (at.unwrap_or(0), choices.len());
+            let chosen = choices.into_iter().nth(at);
+            let (shown, about) = chosen.map_or_else(Default::default, |it| (it.1, it.2));
+            Field::new(name, shown, FieldValue::Choice { at, count }, about)
+        };
+        agreements(*self).into_iter().map(field).collect()
     }
 
     fn set(&mut self, at: usize, value: f64) {
         let row = agreements(*self).into_iter().nth(at);
-        if let Some(options) = row.and_then(|row| row.options.get(value as usize).copied()) {
+        let chosen = row.and_then(|(_, choices)| choices.into_iter().nth(value as usize));
+        if let Some((options, ..)) = chosen {
             *self = options;
         }
     }

@@ -3,16 +3,15 @@
 use glam::DVec2;
 use ratatui::layout::Rect;
 
-use super::active_game::{ActiveGame, Grip, ShownStroke};
-use super::arrange::Arrange;
+use super::active_game::{ActiveGame, FALL, Grip, ShownStroke, StrokeReplay};
 use super::computer_stroke::ComputerStroke;
 use super::pointer::Pointer;
 use super::preview::{FirstHit, Preview};
-use super::replay::{FALL, StrokeReplay};
 use super::words;
 use crate::game::{Coin, Piece, PieceSet, Seat};
+use crate::messages::Mouse;
 use crate::physics::{Board, DiscState, stopping_distance};
-use crate::widgets::picture::{Body, DrawLayer, LabelSide, Pen, Picture};
+use crate::widgets::picture::{Body, DrawLayer, LabelSide, Pen, Picture, View};
 use crate::widgets::{Role, board};
 
 /// Seconds after which a trail has faded.
@@ -26,9 +25,19 @@ const STUB: f64 = 0.09;
 /// Length of the arrow that shows the strength, in metres for each m/s.
 const ARROW: f64 = 0.03;
 
+/// Where the board is in an area.
+fn view(area: Rect) -> View {
+    board::view(board::square(area), &Board::default())
+}
+
+/// Where on the board the mouse is, in metres, and whether that is on its picture.
+pub(super) fn pointed(mouse: &Mouse, area: Rect) -> (DVec2, bool) {
+    let at = view(area).to_world(mouse.place());
+    (at, board::square(area).contains(mouse.cell().into()))
+}
+
 fn ground(area: Rect) -> Picture {
-    let view = board::view(board::square(area), &Board::default());
-    let mut picture = Picture::new(view);
+    let mut picture = Picture::new(view(area));
     board::ground(&mut picture, &Board::default());
     picture
 }
@@ -58,7 +67,7 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     let radius = active.set().striker_radius();
     let heading = aim.heading(seat);
     let aids = active.options.aids;
-    let hit = active.preview.as_ref().and_then(Preview::first_hit);
+    let hit = active.first_hit();
     if !active.is_practice() {
         own_side(&mut picture, seat);
     }
@@ -274,19 +283,11 @@ fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
     }
 }
 
-/// The board with a hand over it.
-pub(super) fn of_arrange(active: &ActiveGame, arrange: &Arrange, area: Rect) -> Picture {
-    let mut picture = ground(area);
-    let mut discs: Vec<_> = bodies(active.set(), active.game().coins()).collect();
-    if let Some(held) = arrange.held.and_then(|held| discs.get_mut(held)) {
-        held.at = arrange.hand;
-    }
-    picture.discs(discs);
+/// Draws a hand over the board.
+pub(super) fn hand(picture: &mut Picture, at: DVec2) {
     let arm = 2.5 * picture.view().per_row();
     let gap = 0.8 * picture.view().per_row();
     for way in [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y] {
-        let pen = Pen::new(Role::Key);
-        picture.line(arrange.hand + gap * way, arrange.hand + arm * way, pen);
+        picture.line(at + gap * way, at + arm * way, Pen::new(Role::Key));
     }
-    picture
 }

@@ -1,18 +1,18 @@
 //! The page of saved games: to resume one, watch it again, export or remove it.
 
-use ratatui::buffer::Buffer;
+use strum::{EnumMessage, IntoStaticStr};
 
-use super::active_game::ActiveGame;
-use super::keys::TableAction;
+use super::active_game::{ActiveGame, Playing};
 use super::options::Options;
-use super::{picture, words};
-use crate::game::{ByTeam, Game, GameStage, Rules, SavedGame, Team};
-use crate::messages::{KeptGame, Key, Mouse, StoreAnswer, StoreReply, StoreRequest};
+use super::{TableAction, picture, words};
+use crate::game::{ByTeam, Game, GameStage, Rules, SavedGame};
+use crate::messages::{KeptGame, Key, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::{capital, counted};
-use crate::screens::kept_files::{KeptFiles, KeptKind};
-use crate::screens::{Context, Next};
-use crate::widgets::input::KeyTable;
-use crate::widgets::{Lines, Role, SplitLayout};
+use crate::screens::kept_files::{KeptAction, KeptFiles, KeptKind};
+use crate::screens::{Context, Next, View};
+use crate::widgets::Role;
+use crate::widgets::input::{KeyTable, ListAction};
+use crate::widgets::panel::Panel;
 
 /// Games as files.
 const GAMES: KeptKind = KeptKind {
@@ -35,6 +35,20 @@ pub(super) struct SavedGames {
     watch: Option<u64>,
 }
 
+/// What keys do on the page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum SavedGamesAction {
+    /// choose a saved game, resume or remove it
+    Saved(KeptAction),
+    /// watch the whole game again, stroke by stroke
+    WatchAll,
+    /// export: write the game to a file of its own
+    Export,
+    /// back
+    Back,
+}
+
 impl SavedGames {
     /// The page, with the games asked for; `options` are those of the page before.
     pub(super) fn ask(options: Options, cx: &mut Context) -> Self {
@@ -46,36 +60,31 @@ impl SavedGames {
     }
 
     /// The keys of the page.
-    pub(super) fn keys(&self) -> KeyTable<TableAction> {
+    pub(super) fn keys(&self) -> KeyTable<SavedGamesAction> {
+        use SavedGamesAction::{Back, Export, Saved, WatchAll};
         let open = self.files.content().is_some();
         KeyTable::new("table")
-            .with(self.files.keys("resume"), TableAction::Saved)
-            .on('v', TableAction::WatchAll, "replay")
+            .with(self.files.keys("resume"), Saved)
+            .on('v', WatchAll, "replay")
             .when(open)
-            .on('e', TableAction::Export, "export")
+            .on('e', Export, "export")
             .when(open)
-            .on(Key::Escape, TableAction::Back, "back")
+            .on(Key::Escape, Back, "back")
     }
 
     /// Does what a key stands for.
-    pub(super) fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
+    pub(super) fn act(&mut self, action: SavedGamesAction, cx: &mut Context) -> Next {
         match action {
-            TableAction::Saved(action) => return self.files.act(action, cx),
-            TableAction::WatchAll => self.watch = self.files.load(cx),
-            TableAction::Export => {
+            SavedGamesAction::Saved(action) => return self.files.act(action, cx),
+            SavedGamesAction::WatchAll => self.watch = self.files.load(cx),
+            SavedGamesAction::Export => {
                 if let Some((saved, _)) = self.files.content() {
                     cx.ask(StoreRequest::Export(Box::new(saved.clone())));
                 }
             }
-            _ => {}
+            SavedGamesAction::Back => return Next::Back,
         }
         Next::Stay
-    }
-
-    /// Takes the mouse.
-    pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let list = SplitLayout::square(cx.room()).panel;
-        self.files.mouse(mouse, list, cx)
     }
 
     /// Takes in what came of what was asked; gives the game that is to be gone on with.
@@ -83,7 +92,7 @@ impl SavedGames {
         &mut self,
         answer: &StoreAnswer,
         cx: &mut Context,
-    ) -> Option<Box<ActiveGame>> {
+    ) -> Option<Box<Playing>> {
         match &answer.done {
             StoreReply::Listed(games) => self.files.listed(games.clone()),
             StoreReply::Loaded(loaded) if self.files.take_loaded(answer.ticket) => {
@@ -91,12 +100,12 @@ impl SavedGames {
                     let active = ActiveGame::resume_saved(&saved, answer.ticket);
                     active.map_err(|error| error.to_string())
                 });
-                match active {
-                    Ok(mut active) => {
+                match active.map(Playing::from) {
+                    Ok(mut playing) => {
                         if self.watch == Some(answer.ticket) {
-                            active.watch_all(cx);
+                            playing.watch_all(cx);
                         }
-                        return Some(Box::new(active));
+                        return Some(Box::new(playing));
                     }
                     Err(reason) => {
                         self.files.notice = Some(format!("It cannot be resumed: {reason}."));
@@ -115,24 +124,34 @@ impl SavedGames {
         None
     }
 
-    /// Draws the page: the board of the chosen game, and beside it the list.
-    pub(super) fn draw(&self, buf: &mut Buffer, cx: &Context) {
-        let look = cx.settings.look();
-        let layout = SplitLayout::square(cx.room());
-        let name = self.files.chosen().map_or("", |kept| kept.name.as_str());
-        layout.draw(buf, &look, name, "saved games");
+    /// The board of the chosen game, and beside it the list.
+    pub(super) fn view(&self) -> View<'_, TableAction> {
+        let mut panel = Panel::new("saved games");
+        panel.part(
+            |action| TableAction::Saved(SavedGamesAction::Saved(action)),
+            |panel| self.files.write_list(title, panel),
+        );
+        panel.pin_below();
+        panel.part(TableAction::Saved, |panel| {
+            self.files.write_chosen(panel, |(saved, game), panel| {
+                panel.paragraph(about(saved, game), Role::Text);
+                panel.gap();
+                let resume = KeptAction::List(ListAction::Open);
+                panel.prompts([
+                    ("resume it", SavedGamesAction::Saved(resume)),
+                    ("watch it from its start", SavedGamesAction::WatchAll),
+                ]);
+            });
+        });
         let (coins, set) = match self.files.content() {
             Some((_, game)) => (game.coins(), game.setup().set),
             None => (&[][..], self.options.set),
         };
-        picture::of_pack(coins, set, layout.picture).draw(buf, &look);
-        let mut lines = Lines::new(layout.panel, buf, look);
-        self.files.write(title, &mut lines);
-        self.files.write_about(&mut lines, |(saved, game), lines| {
-            lines.paragraph(&about(saved, game), Role::Text);
-            lines.gap();
-            lines.paragraph("Enter: resume it.  v: watch it from its start.", Role::Key);
-        });
+        let name = self.files.chosen().map_or("", |kept| kept.name.as_str());
+        let draw = move |area, buf: &mut _, look: &_| {
+            picture::of_pack(coins, set, area).draw(buf, look);
+        };
+        View::picture(name, draw, panel).square()
     }
 }
 
@@ -146,8 +165,8 @@ fn title(kept: &KeptGame) -> String {
     match options.rules {
         Rules::Practice => "practice".into(),
         Rules::Tournament if game.score().games != ByTeam::default() => {
-            let [first, second] = Team::BOTH.map(|team| game.score().games[team]);
-            format!("{} ({first} : {second})", options.score(game))
+            let games = words::versus(|team| game.score().games[team]);
+            format!("{} ({games})", options.score(game))
         }
         Rules::Tournament | Rules::Friendly => options.score(game),
     }
@@ -159,12 +178,9 @@ fn about(saved: &SavedGame, game: &Game) -> String {
     let strokes = counted(saved.record.strokes(), "stroke");
     let (board, games) = match options.rules {
         Rules::Tournament => {
-            let [first, second] = Team::BOTH.map(|team| game.score().games[team]);
+            let games = words::versus(|team| game.score().games[team]);
             let board = game.board_number();
-            (
-                format!(", board {board}"),
-                format!(", games won {first} : {second}"),
-            )
+            (format!(", board {board}"), format!(", games won {games}"))
         }
         Rules::Friendly | Rules::Practice => Default::default(),
     };

@@ -1,6 +1,8 @@
 //! Pieces and players in the words and signs of the screen.
 
-use crate::game::{Piece, PieceSet};
+use std::fmt::Display;
+
+use crate::game::{Piece, PieceSet, Team};
 use crate::widgets::Role;
 use crate::widgets::hit::Face;
 
@@ -43,4 +45,10 @@ pub(super) fn does(name: &str, third_person: &str) -> String {
         _ => third_person,
     };
     format!("{name} {verb}")
+}
+
+/// A value of each team, as in "3 : 1".
+pub(super) fn versus<T: Display>(value: impl Fn(Team) -> T) -> String {
+    let [first, second] = Team::BOTH.map(value);
+    format!("{first} : {second}")
 }

@@ -38,6 +38,8 @@ pub struct KeyRow<A> {
     pub name: &'static str,
     /// What the help page says of it.
     pub help: &'static str,
+    /// What each of its keys is called on a button of its own, if they have names.
+    pub words: &'static [&'static str],
     keys: Vec<(Key, A)>,
     aliases: Vec<(Key, A)>,
 }
@@ -107,6 +109,7 @@ impl<A: KeyAction> KeyTable<A> {
                 id: format!("{}.{}", self.group, first.id()),
                 name,
                 help: first.help(),
+                words: &[],
                 keys,
                 aliases: Vec::new(),
             });
@@ -149,6 +152,15 @@ impl<A: Copy> KeyTable<A> {
     pub fn when(mut self, holds: bool) -> Self {
         if !holds && std::mem::take(&mut self.added) {
             self.rows.pop();
+        }
+        self
+    }
+
+    /// What each of the last row's keys is called where it is a button.
+    #[must_use]
+    pub fn called(mut self, words: &'static [&'static str]) -> Self {
+        if let Some(row) = self.rows.last_mut().filter(|_| self.added) {
+            row.words = words;
         }
         self
     }
@@ -222,6 +234,7 @@ impl<A: Copy> KeyTable<A> {
             id: row.id,
             name: row.name,
             help: row.help,
+            words: row.words,
             keys: map(row.keys),
             aliases: map(row.aliases),
         });

@@ -22,10 +22,9 @@ pub(crate) struct Writing {
 
 /// A panel laid out: the blocks that have room, and where each stands.
 pub(crate) struct Placed<'p> {
-    /// Where what stays in sight stands, and where the rest is.
-    head: Rect,
     area: Rect,
-    pinned: Vec<PlacedBlock<'p>>,
+    /// What stays in sight above the rest and below it.
+    fixed: [Fixed<'p>; 2],
     /// The first row of each block, counted from the top of the whole.
     blocks: Vec<(u16, PlacedBlock<'p>)>,
     /// Rows of the whole.
@@ -33,6 +32,15 @@ pub(crate) struct Placed<'p> {
     targets: Vec<Target>,
     /// The rows of what is chosen.
     chosen: Option<Range<u16>>,
+}
+
+/// Blocks that are not scrolled.
+#[derive(Default)]
+struct Fixed<'p> {
+    area: Rect,
+    pieces: Vec<PlacedBlock<'p>>,
+    targets: Vec<Target>,
+    rows: u16,
 }
 
 /// A block, whatever its actions are.
@@ -50,6 +58,31 @@ struct Target {
     rows: Range<u16>,
     columns: Range<u16>,
     action: ActionAt,
+}
+
+impl Target {
+    /// The same so many rows farther down.
+    fn below(self, rows: u16) -> Self {
+        Self {
+            rows: rows + self.rows.start..rows + self.rows.end,
+            ..self
+        }
+    }
+
+    /// Its cells in an area, once that is scrolled by so many rows; `None` if it is out of
+    /// sight.
+    fn cells(&self, area: Rect, scrolled: u16) -> Option<Rect> {
+        let top = area.y + self.rows.start.saturating_sub(scrolled);
+        let below = area.y + self.rows.end.checked_sub(scrolled)?;
+        let cells = Rect {
+            x: area.x + self.columns.start,
+            y: top,
+            width: self.columns.end - self.columns.start,
+            height: below.saturating_sub(top),
+        };
+        let cells = cells.intersection(area);
+        (!cells.is_empty()).then_some(cells)
+    }
 }
 
 /// Which action of a panel: the number of its block, and its own in the block.
@@ -75,7 +108,8 @@ impl<A: Copy> Panel<A> {
             worth: block.worth,
             keys: piece(block),
         });
-        placed(pieces.collect(), self.pinned, area, writing)
+        let below = self.below.unwrap_or(self.blocks.len());
+        placed(pieces.collect(), self.pinned..below, area, writing)
     }
 
     /// What is done by a click on one of its targets.
@@ -84,10 +118,10 @@ impl<A: Copy> Panel<A> {
     }
 }
 
-/// Lays blocks out, of which the first stay in sight.
+/// Lays blocks out, of which those in `middle` can be scrolled.
 fn placed<'p>(
     pieces: Vec<PlacedBlock<'p>>,
-    pinned: usize,
+    middle: Range<usize>,
     area: Rect,
     writing: &Writing,
 ) -> Placed<'p> {
@@ -107,27 +141,39 @@ fn placed<'p>(
         lengths.push((lines.written() - from, targets));
     }
     let is_shown = with_room(&pieces, area.height, lengths.iter().map(|(rows, _)| *rows));
-    let head: u16 = lengths[..pinned].iter().map(|(rows, _)| rows).sum();
-    // Where there is hardly room for more, it is scrolled too.
-    let (head, pinned) = match head + LEAST <= area.height {
-        true => (head, pinned),
-        false => (0, 0),
+    let rows = |part: Range<usize>| -> u16 { lengths[part].iter().map(|(rows, _)| rows).sum() };
+    let head = rows(0..middle.start);
+    // With a row between it and what is above.
+    let foot = match rows(middle.end..pieces.len()) {
+        0 => 0,
+        rows => rows + 1,
     };
-    let [head, area] = areas::upper(area, head);
+    // Where there is hardly room for more, they are scrolled too.
+    let (head, foot, middle) = match head + foot + LEAST <= area.height {
+        true => (head, foot, middle),
+        false => (0, 0, 0..pieces.len()),
+    };
+    let [above, rest] = areas::upper(area, head);
+    let [area, _] = areas::upper(rest, rest.height - foot);
     let mut placed = Placed {
-        head,
         area,
-        pinned: Vec::new(),
+        fixed: Default::default(),
         blocks: Vec::new(),
         rows: 0,
         targets: Vec::new(),
         chosen: None,
     };
     let mut after_gap = true;
-    let mut blocks = pieces.into_iter().zip(is_shown).zip(lengths);
-    let first = blocks.by_ref().take(pinned);
-    placed.pinned.extend(first.map(|((piece, _), _)| piece));
-    for ((piece, shown), (rows, targets)) in blocks {
+    let blocks = pieces.into_iter().zip(is_shown).zip(lengths);
+    for (number, ((piece, shown), (rows, targets))) in blocks.enumerate() {
+        if !middle.contains(&number) {
+            let part = &mut placed.fixed[usize::from(number >= middle.end)];
+            part.targets
+                .extend(targets.into_iter().map(|it| it.below(part.rows)));
+            part.rows += rows;
+            part.pieces.push(piece);
+            continue;
+        }
         let is_gap = matches!(piece.content, Content::Gap);
         // Of gaps that meet, and of one above all, none is left.
         if !shown || is_gap && after_gap {
@@ -138,13 +184,15 @@ fn placed<'p>(
         if piece.content.is_chosen() {
             placed.chosen = Some(top..top + rows);
         }
-        placed.targets.extend(targets.into_iter().map(|it| Target {
-            rows: top + it.rows.start..top + it.rows.end,
-            ..it
-        }));
+        placed
+            .targets
+            .extend(targets.into_iter().map(|it| it.below(top)));
         placed.blocks.push((top, piece));
         placed.rows += rows;
     }
+    let [_, below] = areas::upper(rest, placed.rows.min(area.height) + u16::from(foot > 0));
+    placed.fixed[0].area = above;
+    placed.fixed[1].area = below;
     placed
 }
 
@@ -198,33 +246,34 @@ impl Placed<'_> {
 
     /// The cells that do something, with what they do, once it is scrolled by so many rows.
     pub(crate) fn targets(&self, scrolled: u16) -> impl Iterator<Item = (Rect, ActionAt)> + '_ {
-        let area = self.area;
-        self.targets.iter().filter_map(move |target| {
-            let top = area.y + target.rows.start.saturating_sub(scrolled);
-            let below = area.y + target.rows.end.checked_sub(scrolled)?;
-            let cells = Rect {
-                x: area.x + target.columns.start,
-                y: top,
-                width: target.columns.end - target.columns.start,
-                height: below.saturating_sub(top),
-            };
-            let cells = cells.intersection(area);
-            (!cells.is_empty()).then_some((cells, target.action))
+        let [head, foot] = &self.fixed;
+        let parts = [
+            (&head.targets, head.area, 0),
+            (&self.targets, self.area, scrolled),
+            (&foot.targets, foot.area, 0),
+        ];
+        parts.into_iter().flat_map(|(targets, area, scrolled)| {
+            let cells = move |it: &Target| Some((it.cells(area, scrolled)?, it.action));
+            targets.iter().filter_map(cells)
         })
     }
 
     /// Draws it, scrolled by so many rows. Where it does not fit, the frame below says which
     /// key brings the rest.
     pub(crate) fn draw(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing) {
-        let mut lines = Lines::new(self.head, buf, writing.look);
-        for piece in &self.pinned {
-            piece.write(&mut lines, &mut |_, _, _| ());
-        }
+        let write_fixed = |part: &Fixed, buf: &mut Buffer| {
+            let mut lines = Lines::new(part.area, buf, writing.look);
+            for piece in &part.pieces {
+                piece.write(&mut lines, &mut |_, _, _| ());
+            }
+        };
+        write_fixed(&self.fixed[0], buf);
         let mut lines = Lines::new(self.area, buf, writing.look).scrolled(scrolled);
         for (row, piece) in &self.blocks {
             debug_assert_eq!(lines.written(), *row);
             piece.write(&mut lines, &mut |_, _, _| ());
         }
+        write_fixed(&self.fixed[1], buf);
         if let (Some([back, on]), 1..) = (&writing.pages, self.overflow()) {
             let hint = match scrolled < self.overflow() {
                 true => format!(" {on}: more "),

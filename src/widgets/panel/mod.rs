@@ -24,6 +24,8 @@ pub(crate) struct Panel<A> {
     blocks: Vec<Block<A>>,
     /// How many of the blocks, from the first on, stay in sight however far it is scrolled.
     pinned: usize,
+    /// From which of them on they stay in sight below the others, if any do.
+    below: Option<usize>,
     /// The worth of the blocks being written.
     worth: Option<u8>,
 }
@@ -196,6 +198,7 @@ impl<A> Panel<A> {
             from_top: false,
             blocks: Vec::new(),
             pinned: 0,
+            below: None,
             worth: None,
         }
     }
@@ -222,6 +225,12 @@ impl<A> Panel<A> {
     /// Keeps what has been written so far in sight, however far the rest is scrolled.
     pub(crate) fn pin(&mut self) {
         self.pinned = self.blocks.len();
+    }
+
+    /// Keeps what is written from here on in sight below what has been written so far,
+    /// however far that is scrolled.
+    pub(crate) fn pin_below(&mut self) {
+        self.below = Some(self.blocks.len());
     }
 
     /// Writes a part whose actions are wrapped in actions of the whole.

@@ -138,3 +138,26 @@ fn a_long_text_says_which_key_brings_the_rest() {
         assert!(text(&buf).contains(hint), "{}", text(&buf));
     }
 }
+
+#[test]
+fn what_is_pinned_below_stays_there_and_can_be_clicked() {
+    let mut panel = Panel::new("");
+    for c in 'a'..='j' {
+        panel.row((c.to_string(), Role::Text), ("", Role::Text), c == 'j', c);
+    }
+    panel.pin_below();
+    panel.prompt("open it", 'o');
+    assert_eq!(drawn(&panel, 14, 0)[10..13], ["> j", "", "o: open it."]);
+    assert_eq!(drawn(&panel, 9, 3)[7..10], ["> j", "", "o: open it."]);
+    let placed = panel.placed(place(9), &WRITING, &key);
+    assert_eq!(placed.overflow(), 3);
+    let clicked = |row: u16| {
+        let mut targets = placed.targets(placed.following());
+        let hit = targets.find(|(cells, _)| cells.contains((5, row).into()));
+        hit.and_then(|(_, at)| panel.action(at))
+    };
+    assert_eq!(clicked(1), Some('d'));
+    assert_eq!(clicked(7), Some('j'));
+    assert_eq!(clicked(8), None);
+    assert_eq!(clicked(9), Some('o'));
+}

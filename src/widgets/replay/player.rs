@@ -178,6 +178,7 @@ impl ShotPlayer {
                 .or([(Key::Left, Step(-1)), (Key::Right, Step(1))])
                 .by(['<', '>'], Scrub, [-1, 1], "scrub")
                 .by(['+', '-'], Speed, [1, -1], speed)
+                .called(&["faster", "slower"])
                 .or([('=', Speed(1))])
                 .each([(Key::Home, Seek(0.0)), (Key::End, END)], ""),
             Showing::Impacts => table
@@ -218,6 +219,23 @@ impl ShotPlayer {
             MouseKind::Down if on_picture => Key::Char(' '),
             _ => return None,
         })
+    }
+
+    /// What a click on the picture stands for: what Space does, but not in the list of impacts.
+    pub(crate) fn clicked(&self) -> Option<ShotAction> {
+        match self.showing {
+            Showing::Impacts => None,
+            _ => self.keys().exact(Key::Char(' ')),
+        }
+    }
+
+    /// What a turn of the wheel up (-1) or down (1) stands for: a step, or a move in the list
+    /// of impacts.
+    pub(crate) fn wheel(&self, by: i8) -> Option<ShotAction> {
+        match self.showing {
+            Showing::Impacts => Some(ShotAction::List(ListAction::Choose(by.into()))),
+            _ => self.keys().exact(Key::Char(if by < 0 { '.' } else { ',' })),
+        }
     }
 
     /// Does what a key stands for. A speed that is chosen goes into `rate`, to be

@@ -152,7 +152,7 @@ fn law_30_the_match_ends_with_the_second_game() {
     assert_eq!(cited(&rulings), ["25a", "29a", "30"]);
     assert_eq!(game.0.stage(), GameStage::MatchOver(White));
     assert_eq!(game.0.next_board(), Err(GameError::MatchOver));
-    assert_eq!(game.0.foul(), Err(StrokeError::Ended));
+    assert_eq!(game.0.no_place(), Err(StrokeError::Ended));
 }
 
 /// Asserts the end of the board at scores where the queen counts and where she

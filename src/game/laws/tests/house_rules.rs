@@ -123,7 +123,6 @@ fn in_practice_nothing_costs_anything() {
         let rulings = table.pocket(fallen);
         expect(&table, &rulings, "house", &[], true);
     }
-    table.0.foul().unwrap();
     assert_eq!(table.0.seat(), Seat::South);
 }
 

@@ -37,7 +37,6 @@ pub(super) fn lay(rules: Rules, white: u8, black: u8, queen: Queen) -> Table {
     });
     let play = &mut game.play;
     play.break_tries = None;
-    play.struck = true;
     let mut left = [
         (Piece::White, white),
         (Piece::Black, black),

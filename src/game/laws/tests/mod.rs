@@ -3,7 +3,7 @@
 
 mod board_ends;
 mod break_and_turn;
-mod dues_and_fouls;
+mod dues;
 mod house_rules;
 mod laying;
 mod queen_and_cover;

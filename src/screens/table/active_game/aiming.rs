@@ -1,76 +1,186 @@
-//! Aiming: the keys and the mouse.
+//! Aiming: the place, the direction and the strength of the next stroke.
 
 use glam::DVec2;
+use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
 
-use super::{ActiveGame, Calling, TablePhase};
-use crate::game::Move;
+use super::arranging::Arrange;
+use super::calling::Calling;
+use super::{ActiveGame, After, GameAction, GamePhase, Hinted, score};
 use crate::game::steps::{PLACE_STEP, STEPS_PER_DEGREE, STEPS_PER_SPEED};
-use crate::messages::{Mouse, MouseKind};
+use crate::game::{Aids, Game, Move};
+use crate::messages::{Key, Mouse, MouseKind};
+use crate::numbers::capital;
 use crate::physics::units::m_from_mm;
 use crate::screens::Context;
-use crate::screens::table::aim::{Aim, along_the_screen, rightwards};
-use crate::screens::table::arrange::Arrange;
-use crate::screens::table::keys::TableAction;
-use crate::screens::table::preview::Preview;
-use crate::screens::table::replay::StrokeReplay;
-use crate::widgets::RayInput;
+use crate::screens::table::aim::{Aim, SPEEDS, along_the_screen, rightwards};
+use crate::screens::table::preview::{FirstHit, WayEnd};
+use crate::screens::table::{TableAction, picture, words};
+use crate::widgets::input::{EntryAction, KeyTable};
+use crate::widgets::panel::Panel;
+use crate::widgets::panels::{impact_angle, offset};
+use crate::widgets::{Charset, Outcome, Role};
 
 /// A step of the speed, in m/s.
 const SPEED_STEP: f64 = 1.0 / STEPS_PER_SPEED;
 /// A step of the direction, in degrees.
 const DIRECTION_STEP: f64 = 1.0 / STEPS_PER_DEGREE;
 
+/// What keys do while aiming.
+#[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum AimAction {
+    /// strike
+    Strike,
+    /// turn the aim: Left and Right by 1°, Up and Down by 0.1°
+    Turn(i16),
+    /// turn the aim by 10°
+    TurnFar(i16),
+    /// strength; the wheel too
+    Strength(i8),
+    /// move the striker: square brackets by 2 mm, braces by 20 mm
+    Place(i8),
+    /// practice: striker up or down
+    PlaceUp(i8),
+    /// a number typed: Enter takes it as the angle, + as the strength, a square bracket as millimetres left or right
+    Number(EntryAction),
+    /// aim line, ghost, departures on or off
+    Aid(AimAid),
+    /// call it on or off: before each stroke say where the two of the first hit will go
+    Call,
+    /// hint: where to look; again: the whole stroke; once more: set it
+    Hint,
+    /// practice: lay the coins out
+    LayOut,
+    /// practice: take the last stroke back
+    Undo,
+}
+
+/// A help while aiming.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AimAid {
+    /// The striker's way to its first coin.
+    Line,
+    /// Where the striker will be then.
+    Ghost,
+    /// Where both will leave that hit.
+    Rays,
+}
+
+impl AimAid {
+    const ALL: [Self; 3] = [Self::Line, Self::Ghost, Self::Rays];
+
+    /// Whether it is on.
+    fn of(self, aids: &mut Aids) -> &mut bool {
+        match self {
+            Self::Line => &mut aids.line,
+            Self::Ghost => &mut aids.ghost,
+            Self::Rays => &mut aids.rays,
+        }
+    }
+}
+
 impl ActiveGame {
+    pub(super) fn aim_keys(&self) -> KeyTable<TableAction> {
+        use AimAction::{
+            Aid, Call, Hint, LayOut, Number, Place, PlaceUp, Strength, Strike, Turn, TurnFar, Undo,
+        };
+        use GameAction::{Back, Export, LookBack, WatchAll};
+        let typing = self.entry.is_open();
+        let practice = self.is_practice();
+        // A long hint is read with the page keys.
+        let reads = self.hint.as_ref().is_some_and(|hinted| hinted.whole);
+        let back = if self.is_pulling() { "not now" } else { "" };
+        let aim = KeyTable::new("table")
+            .on(' ', Strike, "strike")
+            .or((!typing).then_some((Key::Enter, Strike)))
+            .by(Key::ARROWS, Turn, [-1, 1, -10, 10], "aim")
+            .by(['+', '-'], Strength, [1, -1], "strength")
+            .called(&["harder", "softer"])
+            .or([('=', Strength(1)), ('_', Strength(-1))])
+            .when(!typing)
+            .on('+', Strength(1), "as the strength")
+            .or([('=', Strength(1))])
+            .when(typing)
+            .by(['[', ']', '{', '}'], Place, [-1, 1, -10, 10], "place")
+            .called(&["left", "right", "far left", "far right"])
+            .or([('a', Place(-1)), ('d', Place(1))])
+            .on('p', LayOut, "lay out")
+            .when(practice)
+            .on('z', Undo, "undo")
+            .when(practice)
+            .on('h', Hint, "hint")
+            .with(self.entry.keys(), Number)
+            .on('c', Call, "call")
+            .by(['l', 'g', 'r'], Aid, AimAid::ALL, "aids")
+            .called(&["line", "ghost", "arrows"]);
+        let shared = KeyTable::new("table")
+            .on('i', LookBack, "impacts")
+            .on('v', WatchAll, "replay")
+            .on('e', Export, "export")
+            .on(Key::Escape, Back, back)
+            .when(!typing);
+        let unnamed = KeyTable::new("table")
+            .by(['w', 's'], PlaceUp, [1, -1], "")
+            .when(practice)
+            .by([Key::PageUp, Key::PageDown], TurnFar, [-1, 1], "")
+            .when(!reads);
+        aim.map(TableAction::Aim)
+            .with(shared, TableAction::Game)
+            .with(unnamed, TableAction::Aim)
+    }
+
     /// Aims, or does what can be done beside it. A number that was typed is a direction,
     /// unless the key after it says that it is a place or a speed.
-    pub(super) fn act_on_aim(&mut self, action: TableAction, cx: &Context) {
-        if let Some(number) = self.entry.take() {
+    pub(super) fn aim_by(&mut self, action: AimAction, cx: &Context) -> Option<GamePhase> {
+        if !matches!(action, AimAction::Number(_))
+            && let Some(number) = self.entry.take()
+        {
             match action {
-                TableAction::Strength(1) => self.aim.set_speed(number),
-                TableAction::Place(1) => self.stand(m_from_mm(number)),
-                TableAction::Place(-1) => self.stand(-m_from_mm(number)),
+                AimAction::Strength(1) => self.aim.set_speed(number),
+                AimAction::Place(1) => self.stand(m_from_mm(number)),
+                AimAction::Place(-1) => self.stand(-m_from_mm(number)),
                 _ => self.aim.set_shown(number, self.seat()),
             }
-            self.look_ahead();
-            if let TableAction::Strength(1) | TableAction::Place(1 | -1) = action {
-                return;
+            if let AimAction::Strength(1) | AimAction::Place(1 | -1) = action {
+                return None;
             }
         }
         let right = rightwards(self.seat());
         match action {
-            TableAction::Turn(tenths) => self.turn(f64::from(tenths) * DIRECTION_STEP * right),
-            TableAction::TurnFar(tens) => self.turn(10.0 * f64::from(tens) * right),
-            TableAction::Strength(steps) => {
-                let by = f64::from(steps) * SPEED_STEP;
-                self.aim.set_speed(self.aim.speed + by);
-                self.look_ahead();
+            AimAction::Number(action) => {
+                if let Outcome::Done(degrees) = self.entry.act(action) {
+                    self.aim.set_shown(degrees, self.seat());
+                }
             }
-            TableAction::Place(steps) => self.shift(f64::from(steps) * PLACE_STEP, false),
-            TableAction::PlaceUp(steps) => self.shift(f64::from(steps) * PLACE_STEP, true),
-            TableAction::Aid(aid) => *aid.of(&mut self.options.aids) ^= true,
-            TableAction::Call => self.options.call ^= true,
-            TableAction::LayOut => self.phase = TablePhase::Arrange(Arrange::default()),
-            TableAction::Undo => self.take_back(),
-            TableAction::Hint => self.hint(),
-            TableAction::Strike => self.strike(cx),
-            _ => {}
+            AimAction::Turn(tenths) => self.aim.turn(f64::from(tenths) * DIRECTION_STEP * right),
+            AimAction::TurnFar(tens) => self.aim.turn(10.0 * f64::from(tens) * right),
+            AimAction::Strength(steps) => self.strengthen(steps),
+            AimAction::Place(steps) => {
+                let along = along_the_screen(self.seat(), self.game().setup().rules);
+                self.shift(steps, along);
+            }
+            AimAction::PlaceUp(steps) => self.shift(steps, DVec2::Y),
+            AimAction::Aid(aid) => *aid.of(&mut self.options.aids) ^= true,
+            AimAction::Call => self.options.call ^= true,
+            AimAction::LayOut => return Some(GamePhase::Arrange(Arrange::default())),
+            AimAction::Undo => self.take_back(),
+            AimAction::Hint => self.help(),
+            AimAction::Strike => return self.strike(cx),
         }
+        None
     }
 
-    fn turn(&mut self, degrees: f64) {
-        self.aim.turn(degrees);
-        self.look_ahead();
+    /// Makes the stroke harder by so many steps.
+    pub(super) fn strengthen(&mut self, steps: i8) {
+        let by = f64::from(steps) * SPEED_STEP;
+        self.aim.set_speed(self.aim.speed + by);
     }
 
-    /// Moves the striker along the screen, or up it.
-    fn shift(&mut self, metres: f64, upwards: bool) {
-        let along = if upwards {
-            DVec2::Y
-        } else {
-            along_the_screen(self.seat(), self.game().setup().rules)
-        };
-        self.aim.move_by(metres * along, self.history.game());
-        self.look_ahead();
+    /// Moves the striker by so many steps in a direction of the screen.
+    fn shift(&mut self, steps: i8, way: DVec2) {
+        let step = f64::from(steps) * PLACE_STEP * way;
+        self.aim.move_by(step, self.history.game());
     }
 
     /// Puts the striker so many metres beside the middle, to the right on the screen
@@ -86,62 +196,161 @@ impl ActiveGame {
     fn take_back(&mut self) {
         let last = self.history.len().checked_sub(1);
         let strike = last.and_then(|last| self.history.strike(last).copied());
-        if self.history.undo() {
-            self.begin_turn();
-            if let Some(strike) = strike {
-                self.aim = Aim::of(&strike, self.seat());
-                self.look_ahead();
-            }
-        } else {
+        if !self.undo() {
             self.notice = Some("There is nothing to take back.".into());
+        } else if let Some(strike) = strike {
+            self.aim = Aim::of(&strike, self.seat());
         }
     }
 
+    /// Takes the last move back; says whether there was one.
+    pub(super) fn undo(&mut self) -> bool {
+        let undone = self.history.undo();
+        if undone {
+            self.begin_turn();
+        }
+        undone
+    }
+
     /// From aiming to the stroke, or to the call before it.
-    pub(super) fn strike(&mut self, cx: &Context) {
+    pub(super) fn strike(&mut self, cx: &Context) -> Option<GamePhase> {
         let lines = self.game().base_lines();
         if !self.is_practice() && lines.nearest(DVec2::ZERO).is_none() {
             self.pass();
-            return;
+            return Some(self.turn(cx));
         }
-        if let Err(why) = self.aim.check(self.game()) {
+        if let Err(why) = self.game().check_place(self.aim.place) {
             self.notice = Some(format!("Not from there: {why}."));
-            return;
+            return None;
         }
-        match self.preview.as_ref().and_then(Preview::first_hit) {
+        self.look_ahead();
+        match self.first_hit() {
             Some(hit) if self.options.call => {
-                let rays = RayInput::new(hit.impact.collision.side());
-                let of = None;
-                self.phase = TablePhase::Call(Box::new(Calling { hit, rays, of }));
+                Some(GamePhase::Call(Box::new(Calling::new(hit, None))))
             }
             _ => self.play(Move::Strike(self.aim.strike(self.seat())), cx),
         }
     }
 
-    /// Plays a stroke and watches it.
-    pub(super) fn play(&mut self, stroke: Move, cx: &Context) {
-        let number = self.history.len();
-        if let Some(shot) = self.make(stroke)
-            && let Some(past) = self.history.past(number)
-        {
-            let at_end = cx.settings.reduced_motion;
-            let replay = StrokeReplay::new(number, shot, past, at_end, &cx.settings);
-            let live = true;
-            self.phase = TablePhase::Watch(Box::new(StrokeReplay { live, ..replay }));
-        }
-    }
-
-    pub(super) fn aiming_mouse(&mut self, mouse: &Mouse, cx: &Context) -> bool {
-        let (at, inside) = Self::pointed(mouse, cx);
+    /// Aims by the mouse.
+    pub(super) fn aim_at(&mut self, mouse: &Mouse, area: Rect, cx: &Context) -> After {
+        let (at, inside) = picture::pointed(mouse, area);
         match mouse.kind {
-            MouseKind::ScrollUp => self.aim.set_speed(self.aim.speed + SPEED_STEP),
-            MouseKind::ScrollDown => self.aim.set_speed(self.aim.speed - SPEED_STEP),
             MouseKind::Down if inside => self.take_hold(at),
             MouseKind::Drag => self.lead(at),
             MouseKind::Up => return self.let_go(at, cx),
-            MouseKind::Down => return false,
+            _ => return After::Ignored,
         }
-        self.look_ahead();
-        true
+        After::Same
+    }
+
+    /// Writes the aim, what it will meet first, and how the game stands.
+    pub(super) fn write_aim(&self, charset: Charset, panel: &mut Panel<TableAction>) {
+        self.write_turn(panel);
+        let aim = self.aimed();
+        let typed = self.entry.shown();
+        panel.fact("aim", typed.unwrap_or_else(|| self.direction(&aim)));
+        strength(&aim, panel);
+        panel.fact("place", aim.place_words(self.game()));
+        if self.entry.is_open() {
+            panel.part(TableAction::Aim, |panel| {
+                panel.prompts([
+                    ("mm left", AimAction::Place(-1)),
+                    ("mm right", AimAction::Place(1)),
+                    ("as the strength", AimAction::Strength(1)),
+                ]);
+            });
+        }
+        if self.is_pulling() {
+            let what = match self.is_drawn() {
+                true => "Let go: strike. Back to the striker: not now.",
+                false => "Pull farther back to strike.",
+            };
+            panel.paragraph(what, Role::Key);
+        }
+        panel.gap();
+        if let Some(notice) = &self.notice {
+            panel.paragraph(notice, Role::Warn);
+        } else if let Some(hinted) = &self.hint {
+            hint(hinted, panel);
+        } else if let Err(why) = self.game().check_place(aim.place) {
+            panel.paragraph(format!("Not from here: {why}."), Role::Warn);
+        } else {
+            self.write_ahead(panel);
+        }
+        panel.gap();
+        score::write(self, charset, panel);
+    }
+
+    /// How a direction reads.
+    pub(super) fn direction(&self, aim: &Aim) -> String {
+        format!("{:.1}°", aim.shown_deg(self.seat()))
+    }
+
+    /// Writes whose turn it is, with what colour, and what the laws ask of the stroke.
+    pub(super) fn write_turn<A>(&self, panel: &mut Panel<A>) {
+        if self.is_practice() {
+            return;
+        }
+        let game = self.game();
+        let colour = game.colour(game.team(self.seat()));
+        let name = self.options.seat_name(self.seat());
+        let does = match game.play().is_unbroken() {
+            true => "breaks",
+            false => "plays",
+        };
+        let turn = format!("{}, {}", words::does(name, does), colour.adjective());
+        panel.line(capital(&turn), Role::Title);
+    }
+
+    /// Writes what the striker will meet first.
+    fn write_ahead<A>(&self, panel: &mut Panel<A>) {
+        let Some(preview) = &self.preview else {
+            return;
+        };
+        match &preview.end {
+            // While one calls, the impact angle is the coin's answer.
+            WayEnd::Meets(hit) => first_hit(self.game(), hit, !self.options.call, panel),
+            WayEnd::Falls => panel.line("no hit: into the pocket", Role::Warn),
+            WayEnd::Stops => panel.line("no hit", Role::Dim),
+            WayEnd::TooSoft(coin) => {
+                let coin = piece(self.game(), *coin);
+                panel.line(format!("too soft to reach the {coin}"), Role::Warn);
+            }
+        }
+        if self.options.call {
+            panel.line("you will call this hit", Role::Key);
+        }
+    }
+}
+
+/// Writes how hard the stroke is.
+pub(super) fn strength<A>(aim: &Aim, panel: &mut Panel<A>) {
+    let speed = format!("{:.1} m/s", aim.speed);
+    panel.meter("strength", aim.speed / SPEEDS.1, speed);
+}
+
+/// Writes the hint: first where to look, then all of it.
+fn hint(hinted: &Hinted, panel: &mut Panel<TableAction>) {
+    let (words, more) = match hinted.whole {
+        false => (hinted.hint.which(), "tell me more"),
+        true => (hinted.hint.how(), "set it so"),
+    };
+    panel.paragraph(words, Role::Good);
+    panel.prompt(more, TableAction::Aim(AimAction::Hint));
+}
+
+/// What a coin is.
+fn piece(game: &Game, coin: usize) -> &'static str {
+    let coin = game.coins().get(coin);
+    coin.map_or("coin", |coin| coin.piece.into())
+}
+
+/// Writes a first hit in numbers: which coin, b, and α if it may be told.
+pub(super) fn first_hit<A>(game: &Game, hit: &FirstHit, tells_angle: bool, panel: &mut Panel<A>) {
+    panel.fact("first hit", piece(game, hit.coin));
+    offset(&hit.impact.collision, panel);
+    if tells_angle {
+        impact_angle(&hit.impact.collision, panel);
     }
 }

@@ -1,12 +1,19 @@
-//! Laying coins out, in practice.
+//! Practice: laying the coins out by hand.
 
 use glam::DVec2;
+use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
 
-use super::{ActiveGame, TablePhase};
-use crate::game::{Coin, GameError, Move};
-use crate::messages::{Mouse, MouseKind};
-use crate::screens::Context;
-use crate::screens::table::keys::TableAction;
+use super::{ActiveGame, After, GameAction, score};
+use crate::game::pieces::{COINS_EACH, count};
+use crate::game::{Coin, Game, Move, Piece};
+use crate::messages::{Key, Mouse, MouseKind};
+use crate::physics::Board;
+use crate::screens::table::{TableAction, picture};
+use crate::widgets::input::KeyTable;
+use crate::widgets::panel::Panel;
+use crate::widgets::picture::Picture;
+use crate::widgets::{Charset, Role};
 
 /// A small step of the hand, in metres.
 const STEP: f64 = 0.002;
@@ -14,82 +21,192 @@ const STEP: f64 = 0.002;
 /// What is said where there is nothing to take.
 const NO_COIN: &str = "There is no coin under the hand.";
 
-impl ActiveGame {
-    pub(super) fn act_on_layout(&mut self, action: TableAction) {
-        let game = self.history.game();
-        let TablePhase::Arrange(arrange) = &mut self.phase else {
-            return;
-        };
+/// A hand over the board, maybe with a coin in it; at first empty, over the middle.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(in crate::screens::table) struct Arrange {
+    /// Where the hand is, in metres.
+    hand: DVec2,
+    /// The coin that goes with the hand, counted as the game counts them.
+    held: Option<usize>,
+}
+
+/// What keys do while coins are laid out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ArrangeAction {
+    /// move the hand: arrows by 20 mm, letters by 2 mm
+    Hand(i8, i8),
+    /// take the coin under the hand, or lay it down
+    TakeOrLay,
+    /// put the hand over the next coin
+    NextCoin,
+    /// add a white, a black, or the queen
+    Add(Piece),
+    /// remove the coin under the hand
+    RemoveCoin,
+    /// practice: take the last stroke back
+    Undo,
+}
+
+pub(super) fn keys() -> KeyTable<ArrangeAction> {
+    use ArrangeAction::{Add, Hand, NextCoin, RemoveCoin, TakeOrLay, Undo};
+    let ways = [(0, 1), (0, -1), (-1, 0), (1, 0)];
+    let near = ways.map(|(x, y)| Hand(x, y));
+    KeyTable::new("table")
+        .by(Key::ARROWS, |(x, y)| Hand(10 * x, 10 * y), ways, "move")
+        .or(['w', 's', 'a', 'd'].into_iter().zip(near))
+        .on(' ', TakeOrLay, "take, lay")
+        .or([(Key::Enter, TakeOrLay)])
+        .by(
+            ['o', 'b', 'q'],
+            Add,
+            [Piece::White, Piece::Black, Piece::Queen],
+            "add",
+        )
+        .called(&["white", "black", "queen"])
+        .on('x', RemoveCoin, "remove")
+        .or([Key::Delete, Key::Backspace].map(|key| (key, RemoveCoin)))
+        .on('z', Undo, "undo")
+        .on(Key::Tab, NextCoin, "")
+}
+
+impl Arrange {
+    pub(super) fn act(&mut self, action: ArrangeAction, game: &mut ActiveGame) {
         match action {
-            TableAction::Hand(x, y) => {
+            ArrangeAction::Hand(x, y) => {
                 let step = STEP * DVec2::new(f64::from(x), f64::from(y));
-                arrange.put_hand(arrange.hand + step, game);
+                self.put_hand(self.hand + step, game.game());
             }
-            TableAction::TakeOrLay => self.take_or_drop(),
-            TableAction::NextCoin => arrange.reach_next(game),
-            TableAction::Add(piece) => match arrange.added(game, piece) {
-                Ok(coins) => drop(self.make(Move::LayOut(coins))),
-                Err(GameError::TooMany { most, .. }) => {
-                    self.notice = Some(format!("A set has no more than {most} of these."));
-                }
-                Err(error) => self.notice = Some(error.to_string()),
-            },
-            TableAction::RemoveCoin => match arrange.taken(game) {
-                Some(coins) => self.lay_down(coins),
-                None => self.notice = Some(NO_COIN.into()),
-            },
-            TableAction::Undo => {
-                arrange.held = None;
-                if self.history.undo() {
-                    self.begin_turn();
+            ArrangeAction::TakeOrLay => self.take_or_lay(game),
+            ArrangeAction::NextCoin => self.reach_next(game.game()),
+            ArrangeAction::Add(piece) => self.add(piece, game),
+            ArrangeAction::RemoveCoin => {
+                let mut coins = game.game().coins().to_vec();
+                match self.held.or_else(|| self.under(game.game())) {
+                    Some(gone) if gone < coins.len() => {
+                        coins.remove(gone);
+                        self.lay_out(coins, game);
+                    }
+                    _ => game.notice = Some(NO_COIN.into()),
                 }
             }
-            _ => {}
+            ArrangeAction::Undo => {
+                self.held = None;
+                game.undo();
+            }
         }
     }
 
-    pub(super) fn arranging_mouse(&mut self, mouse: &Mouse, cx: &Context) -> bool {
-        let (at, inside) = Self::pointed(mouse, cx);
-        let game = self.history.game();
-        let TablePhase::Arrange(arrange) = &mut self.phase else {
-            return false;
-        };
+    /// Moves the hand with the mouse, and what it holds while the button is down.
+    pub(super) fn point(&mut self, mouse: &Mouse, area: Rect, game: &mut ActiveGame) -> After {
+        let (at, inside) = picture::pointed(mouse, area);
         match mouse.kind {
             MouseKind::Down if inside => {
-                arrange.put_hand(at, game);
-                arrange.held = arrange.under(game);
+                self.put_hand(at, game.game());
+                self.held = self.under(game.game());
             }
-            MouseKind::Drag => arrange.put_hand(at, game),
-            MouseKind::Up if arrange.held.is_some() => self.take_or_drop(),
-            _ => return false,
+            MouseKind::Drag => self.put_hand(at, game.game()),
+            MouseKind::Up if self.held.is_some() => self.take_or_lay(game),
+            _ => return After::Ignored,
         }
-        true
+        After::Same
+    }
+
+    /// The coin under the hand: the nearest one it touches.
+    fn under(&self, game: &Game) -> Option<usize> {
+        let reach = 1.2 * game.setup().set.coin_radius();
+        let distance = |coin: &Coin| coin.at.distance(self.hand);
+        let coins = game.coins().iter().map(distance).enumerate();
+        let touched = coins.filter(|(_, distance)| *distance <= reach);
+        let nearest = touched.min_by(|(_, a), (_, b)| a.total_cmp(b));
+        nearest.map(|(i, _)| i)
+    }
+
+    /// Puts the hand over the next coin, if it is empty.
+    fn reach_next(&mut self, game: &Game) {
+        let next = self.under(game).map_or(0, |i| i + 1);
+        let coin = game.coins().get(next).or(game.coins().first());
+        if let Some(coin) = coin.filter(|_| self.held.is_none()) {
+            self.hand = coin.at;
+        }
+    }
+
+    /// Moves the hand, to whole millimetres and within the frame.
+    fn put_hand(&mut self, at: DVec2, game: &Game) {
+        let room = Board::default().side / 2.0 - game.setup().set.coin_radius();
+        let whole = (at * 1000.0).round() / 1000.0;
+        self.hand = whole.clamp(DVec2::splat(-room), DVec2::splat(room));
     }
 
     /// Takes the coin under the hand, or lays the held one down.
-    fn take_or_drop(&mut self) {
-        let game = self.history.game();
-        let TablePhase::Arrange(arrange) = &mut self.phase else {
-            return;
-        };
-        match arrange.moved(game) {
-            Some(coins) => self.lay_down(coins),
+    fn take_or_lay(&mut self, game: &mut ActiveGame) {
+        let mut coins = game.game().coins().to_vec();
+        match self.held.and_then(|held| coins.get_mut(held)) {
+            Some(coin) => {
+                coin.at = self.hand;
+                self.lay_out(coins, game);
+            }
             None => {
-                arrange.held = arrange.under(game);
-                if arrange.held.is_none() {
-                    self.notice = Some(NO_COIN.into());
+                self.held = self.under(game.game());
+                if self.held.is_none() {
+                    game.notice = Some(NO_COIN.into());
                 }
             }
         }
     }
 
-    /// Lays the coins out like this, if they can lie so; then nothing is held any more.
-    fn lay_down(&mut self, coins: Vec<Coin>) {
-        self.make(Move::LayOut(coins));
-        if self.notice.is_none()
-            && let TablePhase::Arrange(arrange) = &mut self.phase
-        {
-            arrange.held = None;
+    /// Lays one more of a kind where the hand is, if the set has one.
+    fn add(&self, piece: Piece, game: &mut ActiveGame) {
+        let most = if piece == Piece::Queen { 1 } else { COINS_EACH };
+        if count(game.game().coins(), piece) >= most {
+            game.notice = Some(format!("A set has no more than {most} of these."));
+            return;
         }
+        let at = self.hand;
+        let coins = [game.game().coins(), &[Coin { piece, at }]].concat();
+        game.make(Move::LayOut(coins));
+    }
+
+    /// Lays the coins out like this, if they can lie so; then nothing is held any more.
+    fn lay_out(&mut self, coins: Vec<Coin>, game: &mut ActiveGame) {
+        game.make(Move::LayOut(coins));
+        if game.notice.is_none() {
+            self.held = None;
+        }
+    }
+
+    pub(super) fn picture(&self, game: &ActiveGame, area: Rect) -> Picture {
+        let mut coins = game.game().coins().to_vec();
+        if let Some(held) = self.held.and_then(|held| coins.get_mut(held)) {
+            held.at = self.hand;
+        }
+        let mut picture = picture::of_pack(&coins, game.set(), area);
+        picture::hand(&mut picture, self.hand);
+        picture
+    }
+
+    pub(super) fn write(
+        &self,
+        game: &ActiveGame,
+        charset: Charset,
+        panel: &mut Panel<TableAction>,
+    ) {
+        let (what, next) = match self.held {
+            Some(_) => ("Move the coin and put it down.", "put it down"),
+            None => (
+                "Put the hand over a coin and pick it up, or drag it with the mouse.",
+                "pick it up",
+            ),
+        };
+        panel.paragraph(what, Role::Text);
+        panel.prompt(next, TableAction::Arrange(ArrangeAction::TakeOrLay));
+        panel.gap();
+        if let Some(notice) = &game.notice {
+            panel.paragraph(notice, Role::Warn);
+        }
+        panel.gap();
+        score::write_pieces(game, charset, panel);
+        panel.gap();
+        panel.prompt("done", TableAction::Game(GameAction::Back));
     }
 }

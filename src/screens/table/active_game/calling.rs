@@ -1,61 +1,106 @@
 //! Calling the first impact before the stroke.
 
-use super::{ActiveGame, TablePhase};
+use ratatui::layout::Rect;
+
+use super::{ActiveGame, After, GamePhase, ShownStroke};
 use crate::game::{Move, Strike};
 use crate::messages::{Mouse, MouseKind};
 use crate::screens::Context;
+use crate::screens::table::TableAction;
 use crate::screens::table::calls::call;
-use crate::widgets::hit::point_at;
-use crate::widgets::input::RayAction;
-use crate::widgets::{Outcome, SplitLayout};
+use crate::screens::table::computer_stroke::ComputerStroke;
+use crate::screens::table::preview::FirstHit;
+use crate::widgets::hit::{Face, Markings, point_at, setup_picture};
+use crate::widgets::input::{KeyTable, RayAction};
+use crate::widgets::panel::Panel;
+use crate::widgets::panels::{contact_distance, masses, offset};
+use crate::widgets::picture::Picture;
+use crate::widgets::{Outcome, RayInput, Role};
 
-impl ActiveGame {
-    pub(super) fn act_on_call(&mut self, action: RayAction, cx: &Context) {
-        if let TablePhase::Call(calling) = &mut self.phase
-            && let Outcome::Done(()) = calling.rays.act(action)
-            && let Some(said) = calling.rays.said()
-        {
-            let (of, call) = (calling.of.take(), Some(call(&said)));
-            self.phase = TablePhase::Aim;
-            match of {
-                Some(stroke) => self.play_for_the_computer(&stroke, call, cx),
-                None => {
-                    let strike = self.aim.strike(self.seat());
-                    self.play(Move::Strike(Strike { call, ..strike }), cx);
-                }
+/// A call in the making.
+#[derive(Debug, Clone)]
+pub(in crate::screens::table) struct Calling {
+    hit: FirstHit,
+    rays: RayInput,
+    /// The computer's stroke, if it is one of those.
+    of: Option<ComputerStroke>,
+}
+
+impl Calling {
+    pub(super) fn new(hit: FirstHit, of: Option<ComputerStroke>) -> Self {
+        let rays = RayInput::new(hit.impact.collision.side());
+        Self { hit, rays, of }
+    }
+
+    pub(super) fn keys(&self) -> KeyTable<RayAction> {
+        self.rays.keys("next, then strike")
+    }
+
+    /// Turns a ray; once both are said, strikes.
+    pub(super) fn act(
+        &mut self,
+        action: RayAction,
+        game: &mut ActiveGame,
+        cx: &Context,
+    ) -> Option<GamePhase> {
+        if self.rays.act(action) != Outcome::Done(()) {
+            return None;
+        }
+        let call = Some(call(&self.rays.said()?));
+        Some(match &self.of {
+            Some(stroke) => game.play_for_the_computer(stroke, call, cx),
+            None => {
+                let strike = game.aim.strike(game.seat());
+                let watching = game.play(Move::Strike(Strike { call, ..strike }), cx);
+                watching.unwrap_or(GamePhase::Aim)
             }
+        })
+    }
+
+    /// Back to the aim, or to the computer's.
+    pub(super) fn leave(&mut self, game: &ActiveGame, cx: &Context) -> GamePhase {
+        match self.of.take() {
+            Some(stroke) => GamePhase::Show(Box::new(ShownStroke::new(stroke, &game.options, cx))),
+            None => GamePhase::Aim,
         }
     }
 
-    /// Away from a call: back to the aim, or to the computer's.
-    pub(super) fn leave_call(&mut self, cx: &Context) {
-        let TablePhase::Call(calling) = &mut self.phase else {
-            return;
-        };
-        match calling.of.take() {
-            Some(stroke) => self.show(*stroke, cx),
-            None => self.phase = TablePhase::Aim,
-        }
-    }
-
-    pub(super) fn calling_mouse(&mut self, mouse: &Mouse, cx: &Context) -> bool {
-        let picture = SplitLayout::new(cx.room()).picture;
-        let cell = mouse.cell();
+    pub(super) fn point(&mut self, mouse: &Mouse, area: Rect) -> After {
         let pressed = mouse.kind == MouseKind::Down;
-        let held = pressed || mouse.kind == MouseKind::Drag;
-        match &mut self.phase {
-            TablePhase::Call(calling) if held && picture.contains(cell.into()) => {
-                let collision = &calling.hit.impact.collision;
-                point_at(
-                    picture,
-                    collision,
-                    &mut calling.rays,
-                    mouse.place(),
-                    pressed,
-                );
-                true
-            }
-            _ => false,
+        if !mouse.is_held() || !area.contains(mouse.cell().into()) {
+            return After::Ignored;
         }
+        let collision = &self.hit.impact.collision;
+        point_at(area, collision, &mut self.rays, mouse.place(), pressed);
+        After::Same
+    }
+
+    pub(super) fn picture(&self, area: Rect) -> Picture {
+        // Not the impact angle: along the line of impact the coin leaves.
+        let shown = Markings {
+            angle: false,
+            ..Markings::ALL
+        };
+        let collision = &self.hit.impact.collision;
+        let rays = Some(&self.rays);
+        setup_picture(area, Face::STRIKER_AND_COIN, collision, shown, rays)
+    }
+
+    /// Writes the hit, and both rays as said so far.
+    pub(super) fn write(&self, panel: &mut Panel<TableAction>) {
+        let collision = &self.hit.impact.collision;
+        offset(collision, panel);
+        // Not the impact angle: that is the coin's answer.
+        contact_distance(collision, panel);
+        masses(collision, [false; 2], panel);
+        panel.gap();
+        panel.heading("Where will they go?");
+        panel.part(TableAction::Call, |panel| {
+            self.rays.write(panel, "coin");
+            panel.gap();
+            panel.paragraph(self.rays.about("coin"), Role::Text);
+            panel.gap();
+            self.rays.write_prompt(panel, "coin", "strike!");
+        });
     }
 }

@@ -1,4 +1,4 @@
-//! Keeping the game: saved after each move, exported when asked, gone on with later.
+//! GameKeeping the game: saved after each move, exported when asked, gone on with later.
 
 use super::ActiveGame;
 use crate::game::{Fingerprint, RecordError, SavedGame};
@@ -9,14 +9,14 @@ use crate::screens::table::options::Options;
 
 /// How a game is kept.
 #[derive(Debug, Clone, Default)]
-pub(in crate::screens::table) struct GameKeeping {
+pub(super) struct GameKeeping {
     /// The ticket it is saved with, once it has been.
     ticket: Option<u64>,
     /// Whether the game as it stands can be gone on with later; `None` while the answer to
     /// the first save is awaited.
     pub(super) saved: Option<bool>,
     /// What the player has to know, until the next stroke: why the game cannot be saved.
-    pub(in crate::screens::table) trouble: Option<String>,
+    pub(super) trouble: Option<String>,
 }
 
 impl ActiveGame {
@@ -31,7 +31,6 @@ impl ActiveGame {
     ) -> Result<Self, RecordError> {
         let history = GameHistory::from_record(saved.record.clone(), saved.hints.clone())?;
         let mut active = Self::with(Options::of(saved), history);
-        active.go_on();
         active.keeping.ticket = Some(ticket);
         active.keeping.saved = Some(true);
         if let Some(number) = active.history.stroke_before(active.history.len())
@@ -40,6 +39,7 @@ impl ActiveGame {
         {
             // The strength stands where it was left.
             active.aim.set_speed(strike.velocity.length());
+            active.look_ahead();
         }
         Ok(active)
     }
@@ -66,7 +66,7 @@ impl ActiveGame {
     }
 
     /// Takes in what came of saving and exporting.
-    pub(super) fn take_answer(&mut self, answer: &StoreAnswer) {
+    pub(in crate::screens::table) fn take_answer(&mut self, answer: &StoreAnswer) {
         match &answer.done {
             StoreReply::Saved(result) if self.keeping.ticket == Some(answer.ticket) => {
                 // A failure is told once, not after each stroke.

@@ -3,7 +3,7 @@
 
 use glam::DVec2;
 
-use super::ActiveGame;
+use super::{ActiveGame, After};
 use crate::physics::angle::signed_angle;
 use crate::screens::Context;
 use crate::screens::table::aim::{Aim, SPEEDS};
@@ -66,7 +66,6 @@ impl ActiveGame {
     /// The mouse moved with its button down.
     pub(super) fn lead(&mut self, at: DVec2) {
         self.entry.take();
-        self.notice = None;
         match self.grip {
             Grip::Free => {}
             Grip::Aim => self.aim.point_at(at, self.history.game().seat()),
@@ -79,27 +78,25 @@ impl ActiveGame {
         }
     }
 
-    /// The button was let go at a point of the board; says whether that meant anything.
-    pub(super) fn let_go(&mut self, at: DVec2, cx: &Context) -> bool {
-        if let Grip::Pull { before, .. } = self.grip {
-            self.draw_back(at, before);
-        }
-        let drawn = self.is_drawn();
-        let pulled = self.is_pulling();
-        if drawn {
+    /// The button was let go at a point of the board.
+    pub(super) fn let_go(&mut self, at: DVec2, cx: &Context) -> After {
+        let Grip::Pull { before, .. } = self.grip else {
             self.grip = Grip::Free;
-            self.strike(cx);
-        } else {
-            self.let_slip();
+            return After::Ignored;
+        };
+        self.draw_back(at, before);
+        if self.is_drawn() {
+            self.grip = Grip::Free;
+            return self.strike(cx).into();
         }
-        pulled
+        self.let_slip();
+        After::Same
     }
 
     /// Ends a pull without a stroke.
     pub(super) fn let_slip(&mut self) {
         if let Grip::Pull { before, .. } = std::mem::take(&mut self.grip) {
             self.aim = before;
-            self.look_ahead();
         }
     }
 

@@ -3,14 +3,21 @@
 
 use std::time::Duration;
 
-use super::{ActiveGame, Calling, TablePhase};
-use crate::game::Move;
-use crate::messages::{Mouse, MouseKind};
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::aiming::{first_hit, strength};
+use super::calling::Calling;
+use super::{ActiveGame, GamePhase, score};
+use crate::game::{Call, Move, Strike};
+use crate::messages::Key;
 use crate::screens::Context;
+use crate::screens::table::TableAction;
 use crate::screens::table::computer_stroke::ComputerStroke;
-use crate::screens::table::options::Player;
+use crate::screens::table::options::{Options, Player};
 use crate::screens::table::preview::Preview;
-use crate::widgets::RayInput;
+use crate::widgets::input::KeyTable;
+use crate::widgets::panel::Panel;
+use crate::widgets::{Charset, Role};
 
 /// How long each part of the aim is seen before the next, and the whole at last.
 const PARTS: [Duration; 3] = [
@@ -29,115 +36,157 @@ pub(in crate::screens::table) struct ShownStroke {
     left: Option<Duration>,
 }
 
-impl ShownStroke {
-    pub(super) fn wake(&self) -> Option<Duration> {
-        self.left
-    }
+/// What keys do while the computer's aim is seen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ShowAction {
+    /// let the computer strike at once
+    StrikeShown,
+    /// your call: say first where the two of the computer's hit will go
+    CallShown,
 }
 
-impl ActiveGame {
-    /// Shows what the computer is about to strike.
-    pub(super) fn show(&mut self, stroke: ComputerStroke, cx: &Context) {
+pub(super) fn keys() -> KeyTable<ShowAction> {
+    use ShowAction::{CallShown, StrikeShown};
+    KeyTable::new("table")
+        .on(' ', StrikeShown, "strike")
+        .or([(Key::Enter, StrikeShown)])
+        .on('c', CallShown, "your call")
+}
+
+impl ShownStroke {
+    /// What the computer is about to strike.
+    pub(super) fn new(stroke: ComputerStroke, options: &Options, cx: &Context) -> Self {
         let parts = match cx.settings.reduced_motion {
             true => PARTS.len(),
             false => 1,
         };
-        let left = self.part_lasts(parts, cx);
-        let shown = ShownStroke {
+        Self {
             stroke,
             parts,
-            left,
-        };
-        self.phase = TablePhase::Show(Box::new(shown));
+            left: part_lasts(parts, options, cx),
+        }
     }
 
-    /// How long a stroke is seen of which so many parts are there. Whoever calls strokes is
-    /// left the time to do so; whoever watches them fast sees this faster too.
-    fn part_lasts(&self, parts: usize, cx: &Context) -> Option<Duration> {
-        let waits = self.options.call && self.options.count(Player::Person) > 0;
-        if waits && parts == PARTS.len() {
-            return None;
+    pub(super) fn act(
+        &self,
+        action: ShowAction,
+        game: &mut ActiveGame,
+        cx: &Context,
+    ) -> Option<GamePhase> {
+        match action {
+            ShowAction::StrikeShown => self.strike(game, cx),
+            ShowAction::CallShown => self.call(game, cx),
         }
-        let rate = cx.settings.watch_rate.map_or(1.0, |rate| rate.seconds());
-        let lasts = PARTS.get(parts - 1).copied().unwrap_or_default();
-        Some(lasts.div_f64(rate.max(1.0)))
-    }
-
-    /// Lets time pass over a stroke that is shown.
-    pub(super) fn advance_shown(&mut self, passed: Duration, cx: &Context) {
-        let TablePhase::Show(shown) = &self.phase else {
-            return;
-        };
-        let mut shown = shown.clone();
-        let mut passed = passed;
-        while let Some(left) = shown.left {
-            if passed < left {
-                shown.left = Some(left - passed);
-                break;
-            }
-            passed -= left;
-            if shown.parts == PARTS.len() {
-                return self.strike_shown(cx);
-            }
-            shown.parts += 1;
-            shown.left = self.part_lasts(shown.parts, cx);
-        }
-        self.phase = TablePhase::Show(shown);
     }
 
     /// Strikes what was shown, at once.
-    pub(super) fn strike_shown(&mut self, cx: &Context) {
-        if let TablePhase::Show(shown) = &self.phase {
-            let stroke = shown.stroke.clone();
-            self.play_for_the_computer(&stroke, None, cx);
-        }
+    pub(super) fn strike(&self, game: &mut ActiveGame, cx: &Context) -> Option<GamePhase> {
+        Some(game.play_for_the_computer(&self.stroke, None, cx))
     }
 
     /// Lets the player say where the two of its first hit will go. What is called is the
     /// stroke as the hand makes it.
-    pub(super) fn call_shown(&mut self, cx: &Context) {
-        let TablePhase::Show(shown) = &self.phase else {
-            return;
-        };
-        let [struck, _] = shown.stroke.strikes();
-        let preview = Preview::of(&struck, self.game());
+    fn call(&self, game: &mut ActiveGame, cx: &Context) -> Option<GamePhase> {
+        let [struck, _] = self.stroke.strikes();
+        let preview = Preview::of(&struck, game.game());
         let Some(hit) = preview.as_ref().and_then(Preview::first_hit) else {
-            return self.strike_shown(cx);
+            return self.strike(game, cx);
         };
-        self.phase = TablePhase::Call(Box::new(Calling {
-            hit,
-            rays: RayInput::new(hit.impact.collision.side()),
-            of: Some(Box::new(shown.stroke.clone())),
-        }));
+        let calling = Calling::new(hit, Some(self.stroke.clone()));
+        Some(GamePhase::Call(Box::new(calling)))
     }
 
+    /// Lets time pass: part after part is seen, then it is struck.
+    pub(super) fn advance(
+        &mut self,
+        mut passed: Duration,
+        game: &mut ActiveGame,
+        cx: &Context,
+    ) -> Option<GamePhase> {
+        while let Some(left) = self.left {
+            if passed < left {
+                self.left = Some(left - passed);
+                break;
+            }
+            passed -= left;
+            if self.parts == PARTS.len() {
+                return self.strike(game, cx);
+            }
+            self.parts += 1;
+            self.left = part_lasts(self.parts, &game.options, cx);
+        }
+        None
+    }
+
+    pub(super) fn wake(&self) -> Option<Duration> {
+        self.left
+    }
+
+    /// Writes as much of the stroke as is seen.
+    pub(super) fn write(
+        &self,
+        game: &ActiveGame,
+        charset: Charset,
+        panel: &mut Panel<TableAction>,
+    ) {
+        game.write_turn(panel);
+        let aim = &self.stroke.aim;
+        panel.fact("place", aim.place_words(game.game()));
+        if self.parts > 1 {
+            panel.fact("aim", game.direction(aim));
+        }
+        if self.parts > 2 {
+            strength(aim, panel);
+        }
+        panel.gap();
+        let hit = self.stroke.preview.as_ref().and_then(Preview::first_hit);
+        if let Some(hit) = hit.filter(|_| self.parts > 2) {
+            first_hit(game.game(), &hit, false, panel);
+        }
+        panel.gap();
+        panel.paragraph("What will happen? Say it first.", Role::Text);
+        panel.part(TableAction::Show, |panel| {
+            panel.prompts([
+                ("your call", ShowAction::CallShown),
+                ("strike", ShowAction::StrikeShown),
+            ]);
+        });
+        panel.gap();
+        score::write(game, charset, panel);
+    }
+}
+
+/// How long a stroke is seen of which so many parts are there. Whoever calls strokes is
+/// left the time to do so; whoever watches them fast sees this faster too.
+fn part_lasts(parts: usize, options: &Options, cx: &Context) -> Option<Duration> {
+    let waits = options.call && options.count(Player::Person) > 0;
+    if waits && parts == PARTS.len() {
+        return None;
+    }
+    let rate = cx.settings.watch_rate.map_or(1.0, |rate| rate.seconds());
+    let lasts = PARTS.get(parts - 1).copied().unwrap_or_default();
+    Some(lasts.div_f64(rate.max(1.0)))
+}
+
+impl ActiveGame {
     /// Plays what the computer has decided, with what was called of it.
     pub(super) fn play_for_the_computer(
         &mut self,
         stroke: &ComputerStroke,
-        call: Option<crate::game::Call>,
+        call: Option<Call>,
         cx: &Context,
-    ) {
-        self.phase = TablePhase::Aim;
+    ) -> GamePhase {
         let number = self.history.len();
         for strike in stroke.strikes() {
-            self.play(Move::Strike(crate::game::Strike { call, ..strike }), cx);
-            if self.history.len() > number {
+            if let Some(watching) = self.play(Move::Strike(Strike { call, ..strike }), cx) {
                 self.history.tell(number, stroke.clone());
                 self.notice = None;
-                return;
+                return watching;
             }
         }
         // Neither can be played.
         self.hand_to_person();
-    }
-
-    /// A click strikes at once.
-    pub(super) fn showing_mouse(&mut self, mouse: &Mouse, cx: &Context) -> bool {
-        let clicked = mouse.kind == MouseKind::Down;
-        if clicked {
-            self.strike_shown(cx);
-        }
-        clicked
+        GamePhase::Aim
     }
 }

@@ -3,7 +3,7 @@
 //! Both are searched for on the spot: while the computer decides nothing moves on the board,
 //! and a search takes less time than anyone would notice as a wait (`docs/performance.md`).
 
-use super::{ActiveGame, Hinted, TablePhase};
+use super::{ActiveGame, GamePhase, Hinted, ShownStroke};
 use crate::game::opponent;
 use crate::screens::Context;
 use crate::screens::table::aim::Aim;
@@ -12,30 +12,27 @@ use crate::screens::table::options::Player;
 use crate::screens::table::pointer::Pointer;
 
 impl ActiveGame {
-    /// Whether the computer is to decide on its stroke.
-    pub(super) fn is_computers_turn(&self) -> bool {
-        matches!(self.phase, TablePhase::Aim)
-            && self.options.player(self.seat()) == Player::Computer
-    }
-
-    /// Lets the computer decide on its stroke, if it is to play.
-    pub(super) fn hand_over(&mut self, cx: &Context) {
-        if self.is_computers_turn() {
-            let strength = self.options.strength(self.seat());
-            match opponent::think(self.game(), strength, self.next_seed()) {
-                Some(decision) => self.show(ComputerStroke::new(decision, self.game()), cx),
-                None => self.pass(),
+    /// The computer's stroke, to be seen before it is struck.
+    pub(super) fn think(&mut self, cx: &Context) -> GamePhase {
+        let strength = self.options.strength(self.seat());
+        match opponent::think(self.game(), strength, self.next_seed()) {
+            Some(decision) => {
+                let stroke = ComputerStroke::new(decision, self.game());
+                GamePhase::Show(Box::new(ShownStroke::new(stroke, &self.options, cx)))
+            }
+            None => {
+                self.pass();
+                GamePhase::Aim
             }
         }
     }
 
     /// Gives a hint; then all of it; at last sets it.
-    pub(super) fn hint(&mut self) {
+    pub(super) fn help(&mut self) {
         match &mut self.hint {
             Some(hinted) if hinted.whole => {
                 let stroke = hinted.hint.stroke;
                 self.aim = Aim::of(&strike(stroke), self.seat());
-                self.look_ahead();
             }
             Some(hinted) => hinted.whole = true,
             None => self.find_hint(),

@@ -2,99 +2,389 @@
 
 use std::time::Duration;
 
-use super::{ActiveGame, TablePhase};
-use crate::messages::{Mouse, MouseKind};
-use crate::screens::Context;
+use glam::DVec2;
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{ActiveGame, After, GameAction, GamePhase, score};
+use crate::game::Piece;
+use crate::messages::Key;
+use crate::numbers::capital;
+use crate::physics::{EventKind, Frame, Shot};
+use crate::quiz::why;
+use crate::screens::table::calls::Called;
+use crate::screens::table::game_history::{GameHistory, Past};
 use crate::screens::table::options::Player;
-use crate::screens::table::replay::StrokeReplay;
-use crate::screens::table::{panel, view};
-use crate::widgets::hit::HitPace;
-use crate::widgets::replay::ShotAction;
+use crate::screens::table::{TableAction, words};
+use crate::screens::{Context, Settings};
+use crate::widgets::hit::{HitPace, Watch};
+use crate::widgets::ink::token;
+use crate::widgets::input::{KeyTable, ListAction};
+use crate::widgets::panel::Panel;
+use crate::widgets::panels::{impact_angle, masses, offset, reason, said_and_true, separation};
+use crate::widgets::replay::{ShotAction, ShotClock, ShotPlayer, WatchRate};
+use crate::widgets::{Charset, Role};
 
-impl ActiveGame {
-    /// The number of the stroke that is watched.
-    pub(super) fn watched(&self) -> usize {
-        match &self.phase {
-            TablePhase::Watch(replay) => replay.number,
-            _ => 0,
+/// Seconds for which a piece that has fallen is seen on its way to its tray.
+pub(in crate::screens::table) const FALL: f64 = 0.6;
+
+/// Seconds for which the end of a stroke is seen, at real speed, before computers play on.
+const END_SEEN: f64 = 4.0;
+
+/// A piece that falls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::screens::table) struct FallingPiece {
+    pub(in crate::screens::table) piece: Piece,
+    /// When, in seconds since the start of the stroke.
+    pub(in crate::screens::table) time: f64,
+    /// Into which corner, as the engine counts them.
+    pub(in crate::screens::table) corner: usize,
+}
+
+/// A stroke being watched.
+#[derive(Debug, Clone)]
+pub(in crate::screens::table) struct StrokeReplay {
+    /// The number of the move it was.
+    pub(in crate::screens::table) number: usize,
+    /// Whether it was made just now: then the game waits, and there is nothing to go back
+    /// to but the question whether to leave it.
+    pub(super) live: bool,
+    /// How long its end has been seen while nobody had to press a key.
+    end_seen: Duration,
+    /// What each disc of the shot is.
+    pub(in crate::screens::table) pieces: Vec<Piece>,
+    /// What falls in it, in order.
+    pub(in crate::screens::table) falls: Vec<FallingPiece>,
+    /// Its shot, its clock and its impacts.
+    pub(in crate::screens::table) player: ShotPlayer,
+}
+
+/// What keys do while a stroke is watched.
+#[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum StrokeAction {
+    /// time, and the list of impacts
+    Replay(ShotAction),
+    /// go on: the next stroke, or back to the game
+    GoOn,
+    /// to the end of the stroke
+    ToTheEnd,
+    /// the stroke before
+    StrokeBefore,
+    /// the stroke after
+    StrokeAfter,
+}
+
+impl StrokeReplay {
+    /// A stroke that was made, with what was called of its first impact; from its
+    /// beginning, or `at_end`.
+    pub(super) fn new(
+        number: usize,
+        shot: Shot,
+        past: &Past,
+        at_end: bool,
+        settings: &Settings,
+    ) -> Self {
+        let coins = past.before.coins().iter().map(|coin| coin.piece);
+        let pieces: Vec<_> = std::iter::once(Piece::Striker).chain(coins).collect();
+        let faces = pieces.iter().copied().map(words::face).collect();
+        let rate = settings.watch_rate.unwrap_or(WatchRate::REAL);
+        let falls = shot.events().iter().filter_map(|event| match event.kind {
+            EventKind::Pocket { disc, corner } => Some(FallingPiece {
+                piece: *pieces.get(disc)?,
+                time: event.time,
+                corner,
+            }),
+            _ => None,
+        });
+        let falls: Vec<_> = falls.collect();
+        // The last one is seen on its way too.
+        let last = falls.last().map_or(0.0, |fall| fall.time + FALL);
+        let clock = ShotClock::new(shot.duration().max(last), rate, at_end);
+        let called = past.called.as_ref().map(|called| called.said);
+        let player = ShotPlayer::new(shot, 0, clock).with_faces(faces);
+        Self {
+            number,
+            live: false,
+            end_seen: Duration::ZERO,
+            pieces,
+            falls,
+            player: player.with_said(called).with_list(),
         }
     }
 
-    /// Watches all strokes, one after the other.
-    pub(in crate::screens::table) fn watch_all(&mut self, cx: &Context) {
-        let first = self.history.stroke_from(0);
-        self.look_at(first, cx.settings.reduced_motion, cx);
+    /// The discs on the board now, with where they are.
+    pub(in crate::screens::table) fn discs(&self) -> impl Iterator<Item = (Piece, DVec2)> {
+        let discs = self.player.discs();
+        discs.filter_map(|(disc, at)| Some((*self.pieces.get(disc)?, at)))
     }
 
-    /// Watches a stroke that was made, at its end or from its beginning.
-    pub(super) fn look_at(&mut self, stroke: Option<usize>, at_end: bool, cx: &Context) {
-        let Some(number) = stroke else {
-            self.notice = Some("There is no stroke to look at yet.".into());
-            return;
-        };
-        if let Some(past) = self.history.past(number)
-            && let Some(shot) = self.history.shot(number)
-        {
-            let replay = StrokeReplay::new(number, shot, past, at_end, &cx.settings);
-            self.phase = TablePhase::Watch(Box::new(replay));
+    pub(super) fn keys(&self, history: &GameHistory) -> KeyTable<StrokeAction> {
+        use StrokeAction::{GoOn, Replay, StrokeAfter, StrokeBefore, ToTheEnd};
+        let over = self.player.clock().is_over();
+        let board = self.player.chosen().is_none();
+        let before = history.stroke_before(self.number);
+        let before = before.map(|_| ('p', StrokeBefore));
+        let after = history.stroke_from(self.number + 1);
+        let after = after.map(|_| ('n', StrokeAfter));
+        KeyTable::new("table")
+            .on(' ', GoOn, "go on")
+            .or([(Key::Enter, GoOn)])
+            .when(over && board)
+            .with(self.player.keys(), Replay)
+            .on(Key::Enter, ToTheEnd, "")
+            .when(!over && board)
+            .each(before.into_iter().chain(after), "other strokes")
+            .called(&["before", "after"])
+            .when(board)
+    }
+
+    pub(super) fn act(
+        &mut self,
+        action: StrokeAction,
+        game: &mut ActiveGame,
+        cx: &mut Context,
+    ) -> Option<GamePhase> {
+        match action {
+            StrokeAction::Replay(action) => self.work(action, cx),
+            StrokeAction::ToTheEnd => self.work(ShotAction::Seek(f64::INFINITY), cx),
+            StrokeAction::GoOn => Some(self.go_on(game, cx)),
+            StrokeAction::StrokeBefore => {
+                game.look_at(game.history.stroke_before(self.number), true, cx)
+            }
+            StrokeAction::StrokeAfter => {
+                game.look_at(game.history.stroke_from(self.number + 1), true, cx)
+            }
         }
     }
 
-    /// From a stroke that was seen to its end to the next one, or on with the game.
-    pub(super) fn go_on_from_stroke(&mut self, cx: &Context) {
-        match self.history.stroke_from(self.watched() + 1) {
-            None => self.go_on(),
-            next => self.look_at(next, cx.settings.reduced_motion, cx),
+    /// Works the clock, or the impacts; the stroke is watched on.
+    pub(super) fn work(&mut self, action: ShotAction, cx: &mut Context) -> Option<GamePhase> {
+        let settings = &mut cx.settings;
+        let pace = settings.pace();
+        self.player.act(action, &mut settings.watch_rate, pace);
+        None
+    }
+
+    /// On to the next stroke, or with the game.
+    fn go_on(&self, game: &mut ActiveGame, cx: &Context) -> GamePhase {
+        let next = game.history.stroke_from(self.number + 1);
+        let still = cx.settings.reduced_motion;
+        let watching = next.and_then(|next| game.look_at(Some(next), still, cx));
+        watching.unwrap_or_else(|| game.turn(cx))
+    }
+
+    /// A click on the picture goes on.
+    pub(super) fn click(&mut self, game: &mut ActiveGame, cx: &mut Context) -> After {
+        match self.player.clicked() {
+            Some(action) => self.work(action, cx).into(),
+            None if self.is_at_its_end() => After::Phase(self.go_on(game, cx)),
+            None => After::Ignored,
         }
+    }
+
+    /// Whether all of it has been seen, and no impact is looked into.
+    fn is_at_its_end(&self) -> bool {
+        self.player.clock().is_over() && self.player.chosen().is_none()
     }
 
     /// When a game of computers alone goes on from the end of a stroke: by itself, unless
     /// all is to wait for a key.
-    pub(super) fn end_left(&self, pace: HitPace) -> Option<Duration> {
-        let alone = self.options.count(Player::Person) == 0 && pace == HitPace::Flowing;
-        match &self.phase {
-            TablePhase::Watch(replay) if alone => replay.end_left(),
-            _ => None,
-        }
+    fn left_at_end(&self, game: &ActiveGame, pace: HitPace) -> Option<Duration> {
+        let alone = game.options.count(Player::Person) == 0 && pace == HitPace::Flowing;
+        let goes_on = self.live && alone && self.is_at_its_end();
+        let all = Duration::from_secs_f64(END_SEEN / self.player.clock().rate().seconds());
+        goes_on.then(|| all.saturating_sub(self.end_seen))
     }
 
-    /// Lets time pass over the end of a stroke.
-    pub(super) fn advance_end(&mut self, passed: Duration, cx: &Context) {
+    /// Lets time pass over the stroke, and over its end.
+    pub(super) fn advance(
+        &mut self,
+        passed: Duration,
+        game: &mut ActiveGame,
+        cx: &Context,
+    ) -> Option<GamePhase> {
         let pace = cx.settings.pace();
-        if self.end_left(pace).is_none() {
-            return;
-        }
-        if let TablePhase::Watch(replay) = &mut self.phase {
-            replay.end_seen += passed;
-        }
-        if self.end_left(pace) == Some(Duration::ZERO) {
-            self.go_on_from_stroke(cx);
-        }
+        self.player.advance(passed, pace);
+        self.left_at_end(game, pace)?;
+        self.end_seen += passed;
+        let over = self.left_at_end(game, pace) == Some(Duration::ZERO);
+        over.then(|| self.go_on(game, cx))
     }
 
-    pub(super) fn act_on_replay(&mut self, action: ShotAction, cx: &mut Context) {
-        if let TablePhase::Watch(replay) = &mut self.phase {
-            let settings = &mut cx.settings;
-            let pace = settings.pace();
-            replay.player.act(action, &mut settings.watch_rate, pace);
-        }
+    pub(super) fn wake(&self, game: &ActiveGame, pace: HitPace) -> Option<Duration> {
+        let running = self.player.wake(pace);
+        running.or_else(|| self.left_at_end(game, pace))
     }
 
-    pub(super) fn watching_mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> bool {
-        let TablePhase::Watch(replay) = &self.phase else {
-            return false;
-        };
-        let layout = view::layout(self, cx.room());
-        let on_picture = layout.picture.contains(mouse.cell().into());
-        let line = panel::impact_at(replay, layout.panel, mouse.cell());
-        let ended = replay.player.clock().is_over() && replay.player.chosen().is_none();
-        match replay.player.pointed(mouse, on_picture, line) {
-            Some(action) => self.act_on_replay(action, cx),
-            None if ended && on_picture && mouse.kind == MouseKind::Down => {
-                self.go_on_from_stroke(cx);
+    /// The titles of picture and panel.
+    pub(super) fn titles(&self, history: &GameHistory) -> (String, String) {
+        if let Some(watch) = self.player.zoom() {
+            return (watch.slowed_title(), "why".into());
+        }
+        let clock = self.player.clock();
+        let time = format!("{:.2} s, {}", clock.time(), clock.rate().words());
+        let name = match self.player.list() {
+            Some(_) => "impacts".into(),
+            None => {
+                let stroke = history.strokes_before(self.number + 1);
+                format!("stroke {stroke} of {}", history.record().strokes())
             }
-            None => return false,
+        };
+        (time, name)
+    }
+
+    pub(super) fn write(
+        &self,
+        game: &ActiveGame,
+        charset: Charset,
+        panel: &mut Panel<TableAction>,
+    ) {
+        if self.player.list().is_some() {
+            return self.write_list(panel);
         }
-        true
+        match (self.player.zoom(), game.history.past(self.number)) {
+            (Some(watch), _) => self.write_impact(watch, panel),
+            (None, Some(past)) if self.is_at_its_end() => {
+                self.write_end(past, game, charset, panel);
+            }
+            (None, Some(past)) => {
+                let name = game.options.seat_name(past.before.seat());
+                self.write_so_far(name, charset, panel);
+            }
+            (None, None) => {}
+        }
+    }
+
+    /// Writes what can be seen of a stroke that is not over yet.
+    fn write_so_far<A>(&self, name: &str, charset: Charset, panel: &mut Panel<A>) {
+        let player = &self.player;
+        let speed = player.shot().start(0).velocity.length();
+        panel.fact("struck by", name);
+        panel.fact("at", format!("{speed:.1} m/s"));
+        let now = player.clock().time();
+        let so_far = player.impacts().iter().filter(|it| it.time <= now);
+        panel.fact("impacts", so_far.count().to_string());
+        panel.gap();
+        for piece in [Piece::White, Piece::Black, Piece::Queen] {
+            let sign = token(words::role(piece), charset);
+            let name = format!("{} {sign}", <&str>::from(piece));
+            let there = self.discs().filter(|(other, _)| *other == piece);
+            panel.pair((name, Role::Text), (there.count().to_string(), Role::Text));
+        }
+    }
+
+    /// Writes what came of the stroke.
+    fn write_end(
+        &self,
+        past: &Past,
+        game: &ActiveGame,
+        charset: Charset,
+        panel: &mut Panel<TableAction>,
+    ) {
+        past.write_rulings(panel);
+        if let (Some(meant), Some(played)) = (&past.meant, &past.story) {
+            let name = game.options.seat_name(past.before.seat());
+            panel.line(format!("{}:", capital(name)), Role::Title);
+            panel.paragraph(meant.decision.afterwards(played), Role::Text);
+            panel.gap();
+        }
+        if let Some(called) = &past.called {
+            write_call(called, panel);
+        }
+        if let Some(notice) = &game.notice {
+            panel.paragraph(notice, Role::Warn);
+        }
+        if self.number + 1 == game.history.len() {
+            score::write(game, charset, panel);
+        }
+        panel.gap();
+        let go_on = TableAction::Watch(StrokeAction::GoOn);
+        let impacts = TableAction::Watch(StrokeAction::Replay(ShotAction::Impacts));
+        let back = TableAction::Game(GameAction::Back);
+        panel.prompts(match game.history.stroke_from(self.number + 1) {
+            Some(_) => [("the next stroke", go_on), ("back to the game", back)],
+            None => [("go on", go_on), ("the impacts", impacts)],
+        });
+    }
+
+    /// Writes all impacts of the stroke, the chosen one marked.
+    fn write_list(&self, panel: &mut Panel<TableAction>) {
+        let list = |action| TableAction::Watch(StrokeAction::Replay(ShotAction::List(action)));
+        panel.prompt("look closer", list(ListAction::Open));
+        panel.gap();
+        panel.pin();
+        let chosen = self.player.chosen().map(|(number, _)| number);
+        for (i, impact) in self.player.impacts().iter().enumerate() {
+            let [a, b] = impact.discs.map(|disc| self.name(disc));
+            panel.row(
+                (format!("{} {a} on {b}", i + 1), Role::Text),
+                (format!("{:.5} s", impact.time), Role::Text),
+                chosen == Some(i),
+                list(ListAction::Point(i)),
+            );
+        }
+    }
+
+    /// Writes the explanation of an enlarged impact: which two met, in numbers, and why they
+    /// go where they go.
+    fn write_impact<A>(&self, watch: &Watch, panel: &mut Panel<A>) {
+        let collision = watch.collision();
+        let impact = self.player.chosen().map(|(_, impact)| impact.discs);
+        let [first, second] = impact.unwrap_or_default().map(|disc| self.name(disc));
+        panel.heading(format!("{first} on {second}"));
+        offset(collision, panel);
+        impact_angle(collision, panel);
+        masses(collision, [false; 2], panel);
+        if !watch.is_told() {
+            panel.gap();
+            return watch.write_telling(panel);
+        }
+        separation(collision, panel);
+        panel.gap();
+        match watch.frame() {
+            Frame::Laboratory if first != "striker" => {
+                let here = format!("Here the {first} plays the striker's part.");
+                panel.paragraph(here, Role::Dim);
+                reason(&why(collision, watch.said().copied()), panel);
+            }
+            Frame::Laboratory => reason(&why(collision, watch.said().copied()), panel),
+            Frame::CentreOfMass => panel.paragraph(
+                "Seen from the centre of mass: momentum is zero before and after, so the two always fly back to back.",
+                Role::Text,
+            ),
+            _ => panel.paragraph(
+                "Seen riding with body 2: here it lies still before the hit, so all you know of a resting coin holds.",
+                Role::Text,
+            ),
+        }
+    }
+
+    /// What a disc is.
+    fn name(&self, disc: usize) -> &'static str {
+        self.pieces
+            .get(disc)
+            .map_or("disc", |piece| (*piece).into())
+    }
+}
+
+/// Writes what was called and what was true.
+fn write_call<A>(called: &Called, panel: &mut Panel<A>) {
+    let points = format!("{} of {}", called.points(), Called::MOST);
+    panel.pair(("your call", Role::Title), (points, Role::Title));
+    let names = ["striker", "coin"].map(Some);
+    said_and_true(&called.collision, &called.said, names, false, panel);
+    panel.gap();
+}
+
+impl Past {
+    /// Writes what the referee announced of the move, with the numbers of the laws.
+    pub(super) fn write_rulings<A>(&self, panel: &mut Panel<A>) {
+        for ruling in &self.rulings {
+            let law = ruling
+                .law
+                .map_or(String::new(), |law| format!(" (law {law})"));
+            panel.paragraph(format!("{}{law}", ruling.text), Role::Text);
+        }
+        panel.gap();
     }
 }

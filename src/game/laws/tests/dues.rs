@@ -6,38 +6,6 @@ use crate::game::seat::Team;
 use Piece::{Black, Striker, White};
 
 #[test]
-fn law_36_a_foul_before_the_first_stroke_costs_a_coin_and_not_the_turn() {
-    let mut table = table(5, 5, Queen::OnBoard);
-    table.0.play.struck = false;
-    let rulings = table.0.foul().unwrap();
-    expect(&table, &rulings, "36a", &[White], true);
-    assert_eq!(table.on_board(Colour::White), 6);
-}
-
-#[test]
-fn law_37_a_foul_later_in_the_turn_costs_a_coin_and_the_turn() {
-    let mut table = table(5, 5, Queen::OnBoard);
-    let rulings = table.0.foul().unwrap();
-    expect(&table, &rulings, "37a", &[White], false);
-}
-
-#[test]
-fn law_36_and_37_a_stroke_makes_the_difference_and_each_turn_begins_anew() {
-    let mut table = table(5, 5, Queen::OnBoard);
-    table.0.play.struck = false;
-    table.pocket(&[White]);
-    assert_eq!(cited(&table.0.foul().unwrap()), ["37a"]);
-    assert_eq!(cited(&table.0.foul().unwrap()), ["36a"]);
-}
-
-#[test]
-fn law_37_the_turn_lost_with_the_queen_uncovered_brings_her_back() {
-    let mut table = table(5, 5, Queen::ToCover);
-    let rulings = table.0.foul().unwrap();
-    expect(&table, &rulings, "37a", &[Piece::Queen, White], false);
-}
-
-#[test]
 fn law_45a_the_striker_alone_costs_one_coin_and_the_turn() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[Striker]);

@@ -1,0 +1,187 @@
+//! The end of a board, a game or the match: who won what, and what follows.
+
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{ActiveGame, After, GameAction, score};
+use crate::game::{Game, GameStage, Move, Rules, Seat, Team};
+use crate::messages::Key;
+use crate::numbers::{capital, counted};
+use crate::screens::table::tale::{BoardTale, TeamTale, run_words};
+use crate::screens::table::{TableAction, words};
+use crate::screens::{Context, Next};
+use crate::widgets::Role;
+use crate::widgets::input::KeyTable;
+use crate::widgets::panel::Panel;
+
+/// What keys do at the end of a board.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum OverAction {
+    /// the next board, or the end of the match
+    NextBoard,
+    /// the best stroke of the board again
+    WatchBest,
+}
+
+pub(super) fn keys() -> KeyTable<TableAction> {
+    use GameAction::{Back, Export, LookBack, WatchAll};
+    use OverAction::{NextBoard, WatchBest};
+    let next = KeyTable::new("table")
+        .on(Key::Enter, NextBoard, "next")
+        .or([(' ', NextBoard)]);
+    let best = KeyTable::new("table").on('b', WatchBest, "best stroke");
+    let shared = KeyTable::new("table")
+        .on('v', WatchAll, "replay")
+        .on('e', Export, "export")
+        .on(Key::Escape, Back, "leave");
+    next.map(TableAction::Over)
+        .with(
+            KeyTable::new("table").on('i', LookBack, "strokes"),
+            TableAction::Game,
+        )
+        .with(best, TableAction::Over)
+        .with(shared, TableAction::Game)
+}
+
+impl ActiveGame {
+    pub(super) fn act_on_end(&mut self, action: OverAction, cx: &Context) -> After {
+        match action {
+            OverAction::NextBoard if matches!(self.game().stage(), GameStage::MatchOver(_)) => {
+                After::Screen(Next::Back)
+            }
+            OverAction::NextBoard => {
+                self.make(Move::NextBoard);
+                After::Phase(self.turn(cx))
+            }
+            OverAction::WatchBest => {
+                let best = BoardTale::of(&self.history).best;
+                self.look_at(best, cx.settings.reduced_motion, cx).into()
+            }
+        }
+    }
+
+    /// A click on the board goes on. The match is left by a key: by a click its end would be
+    /// gone unread.
+    pub(super) fn click_on_end(&mut self, cx: &Context) -> After {
+        match self.game().stage() {
+            GameStage::MatchOver(_) => After::Same,
+            _ => self.act_on_end(OverAction::NextBoard, cx),
+        }
+    }
+
+    /// Writes who won what, and what follows.
+    pub(super) fn write_end(&self, panel: &mut Panel<TableAction>) {
+        let game = self.game();
+        let tale = BoardTale::of(&self.history);
+        panel.paragraph(self.headline(&tale), Role::Title);
+        panel.gap();
+        if let Some(last) = self.history.last() {
+            last.write_rulings(panel);
+        }
+        if game.setup().rules == Rules::Tournament {
+            let score = game.score();
+            if let Some(won) = game.play().won {
+                panel.fact("this board", format!("+{}", won.points));
+            }
+            for team in Team::BOTH {
+                let name = self.options.team_name(team);
+                panel.fact(name, format!("{} points", score.points[team]));
+            }
+            let games = words::versus(|team| score.games[team]);
+            panel.fact("games before this", games);
+        }
+        if !self.is_practice() {
+            self.write_teams(&tale, panel);
+        }
+        score::write_calls(self, panel);
+        self.write_best(&tale, panel);
+        if let Some(notice) = &self.notice {
+            panel.paragraph(notice, Role::Warn);
+        }
+        panel.gap();
+        if let Some(breaker) = next_breaker(game) {
+            let breaks = words::does(self.options.seat_name(breaker), "breaks");
+            panel.line(format!("{} next.", capital(&breaks)), Role::Text);
+        }
+        let next = match game.stage() {
+            GameStage::MatchOver(_) => "a new game",
+            GameStage::GameOver(_) => "the next game",
+            _ => "the next board",
+        };
+        panel.prompt(next, TableAction::Over(OverAction::NextBoard));
+        panel.prompt(
+            "look at the strokes again",
+            TableAction::Game(GameAction::LookBack),
+        );
+        if tale.best.is_some() {
+            panel.prompt(
+                "watch the best stroke",
+                TableAction::Over(OverAction::WatchBest),
+            );
+        }
+    }
+
+    /// Who won the match, the game or the board, and with how many hints, if with any.
+    fn headline(&self, tale: &BoardTale) -> String {
+        let hints = |team: Team| match tale.teams[team].hints {
+            0 => String::new(),
+            hints => format!(", with {}", counted(hints as usize, "hint")),
+        };
+        let wins = |team, what| format!("{}{}!", self.options.wins(team, what), hints(team));
+        match self.game().stage() {
+            GameStage::MatchOver(team) => wins(team, "match"),
+            GameStage::GameOver(team) => wins(team, "game"),
+            GameStage::BoardOver(_) if self.is_practice() => "The board is empty.".into(),
+            GameStage::BoardOver(won) => {
+                let winner = words::player(self.options.team_name(won.winner));
+                format!("The board goes to {winner}{}.", hints(won.winner))
+            }
+            GameStage::Playing => String::new(),
+        }
+    }
+
+    /// Writes what both teams did on the board, beside each other.
+    fn write_teams<A>(&self, tale: &BoardTale, panel: &mut Panel<A>) {
+        panel.gap();
+        let both = |value: fn(&TeamTale) -> String| words::versus(|team| value(&tale.teams[team]));
+        let names = words::versus(|team| self.options.team_name(team));
+        panel.pair(("", Role::Dim), (names, Role::Title));
+        panel.fact("strokes", both(|team| team.strokes.to_string()));
+        panel.fact("pocketing", both(|team| format!("{} %", team.share())));
+        panel.fact("striker fell", both(|team| team.fouls.to_string()));
+        panel.fact("coins put back", both(|team| team.put_back.to_string()));
+        if Team::BOTH.iter().any(|team| tale.teams[*team].hints > 0) {
+            panel.fact("hints", both(|team| team.hints.to_string()));
+        }
+        if self.game().setup().rules == Rules::Tournament && tale.run.len() > 1 {
+            let run = format!("board by board {}", run_words(&tale.run));
+            panel.paragraph(run, Role::Text);
+        }
+    }
+
+    /// Writes which stroke of the board was the best.
+    fn write_best<A>(&self, tale: &BoardTale, panel: &mut Panel<A>) {
+        let history = &self.history;
+        let past = |number| Some((number, history.past(number)?));
+        let Some((number, past)) = tale.best.and_then(past) else {
+            return;
+        };
+        let what = past.story.and_then(|story| story.brief());
+        let what = what.unwrap_or_default();
+        let name = self.options.seat_name(past.before.seat());
+        let stroke = history.strokes_before(number + 1);
+        panel.gap();
+        let best = format!("Best stroke: number {stroke}, {name}: {what}.");
+        panel.paragraph(best, Role::Text);
+    }
+}
+
+/// Who breaks the next board, if there is one with sides.
+fn next_breaker(game: &Game) -> Option<Seat> {
+    if game.setup().rules == Rules::Practice {
+        return None;
+    }
+    let mut next = game.clone();
+    next.next_board().ok()?;
+    Some(next.seat())
+}

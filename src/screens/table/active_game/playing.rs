@@ -1,0 +1,337 @@
+//! A game and what is being done in it: each phase has its keys, its picture and its panel.
+
+use std::time::Duration;
+
+use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{ActiveGame, After, GamePhase};
+use crate::game::{GameStage, Rules};
+use crate::messages::{Key, Mouse, StoreRequest};
+use crate::screens::table::{TableAction, picture, trays, words};
+use crate::screens::{Confirmation, Context, Next, View};
+use crate::widgets::hit::HitPace;
+use crate::widgets::input::KeyTable;
+use crate::widgets::panel::Panel;
+use crate::widgets::picture::Picture;
+use crate::widgets::{Charset, Role, board};
+
+/// A game, and what is being done in it.
+#[derive(Debug, Clone)]
+pub(in crate::screens::table) struct Playing {
+    pub(in crate::screens::table) game: ActiveGame,
+    pub(super) phase: GamePhase,
+}
+
+/// What keys do in more than one phase of a game.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum GameAction {
+    /// the last stroke again, with its impacts
+    LookBack,
+    /// watch the whole game again, stroke by stroke
+    WatchAll,
+    /// export: write the game to a file of its own
+    Export,
+    /// back
+    Back,
+}
+
+impl From<ActiveGame> for Playing {
+    /// As a game begins or is resumed; the computer decides as soon as time passes.
+    fn from(game: ActiveGame) -> Self {
+        let phase = match game.game().stage() {
+            GameStage::Playing => GamePhase::Aim,
+            _ => GamePhase::Over,
+        };
+        Self { game, phase }
+    }
+}
+
+impl Playing {
+    /// Watches a game that was kept from its beginning.
+    pub(in crate::screens::table) fn watch_all(&mut self, cx: &mut Context) {
+        let first = self.game.watch_all(cx);
+        self.follow(first.into(), cx);
+    }
+
+    /// The keys that mean something just now, the most useful first.
+    pub(in crate::screens::table) fn keys(&self) -> KeyTable<TableAction> {
+        use GameAction::{Back, Export, WatchAll};
+        let game = &self.game;
+        let table = KeyTable::new("table");
+        let shared = KeyTable::new("table");
+        match &self.phase {
+            GamePhase::Aim => game.aim_keys(),
+            GamePhase::Show(_) => table
+                .with(super::showing::keys(), TableAction::Show)
+                .with(shared.on(Key::Escape, Back, "leave"), TableAction::Game),
+            GamePhase::Call(calling) => table
+                .with(calling.keys(), TableAction::Call)
+                .with(shared.on(Key::Escape, Back, "back"), TableAction::Game),
+            GamePhase::Watch(replay) => {
+                let on_board = replay.player.chosen().is_none();
+                let shared = shared
+                    .on(Key::Escape, Back, "")
+                    .when(on_board)
+                    .on('v', WatchAll, "")
+                    .when(on_board)
+                    .on('e', Export, "")
+                    .when(on_board);
+                let watching = replay.keys(&game.history);
+                table
+                    .with(watching, TableAction::Watch)
+                    .with(shared, TableAction::Game)
+            }
+            GamePhase::Arrange(_) => {
+                let shared = shared
+                    .on('p', Back, "done")
+                    .or([(Key::Escape, Back)])
+                    .on('e', Export, "");
+                table
+                    .with(super::arranging::keys(), TableAction::Arrange)
+                    .with(shared, TableAction::Game)
+            }
+            GamePhase::Over => super::over::keys(),
+        }
+    }
+
+    /// Does what a key or a click stands for.
+    pub(in crate::screens::table) fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
+        self.hand_over(cx);
+        self.game.notice = None;
+        let game = &mut self.game;
+        let after = match (&mut self.phase, action) {
+            (phase, TableAction::Game(action)) => match action {
+                GameAction::LookBack => game.look_back(cx).into(),
+                GameAction::WatchAll => game.watch_all(cx).into(),
+                GameAction::Export => {
+                    cx.ask(StoreRequest::Export(Box::new(game.saved(cx))));
+                    After::Same
+                }
+                GameAction::Back => phase.back(game, cx),
+            },
+            (GamePhase::Aim, TableAction::Aim(action)) => game.aim_by(action, cx).into(),
+            (GamePhase::Show(shown), TableAction::Show(action)) => {
+                shown.act(action, game, cx).into()
+            }
+            (GamePhase::Call(calling), TableAction::Call(action)) => {
+                calling.act(action, game, cx).into()
+            }
+            (GamePhase::Watch(replay), TableAction::Watch(action)) => {
+                replay.act(action, game, cx).into()
+            }
+            (GamePhase::Arrange(hand), TableAction::Arrange(action)) => {
+                hand.act(action, game);
+                After::Same
+            }
+            (GamePhase::Over, TableAction::Over(action)) => game.act_on_end(action, cx),
+            _ => After::Ignored,
+        };
+        self.follow(after, cx)
+    }
+
+    /// Takes the mouse over the picture.
+    pub(in crate::screens::table) fn point(
+        &mut self,
+        mouse: &Mouse,
+        area: Rect,
+        cx: &mut Context,
+    ) -> Next {
+        self.hand_over(cx);
+        self.game.notice = None;
+        let (game, pressed) = (&mut self.game, mouse.presses(area));
+        let after = match &mut self.phase {
+            GamePhase::Aim => game.aim_at(mouse, area, cx),
+            GamePhase::Show(shown) if pressed => shown.strike(game, cx).into(),
+            GamePhase::Call(calling) => calling.point(mouse, area),
+            GamePhase::Watch(replay) if pressed => replay.click(game, cx),
+            GamePhase::Arrange(hand) => hand.point(mouse, area, game),
+            GamePhase::Over if pressed => game.click_on_end(cx),
+            _ => After::Ignored,
+        };
+        self.follow(after, cx)
+    }
+
+    /// Takes a turn of the wheel.
+    pub(in crate::screens::table) fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        self.game.notice = None;
+        let after = match &mut self.phase {
+            GamePhase::Aim => {
+                self.game.strengthen(-by);
+                After::Same
+            }
+            GamePhase::Watch(replay) => match replay.player.wheel(by) {
+                Some(action) => replay.work(action, cx).into(),
+                None => After::Ignored,
+            },
+            _ => After::Ignored,
+        };
+        self.follow(after, cx)
+    }
+
+    /// Lets time pass.
+    pub(in crate::screens::table) fn advance(&mut self, passed: Duration, cx: &mut Context) {
+        self.hand_over(cx);
+        let after = match &mut self.phase {
+            GamePhase::Show(shown) => shown.advance(passed, &mut self.game, cx),
+            GamePhase::Watch(replay) => replay.advance(passed, &mut self.game, cx),
+            _ => None,
+        };
+        self.follow(after.into(), cx);
+    }
+
+    /// When it next needs time.
+    pub(in crate::screens::table) fn wake(&self, pace: HitPace) -> Option<Duration> {
+        match &self.phase {
+            GamePhase::Watch(replay) => replay.wake(&self.game, pace),
+            GamePhase::Show(shown) => shown.wake(),
+            GamePhase::Aim if self.game.is_computers_turn() => Some(Duration::ZERO),
+            _ => None,
+        }
+    }
+
+    /// Lets the computer decide where it has not yet: as a game begins, and after it passed.
+    fn hand_over(&mut self, cx: &Context) {
+        if matches!(self.phase, GamePhase::Aim) && self.game.is_computers_turn() {
+            self.phase = self.game.turn(cx);
+        }
+    }
+
+    /// Goes on as something that was done asks for, and has the game kept.
+    fn follow(&mut self, after: After, cx: &mut Context) -> Next {
+        let next = match after {
+            After::Ignored => Next::Ignored,
+            After::Same => Next::Stay,
+            After::Phase(phase) => {
+                self.phase = phase;
+                Next::Stay
+            }
+            After::Screen(next) => next,
+        };
+        self.game.look_ahead();
+        self.game.save(cx);
+        next
+    }
+
+    /// What it shows.
+    pub(in crate::screens::table) fn view(&self, charset: Charset) -> View<'_, TableAction> {
+        let (game, phase) = (&self.game, &self.phase);
+        let (title, panel_title) = phase.titles(game);
+        let mut panel = Panel::new(panel_title);
+        panel.subject = game.history.len();
+        if let Some(trouble) = &game.keeping.trouble {
+            panel.paragraph(trouble, Role::Warn);
+            panel.gap();
+        }
+        phase.write(game, charset, &mut panel);
+        if phase.is_enlarged() {
+            return View::picture(
+                title,
+                |area, buf, look| phase.picture(game, area).draw(buf, look),
+                panel,
+            );
+        }
+        let draw = |area: Rect, buf: &mut _, look: &_| {
+            phase.picture(game, area).draw(buf, look);
+            let replay = match phase {
+                GamePhase::Watch(replay) => Some(replay.as_ref()),
+                _ => None,
+            };
+            trays::draw(game, replay, board::square(area), buf, look);
+        };
+        View::picture(title, draw, panel).square()
+    }
+}
+
+impl GamePhase {
+    /// One step back: out of a call, a stroke that is watched, or laying out; from there
+    /// out of the game.
+    fn back(&mut self, game: &mut ActiveGame, cx: &Context) -> After {
+        match self {
+            Self::Aim if game.is_pulling() => game.let_slip(),
+            Self::Call(calling) => return After::Phase(calling.leave(game, cx)),
+            Self::Arrange(_) => return After::Phase(Self::Aim),
+            Self::Watch(replay) if !replay.live || !game.is_running() => {
+                return After::Phase(game.turn(cx));
+            }
+            _ if game.is_running() => return After::Screen(Next::Confirm(parting(game))),
+            _ => return After::Screen(Next::Back),
+        }
+        After::Same
+    }
+
+    /// Whether one impact is seen, enlarged, and not the board.
+    fn is_enlarged(&self) -> bool {
+        match self {
+            Self::Call(_) => true,
+            Self::Watch(replay) => replay.player.zoom().is_some(),
+            _ => false,
+        }
+    }
+
+    fn picture(&self, game: &ActiveGame, area: Rect) -> Picture {
+        match self {
+            Self::Aim => picture::of_aim(game, area),
+            Self::Show(shown) => picture::of_show(game, shown, area),
+            Self::Call(calling) => calling.picture(area),
+            Self::Watch(replay) => match replay.player.zoom() {
+                Some(watch) => watch.picture(area),
+                None => picture::of_replay(game, replay, area),
+            },
+            Self::Arrange(hand) => hand.picture(game, area),
+            Self::Over => picture::of_pack(game.game().coins(), game.set(), area),
+        }
+    }
+
+    /// The titles of picture and panel.
+    fn titles(&self, game: &ActiveGame) -> (String, String) {
+        let panel = match self {
+            Self::Call(_) => return ("call it: where to?".into(), "say it first".into()),
+            Self::Watch(replay) => return replay.titles(&game.history),
+            Self::Arrange(_) => "lay the coins out".into(),
+            Self::Aim | Self::Show(_) => match game.options.seat_name(game.seat()) {
+                "you" => "your stroke".to_owned(),
+                name => format!("{name}'s stroke"),
+            },
+            Self::Over => "the end of the board".into(),
+        };
+        (board_title(game), panel)
+    }
+
+    fn write(&self, game: &ActiveGame, charset: Charset, panel: &mut Panel<TableAction>) {
+        match self {
+            Self::Aim => game.write_aim(charset, panel),
+            Self::Show(shown) => shown.write(game, charset, panel),
+            Self::Call(calling) => calling.write(panel),
+            Self::Watch(replay) => replay.write(game, charset, panel),
+            Self::Arrange(hand) => hand.write(game, charset, panel),
+            Self::Over => game.write_end(panel),
+        }
+    }
+}
+
+/// What is asked before the game is left.
+fn parting(game: &ActiveGame) -> Confirmation {
+    let kept = match game.keeping.saved {
+        Some(true) => " It is saved, and can be resumed from the page of a new game.",
+        _ => "",
+    };
+    Confirmation::new(format!("Leave this game?{kept}"), "leave", "play on")
+}
+
+/// Which board it is, and the score.
+fn board_title(active: &ActiveGame) -> String {
+    let game = active.game();
+    let score = game.score();
+    match game.setup().rules {
+        Rules::Practice => "practice".into(),
+        Rules::Friendly => {
+            format!("boards won {}", words::versus(|team| score.games[team]))
+        }
+        Rules::Tournament => {
+            let score = active.options.score(game);
+            format!("board {}   {score}", game.board_number())
+        }
+    }
+}
