@@ -96,6 +96,32 @@ impl ClassChange {
     }
 }
 
+/// A change as it stands in a file: one line of JSON.
+#[derive(Serialize)]
+pub(super) struct Then {
+    change: String,
+}
+
+impl From<&ClassChange> for Then {
+    fn from(change: &ClassChange) -> Self {
+        let change = change.line();
+        Self { change }
+    }
+}
+
+/// The text that is appended to the file of a round when this has changed.
+///
+/// # Errors
+/// None that can be met in practice; the reason, should it not be writable.
+pub fn appended(changes: &[ClassChange]) -> Result<String, String> {
+    #[derive(Serialize)]
+    struct Appended {
+        then: Vec<Then>,
+    }
+    let then = changes.iter().map(Then::from).collect();
+    toml::to_string(&Appended { then }).map_err(|error| error.to_string())
+}
+
 impl ClassRound {
     /// Lets something change.
     ///

@@ -7,7 +7,7 @@ use serde::Serialize;
 use strum::VariantArray;
 
 use super::ballot::Vote;
-use super::change::ClassChange;
+use super::change::{ClassChange, Then};
 use super::names::{NameTrouble, tidy};
 use super::old_formats;
 use super::round::ClassRound;
@@ -50,38 +50,10 @@ struct Written<'a> {
     then: Vec<Then>,
 }
 
-/// A change: one line of JSON.
-#[derive(Serialize)]
-struct Then {
-    change: String,
-}
-
-/// What is appended to a file: changes since it was written.
-#[derive(Serialize)]
-struct Appended {
-    then: Vec<Then>,
-}
-
-impl From<&ClassChange> for Then {
-    fn from(change: &ClassChange) -> Self {
-        let change = change.line();
-        Self { change }
-    }
-}
-
 /// The fields of a file.
 const FIELDS: [&str; 10] = [
     "format", "code", "class", "way", "number", "step", "asked", "door", "address", "then",
 ];
-
-/// The text that is appended to the file of a round when this has changed.
-///
-/// # Errors
-/// None that can be met in practice; the reason, should it not be writable.
-pub fn appended(changes: &[ClassChange]) -> Result<String, String> {
-    let then = changes.iter().map(Then::from).collect();
-    toml::to_string(&Appended { then }).map_err(|error| error.to_string())
-}
 
 /// What of a file is whole: a machine that stops may leave a part of what was appended last.
 fn whole(bytes: &[u8]) -> &[u8] {

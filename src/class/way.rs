@@ -25,6 +25,16 @@ pub enum WayOfVoting {
 }
 
 impl WayOfVoting {
+    /// Those who vote: "one team", "3 teams"; "3 of you" where each votes alone.
+    pub fn voters(self, count: usize) -> String {
+        match (self, count) {
+            (Self::Teams, 1) => "one team".into(),
+            (Self::Teams, count) => format!("{count} teams"),
+            (_, 1) => "one of you".into(),
+            (_, count) => format!("{count} of you"),
+        }
+    }
+
     /// The most teams or people that have a ballot of their own.
     pub const fn most(self) -> usize {
         match self {

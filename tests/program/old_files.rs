@@ -190,6 +190,16 @@ fn a_class_round_of_the_fifth_format_still_opens() {
 }
 
 #[test]
+fn a_class_round_of_the_sixth_format_still_opens() {
+    let text = include_str!("../saves/class-6.toml");
+    let round = ClassRound::read("class-6", text.as_bytes(), &Default::default()).unwrap();
+    assert_eq!(round.teams(), ["Ada"]);
+    assert_eq!(round.removed().collect::<Vec<_>>(), ["Bo"]);
+    assert_eq!(round.voted(0, Vote::First), 1);
+    assert_eq!(round.text().unwrap(), text);
+}
+
+#[test]
 fn an_exported_game_of_the_first_format_still_opens() {
     let bytes = include_bytes!("../saves/export-1.toml");
     let (saved, game) = SavedGame::read("export-1.toml", bytes).unwrap();

@@ -368,12 +368,12 @@ fn teams_are_added_changed_and_removed() {
     let mut game = Headless::from(cli::open("class --seed 3").unwrap());
     game.press("Ants<Enter>Bees<Enter>Cats<Enter><Enter>");
     game.press("<Home><Down><Backspace>t");
-    assert!(game.screen().contains("2 Beet"), "{}", game.screen());
+    assert!(game.screen().contains("team 2  Beet"), "{}", game.screen());
     game.press("<Delete>");
     assert!(!game.screen().contains("Beet"));
     // A slip is put right where it is.
     game.press("<Home><Delete>K<End>");
-    assert!(game.screen().contains("2 Kats"), "{}", game.screen());
+    assert!(game.screen().contains("team 2  Kats"), "{}", game.screen());
     // Two of the same name are refused, and so is a code that is none.
     game.press("<Down>ants<PageDown><PageDown><Up><Up><Up><Enter>");
     assert!(game.screen().contains("twice"), "{}", game.screen());
@@ -394,7 +394,7 @@ fn teams_are_added_changed_and_removed() {
     game.input(&Input::Paste("A\nB\n\nC\nD\nE\nF\nG\nH\nI\nJ".into()));
     let screen = game.screen();
     assert!(
-        screen.contains("8 H") && !screen.contains("9 I"),
+        screen.contains("team 8  H") && !screen.contains("team 9"),
         "{screen}"
     );
 }

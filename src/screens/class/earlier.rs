@@ -4,9 +4,9 @@ use jiff::civil::Date;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 
+use super::heading::column;
 use super::play::ClassPlay;
 use super::set_up::SetUp;
-use super::view::column;
 use crate::class::{ClassRound, Vote, WayOfVoting};
 use crate::messages::{Kept, Mouse, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::counted;

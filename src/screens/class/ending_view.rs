@@ -3,26 +3,23 @@
 
 use std::cmp::Reverse;
 
-use ratatui::layout::Rect;
-
-use super::play::{ClassPlay, EndPage};
-use super::view::{Text, column};
+use super::ClassAction;
+use super::play::EndPage;
 use crate::class::{ClassRound, ItemAnalysis, Vote, WayOfVoting, items};
 use crate::numbers::fixed;
 use crate::progress::words::percent;
 use crate::quiz::{Evidence, Form, Misconception, Question, letter};
-use crate::widgets::{Lines, Role, text};
+use crate::widgets::Role;
+use crate::widgets::panel::Panel;
 
-/// The words of a page beside the scoreboard.
-pub(super) fn text<'a>(play: &'a ClassPlay, page: EndPage, area: Rect) -> Text<'a> {
-    let write = match page {
-        EndPage::Items => write_items,
-        _ => write_held,
-    };
-    let mut place = column(area);
-    // The last row is for the word that there is more.
-    place.height = place.height.saturating_sub(1);
-    (place, Box::new(move |lines| write(play.round(), lines)))
+/// A page beside the scoreboard.
+pub(super) fn panel(round: &ClassRound, page: EndPage) -> Panel<ClassAction> {
+    let mut panel = Panel::new("");
+    match page {
+        EndPage::Items => write_items(round, &mut panel),
+        EndPage::Board | EndPage::Held => write_held(round, &mut panel),
+    }
+    panel
 }
 
 /// What shows in the votes of a class: a misconception, how many teams hold it by the
@@ -70,10 +67,12 @@ fn held(round: &ClassRound) -> Vec<ClassBelief> {
     held
 }
 
-fn write_held(round: &ClassRound, lines: &mut Lines) {
+fn write_held(round: &ClassRound, panel: &mut Panel<ClassAction>) {
+    panel.large(["What you held", "You held"], Role::Title);
+    panel.gap();
     let held = held(round);
     if held.is_empty() {
-        lines.paragraph(
+        panel.paragraph(
             "No vote fitted a misconception that is known. That is rare, and good.",
             Role::Text,
         );
@@ -90,54 +89,50 @@ fn write_held(round: &ClassRound, lines: &mut Lines) {
         }
         WayOfVoting::Tally => "How many of all votes fitted it: at first, and after talking.",
     };
-    lines.paragraph(about, Role::Dim);
+    panel.paragraph(about, Role::Dim);
     for it in held {
-        lines.gap();
+        panel.gap();
         let [first, second] = it.teams;
         let teams = match it.teams {
             [0, 0] => String::new(),
             _ => format!("{first}, then {second}"),
         };
-        lines.pair(it.misconception.name(), &teams, Role::Title, Role::Title);
+        panel.pair((it.misconception.name(), Role::Title), (teams, Role::Title));
         let [first, second] = it.votes;
-        lines.line(&format!("votes: {first}, then {second}"), Role::Dim);
-        lines.paragraph(it.misconception.advice(), Role::Text);
+        panel.line(format!("votes: {first}, then {second}"), Role::Dim);
+        panel.paragraph(it.misconception.advice(), Role::Text);
     }
 }
 
-/// Columns of the numbers of a row.
-const NUMBERS: usize = 34;
-
-fn write_items(round: &ClassRound, lines: &mut Lines) {
-    let room = usize::from(lines.width()).saturating_sub(1);
-    let topic = room.saturating_sub(NUMBERS + 3).min(28);
-    let (number, name, right) = ("", "", "right");
-    lines.line(
-        &format!(
-            "{number:>2} {name:topic$} {right:>11} {:>12} {:>8}",
-            "degrees off", "tells"
-        ),
-        Role::Dim,
-    );
-    lines.line(
-        &format!(
-            "{number:>2} {name:topic$} {:>5} {:>5} {:>6} {:>5} {:>8}",
-            "first", "then", "first", "then", "apart"
-        ),
-        Role::Dim,
-    );
-    let asked = round.questions();
-    for item in items(round, asked.len()) {
-        let about = text::clipped(&asked[item.question].topic.name(), topic);
-        lines.line(&row(&item, &about, topic), Role::Title);
-        lines.hanging("     ", &told(&asked[item.question], &item), Role::Text);
+fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
+    panel.large(["Questions"], Role::Title);
+    panel.gap();
+    for heads in [
+        ["right", "", "degrees off", "", "tells"],
+        ["first", "then", "first", "then", "apart"],
+    ] {
+        panel.columns(("", Role::Dim), heads.map(|head| (head, Role::Dim)));
+    }
+    for item in items(round, round.questions().len()) {
+        let Some(question) = round.questions().get(item.question) else {
+            continue;
+        };
+        let [first, then] = item.votes.map(|it| percent(it.share_right()));
+        let [first_off, then_off] = item.votes.map(|it| {
+            let spread = it.spread_deg();
+            spread.map_or("-".into(), |[mean, _]| fixed(mean, 1))
+        });
+        let apart = item.discrimination.map_or("-".into(), |it| fixed(it, 2));
+        let name = format!("{} {}", item.question + 1, question.topic.name());
+        let values = [first, then, first_off, then_off, apart];
+        panel.columns((name, Role::Title), values.map(|it| (it, Role::Title)));
+        panel.item(told(question, &item), Role::Text);
         if let Some((misconception, count)) = item.commonest {
-            let held = format!("{}: {count}", misconception.name());
-            lines.hanging("     ", &held, Role::Text);
+            panel.item(format!("{}: {count}", misconception.name()), Role::Text);
         }
     }
-    lines.gap();
-    lines.paragraph(
+    panel.gap();
+    panel.paragraph(
         "\"right\": how many of the votes were. \"degrees off\": the mean error of angles; of two rays the one further off counts. \"tells apart\": how well a question tells the better teams from the others, -1 to 1; it needs ten of them. \"gain\": the share of what could be gained by talking.",
         Role::Dim,
     );
@@ -168,22 +163,3 @@ fn told(question: &Question, item: &ItemAnalysis) -> String {
 
 /// Most answers that are told with their counts.
 const MOST_COUNTS: usize = 5;
-
-fn row(item: &ItemAnalysis, about: &str, topic: usize) -> String {
-    let right = item.votes.map(|it| percent(it.share_right()));
-    let mean = |vote: usize| {
-        item.votes[vote]
-            .spread_deg()
-            .map_or("-".into(), |[mean, _]| fixed(mean, 1))
-    };
-    let tells = item.discrimination.map_or("-".into(), |it| fixed(it, 2));
-    let filled = " ".repeat(topic.saturating_sub(text::width(about)));
-    format!(
-        "{:>2} {about}{filled} {:>5} {:>5} {:>6} {:>5} {tells:>8}",
-        item.question + 1,
-        right[0],
-        right[1],
-        mean(0),
-        mean(1),
-    )
-}

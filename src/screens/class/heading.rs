@@ -4,8 +4,13 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::widgets::big::{Align, Big};
-use crate::widgets::{Item, Look, Role, Words, areas, sheet, text};
+use crate::widgets::{Item, Lines, Look, Role, Words, areas, sheet, text};
 
+/// A text that may be longer than its place: the place, and what writes it.
+pub(super) type Text<'a> = (Rect, Box<dyn Fn(&mut Lines) + 'a>);
+
+/// Columns of what is read line by line.
+pub(super) const WIDEST: u16 = 100;
 /// Rows of a screen's body from which on it has a heading in large type.
 const LARGE_FROM: u16 = 21;
 /// Rows of a body from which on the heading may be larger still.
@@ -104,6 +109,20 @@ impl Heading {
             }
         };
         centred(&self.line, below(area, rows), buf, look, Role::Key);
+    }
+}
+
+/// The middle of an area, no wider than a line that reads well.
+pub(super) fn column(area: Rect) -> Rect {
+    areas::middle(area, WIDEST)
+}
+
+/// One of the places of so many rows into which an area is cut, from 0 at its top.
+pub(super) fn slot(area: Rect, number: usize, rows: u16) -> Rect {
+    let place = below(area, rows.saturating_mul(number as u16));
+    Rect {
+        height: rows.min(place.height),
+        ..place
     }
 }
 

@@ -37,9 +37,9 @@ use crate::messages::{Input, Key, Mouse};
 use crate::quiz::Code;
 use crate::widgets::hit::WatchAction;
 use crate::widgets::input::{KeyTable, ListAction};
-use crate::widgets::panel::Panel;
 use crate::widgets::{AnswerAction, Outcome, Palette, SplitLayout};
 use earlier::EarlierRounds;
+use heading::WIDEST;
 use hosting::HostingAction;
 use play::ClassPlay;
 use set_up::{SetUp, SetUpAction, SetUpEnd, SetUpRow};
@@ -201,14 +201,19 @@ impl Class {
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
         match &mut self.scene {
             _ if self.paused => Next::Ignored,
-            ClassScene::SetUp(set_up) => {
-                let outcome = set_up.mouse(mouse, cx);
-                self.set_up(outcome, cx)
-            }
             ClassScene::Earlier(earlier) => earlier.mouse(mouse, cx),
-            // Its view takes it.
-            ClassScene::Unfinished(_) => Next::Ignored,
-            ClassScene::Play(play) => play.mouse(mouse, cx),
+            // Their views take it.
+            ClassScene::SetUp(_) | ClassScene::Unfinished(_) => Next::Ignored,
+            ClassScene::Play(play) if play.host_page.is_some() => Next::Ignored,
+            ClassScene::Play(play) => {
+                let (room, look) = (cx.room(), cx.settings.look());
+                if let Some(action) = view::meant_by(play, mouse, room, &look) {
+                    return self.act(action, cx);
+                }
+                let step = play.step_view(room, &look);
+                let picture = step.map(|step| step.picture());
+                Next::after(picture.is_some_and(|picture| play.point(mouse, picture)))
+            }
         }
     }
 }
@@ -305,6 +310,9 @@ impl Screen for Class {
                 let end = unfinished.act(action, cx);
                 self.after_unfinished(end, cx);
             }
+            (ClassAction::Scroll(rows), ClassScene::Play(play)) => {
+                view::scroll(play, rows, cx.room(), &cx.settings.look());
+            }
             (action, ClassScene::Play(play)) => play.act(action, cx),
             _ => return Next::Ignored,
         }
@@ -349,6 +357,16 @@ impl Screen for Class {
         Next::Stay
     }
 
+    fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        let by = ListAction::Choose(by.into());
+        match &self.scene {
+            ClassScene::SetUp(_) => self.act(ClassAction::SetUp(SetUpAction::List(by)), cx),
+            ClassScene::Unfinished(_) => self.act(ClassAction::Unfinished(by), cx),
+            ClassScene::Play(_) => self.act(ClassAction::Hosting(HostingAction::List(by)), cx),
+            ClassScene::Earlier(_) => Next::Ignored,
+        }
+    }
+
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
         if let ClassScene::Play(play) = &mut self.scene {
             play.advance(passed, cx.settings.pace());
@@ -365,12 +383,14 @@ impl Screen for Class {
     fn view<'s>(&'s self, _cx: &'s Context) -> Option<View<'s, ClassAction>> {
         match &self.scene {
             _ if self.paused => None,
+            ClassScene::SetUp(set_up) => Some(set_up_view::view(set_up)),
             ClassScene::Unfinished(unfinished) => Some(unfinished.view()),
             ClassScene::Play(play) => {
-                let list = play.host_page.as_ref()?.panel(&play.session)?;
-                let mut panel = Panel::new(list.title.clone());
-                panel.part(ClassAction::Hosting, |panel| *panel = list);
-                Some(View::alone(|room| SplitLayout::text_of(room, 100), panel))
+                let panel = view::panel(play)?;
+                Some(View::alone(
+                    |room| SplitLayout::text_of(room, WIDEST),
+                    panel,
+                ))
             }
             _ => None,
         }
@@ -380,10 +400,9 @@ impl Screen for Class {
         let look = cx.settings.look();
         match &self.scene {
             _ if self.paused => view::paused(area, buf, &look),
-            ClassScene::SetUp(set_up) => set_up_view::draw(set_up, area, buf, &look),
             ClassScene::Earlier(earlier) => earlier.draw(area, buf, &look),
-            // Its view draws it.
-            ClassScene::Unfinished(_) => {}
+            // Their views draw them.
+            ClassScene::SetUp(_) | ClassScene::Unfinished(_) => {}
             ClassScene::Play(play) => view::draw(play, cx.room(), buf, &look),
         }
     }

@@ -3,17 +3,19 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use ratatui::layout::Rect;
+
+use super::ClassAction;
 use super::hosting::{self, HostPage, HostingAction};
 use super::shown::ClassReveal;
 use super::tally_entry::TallyEntry;
 use super::vote_entry::VoteEntry;
-use super::{ClassAction, view, vote_view};
 use crate::class::{
     ClassPlace, ClassRound, ClassStep, HandInOnItsWay, Session, SessionEffect, Vote, WayOfVoting,
 };
 use crate::messages::{HostNews, Key, Mouse, MouseKind, StoreAnswer, StoreReply, StoreRequest};
 use crate::quiz::Question;
-use crate::screens::{Context, Next};
+use crate::screens::Context;
 use crate::widgets::hit::HitPace;
 use crate::widgets::input::{KeyTable, ListView};
 use crate::widgets::{AnswerAction, Outcome, Scroll};
@@ -407,16 +409,20 @@ impl ClassPlay {
                 .when(is_board),
             false => step,
         };
-        scrolled(
-            step.on('e', Tables, tables)
-                .on(Key::Backspace, Backward, "back")
-                .on('p', Pause, "pause")
-                .on('c', Countdown, "")
-                .on('l', Light, "dark or light")
-                .by(['[', ']'], Leap, [-1, 1], "questions")
-                .when([-1, 1].iter().any(|by| self.leads_to(*by).is_some()))
-                .on(Key::Escape, Leave, "leave"),
-        )
+        let keys = step
+            .on('e', Tables, tables)
+            .on(Key::Backspace, Backward, "back")
+            .on('p', Pause, "pause")
+            .on('c', Countdown, "")
+            .on('l', Light, "dark or light")
+            .by(['[', ']'], Leap, [-1, 1], "questions")
+            .when([-1, 1].iter().any(|by| self.leads_to(*by).is_some()))
+            .on(Key::Escape, Leave, "leave");
+        match self.phase {
+            // A panel is scrolled by the keys of all panels.
+            ClassPhase::End(EndPage::Held | EndPage::Items) => keys,
+            _ => scrolled(keys),
+        }
     }
 
     /// Does what a key stands for.
@@ -424,9 +430,6 @@ impl ClassPlay {
         match (action, &mut self.phase) {
             (ClassAction::Hosting(action), _) => self.host(action, cx),
             (ClassAction::Forward, _) => self.forward(cx),
-            (ClassAction::Scroll(rows), _) => {
-                view::scroll(self, rows, cx.room(), &cx.settings.look());
-            }
             (ClassAction::Backward, _) => self.back(cx),
             (ClassAction::Leap(by), _) => self.leap(by, cx),
             (ClassAction::TurnPage(by), ClassPhase::End(page)) => {
@@ -493,47 +496,17 @@ impl ClassPlay {
         }
     }
 
-    /// Takes the mouse: it chooses a team or makes its vote; the wheel scrolls what is long.
-    pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        if self.host_page.is_some() {
-            return Next::Ignored;
-        }
-        let (cell, look) = (mouse.cell(), cx.settings.look());
-        let Some(step) = self.step_view(cx.room(), &look) else {
-            return Next::Ignored;
-        };
-        let (foot, picture, choice) = (step.foot(), step.picture(), step.choice_at(cell));
-        let number = self.number();
-        let (round, pressed) = (self.session.round(), mouse.kind == MouseKind::Down);
-        match (&mut self.phase, mouse.kind) {
-            (ClassPhase::Vote(entry), _) if entry.input.is_none() => {
-                let row = vote_view::row_at(round, entry, foot, cell);
-                let outcome = entry
-                    .teams
-                    .mouse(mouse, round.participants().len() + 1, row);
-                self.open(outcome, cx);
+    /// Takes the mouse over the picture of a step; says whether it meant something.
+    pub(super) fn point(&mut self, mouse: &Mouse, picture: Rect) -> bool {
+        let pressed = mouse.kind == MouseKind::Down;
+        let question = self.session.round().questions().get(self.number());
+        match (&mut self.phase, question) {
+            (ClassPhase::Vote(entry), Some(question)) if mouse.is_held() => {
+                let input = entry.input.as_mut();
+                input.is_some_and(|input| input.point(question, picture, mouse.place(), pressed))
             }
-            (ClassPhase::Vote(entry), MouseKind::Down | MouseKind::Drag) => {
-                if let (Some(input), Some(question)) =
-                    (&mut entry.input, round.questions().get(number))
-                {
-                    match choice.filter(|_| pressed).map(AnswerAction::Choose) {
-                        Some(choose) => {
-                            input.act(choose);
-                            entry.give(&mut self.session);
-                            self.flush(cx);
-                        }
-                        None => {
-                            input.point(question, picture, mouse.place(), pressed);
-                        }
-                    }
-                }
-            }
-            (_, MouseKind::ScrollUp) => view::scroll(self, -1, cx.room(), &look),
-            (_, MouseKind::ScrollDown) => view::scroll(self, 1, cx.room(), &look),
-            _ => return Next::Ignored,
+            _ => false,
         }
-        Next::Stay
     }
 
     /// Lets a team vote, or after the last one goes on.

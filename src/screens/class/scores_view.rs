@@ -3,9 +3,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 
-use super::heading::below;
+use super::heading::{Text, below, column, slot};
 use super::play::ClassPlay;
-use super::view::{Text, column, slot};
 use crate::class::{ClassRound, WayOfVoting, items, standings};
 use crate::numbers;
 use crate::quiz::Grade;

@@ -5,9 +5,8 @@ use std::sync::Arc;
 use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
 use super::play::ClassPlay;
-use super::set_up_view;
 use crate::class::{ClassRound, LONGEST_NAME, MOST_TEAMS, team_names};
-use crate::messages::{Key, Mouse};
+use crate::messages::Key;
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, Course, CourseKind};
 use crate::screens::Context;
@@ -229,7 +228,7 @@ impl SetUp {
     /// Does what a key stands for.
     pub(super) fn act(&mut self, action: SetUpAction, cx: &mut Context) -> Outcome<SetUpEnd> {
         match action {
-            SetUpAction::List(action) => self.listed(cx, |list, rows| list.act(action, rows)),
+            SetUpAction::List(action) => self.listed(action, cx),
             SetUpAction::Topic(by) => {
                 let count = CourseKind::topics().count();
                 self.topic = (self.topic + count).saturating_add_signed(by) % count.max(1);
@@ -245,23 +244,12 @@ impl SetUp {
         }
     }
 
-    /// Takes the mouse.
-    pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Outcome<SetUpEnd> {
-        let row = set_up_view::row_at(self, cx.body, mouse.cell());
-        let at = row.and_then(|row| self.rows().iter().position(|it| *it == row));
-        self.listed(cx, |list, rows| list.mouse(mouse, rows, at))
-    }
-
     /// Moves the mark, or does what its row says. A name that was left empty is none.
-    fn listed(
-        &mut self,
-        cx: &mut Context,
-        act: impl FnOnce(&mut ListView, usize) -> Outcome<usize>,
-    ) -> Outcome<SetUpEnd> {
+    fn listed(&mut self, action: ListAction, cx: &mut Context) -> Outcome<SetUpEnd> {
         self.trouble = None;
         let left = self.at();
         let rows = self.rows().len();
-        match act(&mut self.list, rows) {
+        match self.list.act(action, rows) {
             Outcome::Done(_) => return self.enter(cx),
             Outcome::Ignored => return Outcome::Ignored,
             Outcome::Used => {}

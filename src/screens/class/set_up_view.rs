@@ -1,200 +1,95 @@
-//! How the page looks on which a round is set up.
+//! What the page shows on which a round is set up.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::{Margin, Rect};
-
-use super::heading::{Heading, below};
-use super::set_up::{RoundKind, SetUp, SetUpRow};
-use super::view::{column, slot};
+use super::ClassAction;
+use super::heading::column;
+use super::set_up::{RoundKind, SetUp, SetUpAction, SetUpRow};
 use crate::class::MOST_TEAMS;
 use crate::quiz::CourseKind;
-use crate::widgets::flow::Run;
-use crate::widgets::input::{ListView, TextField};
-use crate::widgets::panels::draw_panel;
-use crate::widgets::{Charset, Lines, Look, Role, Words, text};
+use crate::screens::View;
+use crate::widgets::input::{ListAction, TextField};
+use crate::widgets::panel::Panel;
+use crate::widgets::{Role, Room, SplitLayout};
 
-/// Rows below the frames: the ways to start, and the list of earlier rounds.
-const BELOW: u16 = 4;
-/// Rows of what is wrong.
-const TROUBLE: u16 = 3;
-
-/// The frames of the teams and of the round, and the rows below them.
-fn layout(set_up: &SetUp, area: Rect) -> [Rect; 3] {
-    // Two rows a kind of round, and the frame.
-    let panel = 2 * set_up.kinds().len() as u16 + 2;
-    // The heading is the same height in both charsets at any size that it is shown at. It makes
-    // room for what is wrong.
-    let trouble = if set_up.trouble.is_some() { TROUBLE } else { 0 };
-    let head = area.height.saturating_sub(panel + BELOW + trouble).min(6);
-    let page = below(column(area), head);
-    let half = page.width / 2;
-    let top = slot(page, 0, panel);
-    let teams = Rect { width: half, ..top };
-    let round = Rect {
-        x: top.x + half,
-        width: top.width - half,
-        ..top
-    };
-    [teams, round, below(page, panel)]
+/// Two panels of the same width.
+fn halves(room: Room) -> SplitLayout {
+    let area = column(room.area);
+    SplitLayout::with_panel(Room { area, ..room }, area.width / 2)
 }
 
-fn inside(frame: Rect) -> Rect {
-    frame.inner(Margin::new(1, 1))
-}
-
-/// The row at a cell.
-pub(super) fn row_at(set_up: &SetUp, area: Rect, cell: (u16, u16)) -> Option<SetUpRow> {
-    let [teams, round, below] = layout(set_up, area);
-    if let Some(row) = ListView::row_at(inside(teams), cell) {
-        let is_here = |row: &SetUpRow| !matches!(row, SetUpRow::Kind(_));
-        return set_up.rows().into_iter().take_while(is_here).nth(row);
-    }
-    if let Some(row) = ListView::row_at(inside(round), cell) {
-        return set_up.kinds().get(row / 2).copied().map(SetUpRow::Kind);
-    }
-    match ListView::row_at(below, cell)? {
-        0 => Some(SetUpRow::Start),
-        1 => Some(SetUpRow::Tally),
-        2 => Some(SetUpRow::Devices),
-        3 => Some(SetUpRow::Earlier),
-        _ => None,
-    }
-}
-
-/// Draws the page.
-pub(super) fn draw(set_up: &SetUp, area: Rect, buf: &mut Buffer, look: &Look) {
-    let [teams, round, below] = layout(set_up, area);
-    let head = Rect {
-        height: teams.y.saturating_sub(area.y),
-        ..area
-    };
-    if head.height >= 4 {
-        let texts = ["A class round", "Class"];
-        // As high as a body that has a heading.
-        let room = Rect {
-            height: area.height.max(21),
-            ..head
+/// The teams with the ways to start, and the kinds of round.
+pub(super) fn view(set_up: &SetUp) -> View<'_, ClassAction> {
+    let mut teams = Panel::new(format!("teams, 1 to {MOST_TEAMS}"));
+    let mut round = Panel::new("the questions");
+    for (at, row) in set_up.rows().into_iter().enumerate() {
+        let action = SetUpAction::List(ListAction::Point(at));
+        let panel = match row {
+            SetUpRow::Kind(_) => &mut round,
+            _ => &mut teams,
         };
-        Heading::new(&texts, "").draw(room, buf, look);
+        panel.part(ClassAction::SetUp, |panel| {
+            write(set_up, row, action, panel);
+        });
     }
-    let title = format!("teams, 1 to {MOST_TEAMS}");
-    draw_panel(buf, teams, &title, look.charset, &look.theme);
-    draw_panel(buf, round, "the questions", look.charset, &look.theme);
-    let mut lines = Lines::new(inside(teams), buf, *look);
-    for row in set_up.rows() {
-        let chosen = row == set_up.at();
-        match row {
-            SetUpRow::Team(team) => {
-                let field = &set_up.teams[team];
-                let name = typed(field, lines.width(), chosen, look.charset);
-                let words = format!("{} {name}", team + 1);
-                let label = format!("team {}", team + 1);
-                field_line(&words, &label, field.text(), chosen, &mut lines);
+    if let Some(trouble) = &set_up.trouble {
+        teams.gap();
+        teams.paragraph(trouble, Role::Warn);
+    }
+    View {
+        layout: halves,
+        ..View::panels(teams, round)
+    }
+}
+
+fn write(set_up: &SetUp, row: SetUpRow, action: SetUpAction, panel: &mut Panel<SetUpAction>) {
+    let chosen = row == set_up.at();
+    let around = |field: &TextField| {
+        let shown = |text: &str| text.chars().filter(|c| !c.is_control()).collect::<String>();
+        let (before, after) = match chosen {
+            true => field.around_cursor(),
+            false => (field.text(), ""),
+        };
+        (shown(before), shown(after))
+    };
+    let mut typed = |label: &str, field: Option<&TextField>| {
+        let (before, after) = field.map(around).unwrap_or_default();
+        panel.text_field(label, (&before, &after), chosen, Some(action));
+    };
+    match row {
+        SetUpRow::Team(team) => typed(&format!("team {}", team + 1), set_up.teams.get(team)),
+        SetUpRow::Add => typed("add a team: type its name", None),
+        SetUpRow::Class if set_up.class.text().is_empty() => {
+            typed("the class, for tables: no name", None);
+        }
+        SetUpRow::Class => typed("class", Some(&set_up.class)),
+        SetUpRow::Kind(kind) => {
+            let sign = if set_up.kind == kind { '●' } else { '○' };
+            let (name, about) = words(set_up, kind, chosen);
+            match kind {
+                RoundKind::Code => typed(&format!("{sign} {name}: "), Some(&set_up.code)),
+                _ => {
+                    let name = format!("{sign} {name}");
+                    panel.row((name, Role::Text), ("", Role::Dim), chosen, action);
+                }
             }
-            SetUpRow::Add => {
-                let words = "+ add a team: type its name";
-                field_line(words, words, "", chosen, &mut lines);
-            }
-            SetUpRow::Class => {
-                let width = lines.width().saturating_sub(8);
-                let name = typed(&set_up.class, width, chosen, look.charset);
-                let label = match set_up.class.text().is_empty() {
-                    true => "the class, for tables: no name",
-                    false => "class",
-                };
-                let words = match set_up.class.text().is_empty() && !chosen {
-                    true => "the class, for tables: no name",
-                    false => &format!("class: {name}"),
-                };
-                field_line(words, label, set_up.class.text(), chosen, &mut lines);
-            }
-            _ => {}
+            panel.marked("    ", about, Role::Dim);
+        }
+        SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices | SetUpRow::Earlier => {
+            let name = match row {
+                SetUpRow::Start => {
+                    panel.gap();
+                    "Start with these teams"
+                }
+                SetUpRow::Tally => "Start with hands or cards",
+                SetUpRow::Devices => "Start on devices of their own",
+                _ => "Take up an earlier round",
+            };
+            panel.row((name, Role::Text), ("", Role::Dim), chosen, action);
         }
     }
-    let mut lines = Lines::new(inside(round), buf, *look);
-    for kind in set_up.kinds() {
-        let chosen = set_up.at() == SetUpRow::Kind(kind);
-        let mark = if set_up.kind == kind { "(*)" } else { "( )" };
-        let (name, about) = words(set_up, kind, lines.width(), chosen, look.charset);
-        let sign = if set_up.kind == kind { "●" } else { "○" };
-        let recorded = |charset| Words::Text {
-            mark: sign.to_owned(),
-            runs: vec![Run::new(name.trim(), Role::Text).spelt(charset)],
-        };
-        lines.clicked_as(recorded, Some(chosen), |lines| {
-            if kind == RoundKind::Code {
-                // What is typed of it, wherever the cursor is.
-                let recorded = |_| Words::text_field("the code", set_up.code.text());
-                lines.recorded_too(recorded);
-            }
-            line(&format!("{mark} {name}"), chosen, lines);
-        });
-        lines.line(&format!("      {about}"), Role::Dim);
-    }
-    let mut lines = Lines::new(below, buf, *look);
-    line(
-        "Start with these teams",
-        set_up.at() == SetUpRow::Start,
-        &mut lines,
-    );
-    let tally = set_up.at() == SetUpRow::Tally;
-    line(
-        "Start with hands or cards that are counted",
-        tally,
-        &mut lines,
-    );
-    let devices = set_up.at() == SetUpRow::Devices;
-    line("Start on devices of their own", devices, &mut lines);
-    let earlier = set_up.at() == SetUpRow::Earlier;
-    line("Take up an earlier round", earlier, &mut lines);
-    if let Some(trouble) = &set_up.trouble {
-        lines.paragraph(trouble, Role::Warn);
-    }
-}
-
-fn line(words: &str, chosen: bool, lines: &mut Lines) {
-    lines.choice(chosen, Role::Text, |lines, mark, role| {
-        lines.line(&format!("{mark} {words} "), role);
-    });
-}
-
-/// The line of a field, which is called `label` where it has one beside it.
-fn field_line(words: &str, label: &str, typed: &str, chosen: bool, lines: &mut Lines) {
-    let recorded = |_| Words::text_field(label, typed);
-    lines.clicked_as(recorded, Some(chosen), |lines| line(words, chosen, lines));
-}
-
-/// What is typed, as far as there is room; where it is `chosen` up to the cursor, with
-/// a mark where that is, else its end.
-fn typed(field: &TextField, width: u16, chosen: bool, charset: Charset) -> String {
-    let shown = |text: &str| {
-        let text: String = text.chars().filter(|c| !c.is_control()).collect();
-        charset.text(&text).into_owned()
-    };
-    let (before, after) = match chosen {
-        true => field.around_cursor(),
-        false => (field.text(), ""),
-    };
-    let room = usize::from(width).saturating_sub(9);
-    let before = shown(before);
-    let mut from = before.as_str();
-    while text::width(from) > room {
-        let mut letters = from.chars();
-        letters.next();
-        from = letters.as_str();
-    }
-    let mark = if chosen { "_" } else { "" };
-    text::clipped(&format!("{from}{mark}{}", shown(after)), room + 1)
 }
 
 /// What a kind of round is called, and what it is.
-fn words(
-    set_up: &SetUp,
-    kind: RoundKind,
-    width: u16,
-    chosen: bool,
-    charset: Charset,
-) -> (String, String) {
+fn words(set_up: &SetUp, kind: RoundKind, chosen: bool) -> (String, String) {
     let course = set_up.course(kind);
     let count = course.as_ref().map_or(0, CourseKind::length);
     let name = course.as_ref().map_or("", CourseKind::name);
@@ -219,9 +114,6 @@ fn words(
             };
             (name.into(), format!("of {count}{left}"))
         }
-        RoundKind::Code => {
-            let code = typed(&set_up.code, width.saturating_sub(14), chosen, charset);
-            (format!("by its code: {code}"), "such as mixed-7".into())
-        }
+        RoundKind::Code => ("by its code".into(), "such as mixed-7".into()),
     }
 }

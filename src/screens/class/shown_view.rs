@@ -1,7 +1,6 @@
 //! How the truth is told.
 
 use super::shown::ClassReveal;
-use super::view::voters;
 use super::words::Paragraph;
 use crate::class::WayOfVoting;
 use crate::quiz::{Question, Response, letter};
@@ -29,7 +28,7 @@ pub(super) fn said(
     }
     let mut first = vec![Paragraph::new(words, Role::Title)];
     if let Some((name, count)) = &shown.held {
-        let words = format!("{}: {name}.", voters(way, *count));
+        let words = format!("{}: {name}.", way.voters(*count));
         first.push(Paragraph::new(words, Role::Title));
     }
     let (sentence, rest) = first_sentence(&shown.why);

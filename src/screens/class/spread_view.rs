@@ -9,7 +9,6 @@ use ratatui::layout::Rect;
 
 use super::play::ClassPlay;
 use super::question_view;
-use super::view::voters;
 use super::words::{Beside, Paragraph};
 use crate::class::{Advice, Vote, WayOfVoting};
 use crate::physics::Collision;
@@ -60,7 +59,7 @@ pub(super) fn write_more(play: &ClassPlay, question: &Question, lines: &mut Line
         .saturating_sub(votes.len());
     let missing = match missing {
         0 => String::new(),
-        count => format!("{} without a vote", voters(play.round().way(), count)),
+        count => format!("{} without a vote", play.round().way().voters(count)),
     };
     let advice = advice.map_or("", Advice::words);
     if text::width(advice) + text::width(&missing) + 2 <= lines.width().into() {

@@ -4,9 +4,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::heading::{Heading, below};
+use super::heading::{Heading, below, column};
 use super::play::{ClassPhase, ClassPlay};
-use super::view::column;
 use super::words::{Beside, Paragraph, PlacedWords, screen_rows};
 use super::{question_view, shown_view, spread_view, tally_entry, vote_view};
 use crate::class::{ClassStep, Vote};
@@ -182,7 +181,7 @@ impl<'a> StepView<'a> {
             ClassPhase::Vote(entry) => {
                 vote_view::draw(self.play, self.question, entry, self.foot, buf, look);
             }
-            ClassPhase::Tally(entry) => entry.draw(self.play, self.foot, buf, look),
+            ClassPhase::Tally(entry) => entry.draw(self.play.round(), self.foot, buf, look),
             ClassPhase::Look if self.play.step() == ClassStep::Talk => {
                 let mut lines = Lines::new(self.foot, buf, *look);
                 spread_view::write_more(self.play, self.question, &mut lines);

@@ -3,7 +3,6 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::play::ClassPlay;
 use crate::class::{ClassChange, ClassRound, MOST_PEOPLE, Session, Vote};
 use crate::messages::Key;
 use crate::quiz::letter;
@@ -91,8 +90,7 @@ impl TallyEntry {
     }
 
     /// Draws what is typed, with what is to be done.
-    pub(super) fn draw(&self, play: &ClassPlay, foot: Rect, buf: &mut Buffer, look: &Look) {
-        let round = play.round();
+    pub(super) fn draw(&self, round: &ClassRound, foot: Rect, buf: &mut Buffer, look: &Look) {
         let choices = round.choices(self.question).len();
         let letters: Vec<String> = (0..choices).map(|i| letter(i).to_string()).collect();
         let mut lines = Lines::new(foot, buf, *look);

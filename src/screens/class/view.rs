@@ -7,16 +7,14 @@ use super::heading::{Heading, below, centred};
 use super::hosting::door_page;
 use super::play::{ClassPhase, ClassPlay, EndPage};
 use super::step_view::StepView;
-use super::{ending_view, scores_view};
-use crate::class::{ClassStep, Vote, WayOfVoting};
+use super::{ClassAction, ending_view, scores_view, vote_view};
+use crate::class::{ClassStep, Vote};
+use crate::messages::{Mouse, MouseKind};
 use crate::widgets::big::{Align, Big};
-use crate::widgets::{Item, Lines, Look, Role, Room, Words, areas, sheet};
+use crate::widgets::input::ListAction;
+use crate::widgets::panel::Panel;
+use crate::widgets::{AnswerAction, Item, Look, Role, Room, Words, sheet};
 
-/// A text that may be longer than its place: the place, and what writes it.
-pub(super) type Text<'a> = (Rect, Box<dyn Fn(&mut Lines) + 'a>);
-
-/// Columns of what is read line by line.
-const WIDEST: u16 = 100;
 impl ClassPlay {
     /// What the step at hand is called, and what to do.
     pub(super) fn heading(&self) -> Option<Heading> {
@@ -31,8 +29,8 @@ impl ClassPlay {
                 };
                 (&["The end"], line)
             }
-            (ClassPhase::End(EndPage::Held), _) => (&["What you held", "You held"], String::new()),
-            (ClassPhase::End(EndPage::Items), _) => (&["Questions"], String::new()),
+            // They are lists of blocks.
+            (ClassPhase::End(_), _) => return None,
             (ClassPhase::Tally(entry), _) => match entry.vote {
                 Vote::First => (
                     &["First vote", "Vote 1"],
@@ -128,12 +126,22 @@ pub(super) fn draw(play: &ClassPlay, room: Room, buf: &mut Buffer, look: &Look) 
         heading.draw(area, buf, look);
     }
     let rest = play.below_heading(area, look);
-    match &play.phase {
+    scores_view::draw(play, rest, buf, look);
+}
+
+/// What it shows as a list of blocks, where it does.
+pub(super) fn panel(play: &ClassPlay) -> Option<Panel<ClassAction>> {
+    if let Some(page) = &play.host_page {
+        let list = page.panel(&play.session)?;
+        let mut panel = Panel::new(list.title.clone());
+        panel.part(ClassAction::Hosting, |panel| *panel = list);
+        return Some(panel);
+    }
+    match play.phase {
         ClassPhase::End(page @ (EndPage::Held | EndPage::Items)) => {
-            let (place, write) = ending_view::text(play, *page, rest);
-            play.scroll.draw(place, buf, *look, write);
+            Some(ending_view::panel(play.round(), page))
         }
-        _ => scores_view::draw(play, rest, buf, look),
+        _ => None,
     }
 }
 
@@ -146,14 +154,45 @@ pub(super) fn scroll(play: &mut ClassPlay, rows: i16, room: Room, look: &Look) {
         return;
     }
     let rest = play.below_heading(room.area, look);
-    let text = match &play.phase {
-        ClassPhase::End(page @ (EndPage::Held | EndPage::Items)) => {
-            Some(ending_view::text(play, *page, rest))
-        }
-        _ => scores_view::text(play, rest),
-    };
+    let text = scores_view::text(play, rest);
     let scrolled = text.map(|(place, write)| play.scroll.by(rows, place, *look, write));
     play.scroll = scrolled.unwrap_or(play.scroll);
+}
+
+/// What a click or a turn of the wheel does: it chooses a team or makes its vote, or scrolls.
+pub(super) fn meant_by(
+    play: &ClassPlay,
+    mouse: &Mouse,
+    room: Room,
+    look: &Look,
+) -> Option<ClassAction> {
+    let step = play.step_view(room, look)?;
+    let entry = match &play.phase {
+        ClassPhase::Vote(entry) => Some(entry),
+        _ => None,
+    };
+    let wheel = match mouse.kind {
+        MouseKind::ScrollUp => -1,
+        MouseKind::ScrollDown => 1,
+        MouseKind::Down => {
+            let entry = entry?;
+            return match &entry.input {
+                None => {
+                    let row = vote_view::row_at(play.round(), entry, step.foot(), mouse.cell());
+                    row.map(|row| ClassAction::Teams(ListAction::Point(row)))
+                }
+                Some(_) => {
+                    let choice = step.choice_at(mouse.cell());
+                    choice.map(|choice| ClassAction::Vote(AnswerAction::Choose(choice)))
+                }
+            };
+        }
+        _ => return None,
+    };
+    Some(match entry.is_some_and(|entry| entry.input.is_none()) {
+        true => ClassAction::Teams(ListAction::Choose(wheel)),
+        false => ClassAction::Scroll(wheel as i16),
+    })
 }
 
 /// The calm screen of a pause.
@@ -165,29 +204,5 @@ pub(super) fn paused(area: Rect, buf: &mut Buffer, look: &Look) {
     match big {
         Some(big) => big.draw(place, buf, look, Role::Dim, Align::Centre),
         None => centred("paused", place, buf, look, Role::Dim),
-    }
-}
-
-/// The middle of an area, no wider than a line that reads well.
-pub(super) fn column(area: Rect) -> Rect {
-    areas::middle(area, WIDEST)
-}
-
-/// One of the places of so many rows into which an area is cut, from 0 at its top.
-pub(super) fn slot(area: Rect, number: usize, rows: u16) -> Rect {
-    let place = below(area, rows.saturating_mul(number as u16));
-    Rect {
-        height: rows.min(place.height),
-        ..place
-    }
-}
-
-/// Those who vote: "one team", "3 teams"; "3 of you" where each votes alone.
-pub(super) fn voters(way: WayOfVoting, count: usize) -> String {
-    match (way, count) {
-        (WayOfVoting::Teams, 1) => "one team".into(),
-        (WayOfVoting::Teams, count) => format!("{count} teams"),
-        (_, 1) => "one of you".into(),
-        (_, count) => format!("{count} of you"),
     }
 }

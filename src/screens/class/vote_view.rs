@@ -4,7 +4,6 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::play::ClassPlay;
-use super::view::voters;
 use super::vote_entry::VoteEntry;
 use crate::class::{ClassRound, Vote};
 use crate::quiz::{Form, Question, letter};
@@ -163,7 +162,7 @@ fn note(round: &ClassRound, question: usize, vote: Vote) -> String {
     let missing = all - round.said(question, Vote::Second).count();
     let missing = match missing {
         0 => String::new(),
-        count => format!("{} without a vote", voters(round.way(), count)),
+        count => format!("{} without a vote", round.way().voters(count)),
     };
     let voted = round.voted(question, vote);
     match vote {

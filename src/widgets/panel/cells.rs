@@ -323,6 +323,7 @@ fn write(content: &Content, lines: &mut Lines) {
     match content {
         Content::Gap => lines.gap(),
         Content::Heading(text) => lines.line(text, Role::Title),
+        Content::Large(texts, role) => lines.large(texts, *role),
         Content::Line(text, role) => lines.line(text, *role),
         Content::Paragraph(text, role) => lines.paragraph(text, *role),
         Content::Fact { name, value, roles } => lines.pair(name, value, roles[0], roles[1]),

@@ -49,6 +49,8 @@ enum Content {
     Gap,
     /// What the next blocks are about, in one row.
     Heading(String),
+    /// Words in the largest letters that fit: the first of these texts that does.
+    Large(Vec<String>, Role),
     /// A few words of their own, in one row.
     Line(String, Role),
     /// A text.
@@ -254,6 +256,12 @@ impl<A> Panel<A> {
     /// What the next blocks are about.
     pub(crate) fn heading(&mut self, text: impl Into<String>) {
         self.push(Content::Heading(text.into()));
+    }
+
+    /// Words that are read from afar: the first of these texts that fits in large letters.
+    pub(crate) fn large<'t>(&mut self, texts: impl IntoIterator<Item = &'t str>, role: Role) {
+        let texts = texts.into_iter().map(str::to_owned).collect();
+        self.push(Content::Large(texts, role));
     }
 
     /// A few words in one row.

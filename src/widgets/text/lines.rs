@@ -2,9 +2,15 @@
 
 use ratatui::{buffer::Buffer, layout::Rect};
 
+use super::big::{Align, Big};
 use super::flow::{Run, flow};
 use super::sheet::{self, Item, Words};
 use crate::widgets::{Charset, Look, Role, areas, text};
+
+/// Rows of large letters.
+const LARGE: u16 = 4;
+/// Rows of a place from which on it has any.
+const LARGE_FROM: u16 = 19;
 
 /// A column of text being written from the top of an area.
 pub struct Lines<'a> {
@@ -238,6 +244,26 @@ impl<'a> Lines<'a> {
             });
         }
         self.put(column, row, role);
+    }
+
+    /// Words in large letters where there is room for more below them, the first of these texts
+    /// that fits; else the first in one row.
+    pub(crate) fn large(&mut self, texts: &[String], role: Role) {
+        let Some(first) = texts.first() else {
+            return;
+        };
+        self.record(|charset| Words::large(&charset.text(first), role));
+        let width = self.area.width.saturating_sub(1);
+        let fit = |text: &String| Big::fit(text, width, LARGE, self.look.charset);
+        let has_room = self.area.height >= LARGE_FROM;
+        let Some(big) = texts.iter().find_map(fit).filter(|_| has_room) else {
+            return self.unrecorded(|lines| lines.line(first, role));
+        };
+        if let Some(row) = self.written.checked_sub(self.scrolled) {
+            let [_, place] = areas::upper(self.area, row);
+            big.draw(place, self.buf, &self.look, role, Align::Left);
+        }
+        self.written += big.rows();
     }
 
     /// One row: a name on the left, its value flush right. A name too long for the room

@@ -6,8 +6,7 @@ use ratatui::layout::Rect;
 use super::qr::Qr;
 use crate::class::{DoorState, Session};
 use crate::messages::OpenDoor;
-use crate::screens::class::heading::{below, centred};
-use crate::screens::class::view::column;
+use crate::screens::class::heading::{below, centred, column};
 use crate::widgets::big::{Align, Big};
 use crate::widgets::{Item, Lines, Look, Role, Words, areas, rehearsed, sheet};
 

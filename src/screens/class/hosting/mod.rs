@@ -98,7 +98,7 @@ impl HostPage {
                     "Take {away} off the list who are away and never voted? They can join again."
                 ))
             }
-            (Self::People(people), _) => people.confirmation(action),
+            (Self::People(people), _) => people.confirmation(action, session),
             (Self::Door, _) => None,
         }
     }

@@ -141,7 +141,19 @@ impl People {
     }
 
     /// What is asked before an action is done.
-    pub(super) fn confirmation(&mut self, action: HostingAction) -> Option<String> {
+    pub(super) fn confirmation(
+        &mut self,
+        action: HostingAction,
+        session: &Session,
+    ) -> Option<String> {
+        let opens = match action {
+            HostingAction::List(ListAction::Open) => true,
+            // A second click.
+            HostingAction::List(ListAction::Point(at)) => {
+                self.marked.is_some() && rows(session).get(at) == self.marked.as_ref()
+            }
+            _ => false,
+        };
         self.asked = self.at().map(str::to_owned);
         let asked = self.asked.as_ref();
         match (&self.doing, action) {
@@ -150,7 +162,7 @@ impl People {
                  again.",
                 asked?
             )),
-            (Doing::Merge(from), HostingAction::List(ListAction::Open)) => {
+            (Doing::Merge(from), _) if opens => {
                 let into = asked.filter(|into| *into != from)?;
                 Some(format!("{from} is {into}? The two become one."))
             }
