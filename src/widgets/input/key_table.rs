@@ -157,7 +157,6 @@ impl<A: Copy> KeyTable<A> {
     }
 
     /// What each of the last row's keys is called where it is a button.
-    #[must_use]
     pub fn called(mut self, words: &'static [&'static str]) -> Self {
         if let Some(row) = self.rows.last_mut().filter(|_| self.added) {
             row.words = words;
