@@ -8,6 +8,7 @@
 //!    answer   a question's picture, and the answer being given to it
 //! ──────────────────────────────────────────────────────────────────────────────────────
 //!    replay   a shot on the board, played back, and its impacts one by one
+//!    curves   what a hit gives at every impact angle, with the hit below
 //! ──────────────────────────────────────────────────────────────────────────────────────
 //!    hit      the one picture of an impact, with its clock, layers and frames
 //!    board    a picture of the board
@@ -31,6 +32,7 @@
 
 mod answer;
 pub(crate) mod board;
+pub(crate) mod curves;
 pub(crate) mod hit;
 pub(crate) mod ink;
 pub mod input;

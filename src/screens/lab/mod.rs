@@ -1,6 +1,5 @@
 //! The lab: set up one glancing hit, say where both discs will go, watch it.
 
-mod explain;
 mod field;
 mod mystery;
 mod panel;
@@ -23,7 +22,6 @@ use crate::widgets::{Outcome, RayInput};
 
 use mystery::Mystery;
 
-pub(super) use explain::explain;
 pub(crate) use field::LabSettings;
 
 /// The lab.

@@ -1,13 +1,12 @@
 //! The panel beside the lab's picture: settings, the prediction, the shot in numbers.
 
-use super::explain::{explain, turns_a_second};
 use super::view::live_hit;
 use super::{Lab, LabAction};
 use crate::physics::frames::cm_scattering_angle;
 use crate::physics::{Bond, Frame, Meeting};
 use crate::quiz::Rays;
 use crate::screens::Context;
-use crate::widgets::hit::{VelocityNames, Watch, degrees};
+use crate::widgets::hit::{VelocityNames, Watch, degrees, explain, turns_a_second};
 use crate::widgets::input::{CollisionField, SettingsForm};
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::{reason, said_and_true, separation};

@@ -5,9 +5,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::{Lab, LabAction, LabPhase, panel};
+use crate::lessons::FigureKind;
 use crate::physics::Bond;
-use crate::screens::learn::speeds_picture;
 use crate::screens::{Context, View};
+use crate::widgets::curves::curves_picture;
 use crate::widgets::hit::{Face, Markings, Overlay, Overlays, Watch, setup_picture};
 use crate::widgets::{Look, RayInput, areas};
 
@@ -71,6 +72,7 @@ fn live(lab: &Lab, picture: Rect, buf: &mut Buffer, look: &Look, cx: &Context) {
     live_hit(lab).picture(hit).draw(buf, look);
     if hit.height < picture.height {
         let [_, below] = areas::upper(picture, hit.height);
-        speeds_picture(&lab.settings.setup, below, look).draw(buf, look);
+        let collision = lab.settings.setup.collision();
+        curves_picture(FigureKind::Curves, &collision, below, look).draw(buf, look);
     }
 }

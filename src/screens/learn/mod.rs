@@ -9,7 +9,6 @@ mod record;
 
 pub use check::check;
 pub(crate) use contents::Contents;
-pub(in crate::screens) use figure::speeds_picture;
 pub use figure::{FigureError, draw_figure};
 pub(crate) use reading::Reading;
 pub use record::attempt;

@@ -3,6 +3,7 @@
 
 mod after;
 mod beat;
+mod explain;
 mod layers;
 mod moment;
 mod names;
@@ -18,6 +19,7 @@ mod watch;
 
 pub(crate) use crate::widgets::input::degrees;
 pub(crate) use after::after_picture;
+pub(crate) use explain::{explain, turns_a_second};
 pub(crate) use layers::{Overlay, Overlays};
 pub(crate) use names::VelocityNames;
 pub(crate) use pencil::{protractor_picture, scale_picture};

@@ -33,14 +33,14 @@ fn halves(area: Rect) -> [Rect; 2] {
 
 /// Both pictures; writes above each what it is.
 pub(super) fn lay_out(
-    watches: &[Watch; 2],
+    watches: &[Watch],
     area: Rect,
     buf: &mut Buffer,
     look: &Look,
 ) -> Vec<Picture> {
-    let [board, _] = watches;
     let names = ["the board", "centre of mass"];
-    let words = names.into_iter().zip(told(board.collision()));
+    let words = watches.first().map(|board| told(board.collision()));
+    let words = names.into_iter().zip(words.into_iter().flatten());
     let each = watches.iter().zip(halves(area)).zip(words);
     each.map(|((watch, half), (name, told))| {
         let mut lines = Lines::new(half, buf, *look);

@@ -1,6 +1,5 @@
 //! The figure of a page: what it shows, the keys and the mouse that work it.
 
-mod curves;
 mod export;
 mod foil;
 mod frames;
@@ -28,11 +27,10 @@ use crate::widgets::hit::{
 use crate::widgets::input::{FormAction, KeyTable};
 use crate::widgets::panel::{Panel, written};
 use crate::widgets::picture::Picture;
-use crate::widgets::{Lines, Look, RayInput};
+use crate::widgets::{Lines, Look, RayInput, curves};
 
 use worked::WorkedFigure;
 
-pub(in crate::screens) use curves::speeds_picture;
 pub(super) use export::svg_of;
 pub use export::{FigureError, draw_figure};
 
@@ -70,10 +68,8 @@ pub(super) struct LiveFigure {
 /// What a kind of figure has to remember.
 #[derive(Debug, Clone)]
 enum FigureState {
-    /// The hit being watched.
-    Hit(Box<Watch>),
-    /// The hit in two frames.
-    Frames(Box<[Watch; 2]>),
+    /// The hit being watched, or the hit in two frames.
+    Hits(Vec<Watch>),
     /// Nothing but the collision.
     Plain,
     /// A worked solution.
@@ -110,14 +106,16 @@ impl LiveFigure {
             Some(_) => Watch::new(self.collision, said, pace),
             None => Watch::told(self.collision),
         };
-        let hit = |watch| FigureState::Hit(Box::new(watch));
+        let hit = |watch| FigureState::Hits(vec![watch]);
         self.state = match self.figure.kind {
             FigureKind::Split { lines } if said.is_none() => {
                 hit(watch().with_layers(split_layers(lines)))
             }
             FigureKind::Lab | FigureKind::Split { .. } => hit(watch()),
-            FigureKind::Frames => FigureState::Frames(Box::new(frames::watches(&self.collision))),
-            FigureKind::Worked { blank } => FigureState::Worked(WorkedFigure::given(blank)),
+            FigureKind::Frames => FigureState::Hits(frames::watches(&self.collision).into()),
+            FigureKind::Worked { blank } => {
+                FigureState::Worked(WorkedFigure::given(blank, self.hidden))
+            }
             FigureKind::Solve => FigureState::Worked(WorkedFigure::of_own()),
             FigureKind::Foil {
                 levelled, rings, ..
@@ -169,7 +167,7 @@ impl LiveFigure {
     /// The hit that is watched, for its explanation.
     pub(super) fn watch(&self) -> Option<&Watch> {
         match &self.state {
-            FigureState::Hit(watch) if !self.hidden => Some(watch),
+            FigureState::Hits(hits) if !self.hidden && self.figure.kind.is_hit() => hits.first(),
             _ => None,
         }
     }
@@ -190,8 +188,8 @@ impl LiveFigure {
 
     /// Tells all of its hit at once.
     pub(super) fn tell(&mut self) {
-        if let FigureState::Hit(watch) = &mut self.state {
-            watch.tell();
+        if let FigureState::Hits(hits) = &mut self.state {
+            hits.iter_mut().for_each(Watch::tell);
         }
     }
 
@@ -280,12 +278,15 @@ impl LiveFigure {
         };
         match &self.state {
             _ if self.hidden && self.covers_outcome() => keys,
-            FigureState::Hit(hit) => keys.with(watched(hit), FigureAction::Watch),
-            // Each is seen from its own frame, always.
-            FigureState::Frames(hits) => alpha.with(
-                watched(&hits[0]).without_keys(&[Key::Char('f')]),
-                FigureAction::Watch,
-            ),
+            FigureState::Hits(hits) => match hits.as_slice() {
+                [] => keys,
+                [hit] => keys.with(watched(hit), FigureAction::Watch),
+                // Each is seen from its own frame, always.
+                [hit, ..] => {
+                    let watched = watched(hit).without_keys(&[Key::Char('f')]);
+                    alpha.with(watched, FigureAction::Watch)
+                }
+            },
             FigureState::Worked(worked) => worked.keys(&self.collision),
             FigureState::Foil(plot) => keys.with(plot.keys(), Foil),
             FigureState::Plain if self.has_alpha() => alpha,
@@ -301,9 +302,8 @@ impl LiveFigure {
             }
             (FigureAction::AlphaEnd(alpha_deg), _) => self.set_alpha(alpha_deg.into()),
             (action, FigureState::Worked(worked)) => worked.act(action, &mut self.collision),
-            (FigureAction::Watch(action), FigureState::Hit(watch)) => watch.act(action),
-            (FigureAction::Watch(action), FigureState::Frames(watches)) => {
-                watches.iter_mut().for_each(|watch| watch.act(action));
+            (FigureAction::Watch(action), FigureState::Hits(hits)) => {
+                hits.iter_mut().for_each(|watch| watch.act(action));
             }
             (FigureAction::Foil(action), FigureState::Foil(plot)) => plot.act(action),
             _ => {}
@@ -318,7 +318,7 @@ impl LiveFigure {
     fn set_alpha(&mut self, alpha_deg: f64) {
         let alpha = rad_from_deg(alpha_deg.clamp(0.0, 90.0));
         self.collision = self.collision.with_alpha(alpha);
-        if matches!(self.state, FigureState::Frames(_)) {
+        if self.figure.kind == FigureKind::Frames {
             self.set_up(None, HitPace::Still);
         }
     }
@@ -347,14 +347,14 @@ impl LiveFigure {
             FigureState::Plain if held && self.has_alpha() => {
                 let alpha = match self.figure.kind {
                     FigureKind::Triangle { .. } => triangle::alpha_at(self, area, cell),
-                    _ => curves::alpha_at(self, area, look, cell),
+                    kind => curves::alpha_at(kind, &self.collision, area, look, cell),
                 };
                 if let Some(alpha) = alpha {
                     self.set_alpha(alpha.round());
                 }
                 return alpha.is_some();
             }
-            FigureState::Hit(_) | FigureState::Frames(_) => match mouse.kind {
+            FigureState::Hits(_) => match mouse.kind {
                 MouseKind::ScrollUp => Some(Key::Char('.')),
                 MouseKind::ScrollDown => Some(Key::Char(',')),
                 MouseKind::Down => Some(Key::Char(' ')),
@@ -376,10 +376,9 @@ impl LiveFigure {
     /// Lets time pass.
     pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
         match &mut self.state {
-            FigureState::Hit(watch) => watch.advance(passed, pace),
-            FigureState::Frames(watches) => {
-                let each = watches.iter_mut();
-                each.for_each(|watch| watch.advance(passed, pace));
+            FigureState::Hits(hits) => {
+                hits.iter_mut()
+                    .for_each(|watch| watch.advance(passed, pace));
             }
             FigureState::Foil(plot) => plot.advance(),
             _ => {}
@@ -390,8 +389,7 @@ impl LiveFigure {
     pub(super) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.state {
             _ if self.hidden => None,
-            FigureState::Hit(watch) => watch.wake(pace),
-            FigureState::Frames(watches) => watches.iter().find_map(|it| it.wake(pace)),
+            FigureState::Hits(hits) => hits.iter().find_map(|watch| watch.wake(pace)),
             FigureState::Foil(plot) => plot.wake(),
             _ => None,
         }
@@ -422,8 +420,8 @@ impl LiveFigure {
             return vec![setup_picture(area, faces, &self.collision, given, rays)];
         }
         match (&self.state, self.figure.kind) {
-            (FigureState::Hit(watch), _) => vec![watch.picture(area)],
-            (FigureState::Frames(watches), _) => frames::lay_out(watches, area, buf, look),
+            (FigureState::Hits(hits), FigureKind::Frames) => frames::lay_out(hits, area, buf, look),
+            (FigureState::Hits(hits), _) => hits.iter().map(|watch| watch.picture(area)).collect(),
             (_, FigureKind::Triangle { step }) => {
                 vec![triangle::lay_out(&self.collision, step, area, buf, look)]
             }
@@ -438,7 +436,7 @@ impl LiveFigure {
                 written(&mut lines, |panel| self.write(panel));
                 vec![]
             }
-            _ => curves::pictures(self, area, look).into(),
+            (_, kind) => curves::curves_and_hit(kind, &self.collision, area, look).into(),
         }
     }
 }

@@ -5,7 +5,9 @@ use crate::physics::worked::{self, WorkedStep};
 use crate::physics::{Collision, CollisionSpec};
 use crate::screens::learn::figure::FigureAction;
 use crate::widgets::Role;
-use crate::widgets::input::{CollisionField, Field, FormFields, KeyTable, SettingsForm};
+use crate::widgets::input::{
+    CollisionField, Field, FormAction, FormFields, KeyTable, SettingsForm,
+};
 use crate::widgets::panel::Panel;
 
 /// A worked solution, open at a step.
@@ -57,11 +59,12 @@ fn last(collision: &Collision) -> usize {
 }
 
 impl WorkedFigure {
-    /// A solution that is read, open at the step that is left blank, if any is.
-    pub(super) fn given(blank: Option<usize>) -> Self {
+    /// A solution that is read, open at the step that is left blank while it is `hidden`, if
+    /// any is.
+    pub(super) fn given(blank: Option<usize>, hidden: bool) -> Self {
         Self {
             step: blank.map_or(0, |step| step - 1),
-            blank,
+            blank: blank.filter(|_| hidden),
             form: None,
         }
     }
@@ -100,13 +103,17 @@ impl WorkedFigure {
         // Tab and the keys for pages are those of the page.
         let page = [Key::Tab, Key::BackTab, Key::PageUp, Key::PageDown];
         let set = form.keys(&numbers(collision)).without_keys(&page);
+        // On a small screen the steps are worth more than what is typed.
+        let set = set.renamed("set", |action| matches!(action, FormAction::Step(_)));
+        let set = set.renamed("", |action| matches!(action, FormAction::Number(_)));
         let set = set.map(FigureAction::Set);
-        let steps = steps([',', '.'].map(Key::Char));
+        let steps_by = [',', '.'].map(Key::Char);
         // A point belongs to a number that is being typed.
-        match form.is_typing() {
-            true => set.with(steps, |step| step).distinct(),
-            false => steps.with(set, |set| set).distinct(),
-        }
+        let set = match form.is_typing() {
+            true => set,
+            false => set.without_keys(&steps_by),
+        };
+        set.with(steps(steps_by), |step| step).distinct()
     }
 
     /// Whether a number is being typed.

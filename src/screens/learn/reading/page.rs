@@ -36,17 +36,28 @@ pub(super) enum Stage {
     Told(Response),
 }
 
+/// What a checkpoint asks, as the quiz asks it.
+fn form_of(checkpoint: &Checkpoint, figure: Option<&Collision>) -> Form {
+    let prose = Prose {
+        figure: None,
+        charset: Charset::default(),
+    };
+    checkpoint.form(figure, |text| prose.plain(text))
+}
+
 impl PageQuestion {
+    fn new(checkpoint: &Checkpoint, figure: Option<&Collision>) -> Self {
+        let input = AnswerInput::new(&form_of(checkpoint, figure));
+        Self {
+            checkpoint: checkpoint.clone(),
+            stage: Stage::Asking(input),
+            first: None,
+        }
+    }
+
     /// The question as the quiz asks it; `figure` is the collision of the page's figure.
     pub(super) fn form(&self, figure: Option<&Collision>) -> Form {
-        let charset = Charset::default();
-        self.checkpoint.form(figure, |text| {
-            Prose {
-                figure: None,
-                charset,
-            }
-            .plain(text)
-        })
+        form_of(&self.checkpoint, figure)
     }
 
     /// Begins the second try: rays stay as they were said, to be changed.
@@ -70,22 +81,15 @@ impl OpenPage {
         let hidden = page.checkpoint.is_some();
         let figure = page.figure;
         let figure = figure.map(|figure| LiveFigure::new(figure, alpha_deg, hidden));
+        let collision = figure.as_ref().map(LiveFigure::collision);
+        let checkpoint = page.checkpoint.as_ref();
+        let question = checkpoint.map(|checkpoint| PageQuestion::new(checkpoint, collision));
         let mut open = Self {
             page: page.clone(),
             figure,
-            question: None,
+            question,
             on_figure: false,
         };
-        if let Some(checkpoint) = &page.checkpoint {
-            let mut question = PageQuestion {
-                checkpoint: checkpoint.clone(),
-                stage: Stage::Told(Response::Choice(0)),
-                first: None,
-            };
-            let form = question.form(open.collision());
-            question.stage = Stage::Asking(AnswerInput::new(&form));
-            open.question = Some(question);
-        }
         open.on_figure = open.is_open_to_figure();
         if let (Some((answer, first)), Some(question)) = (tries, &mut open.question) {
             question.first = first;

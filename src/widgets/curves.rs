@@ -3,11 +3,10 @@
 use glam::DVec2;
 use ratatui::layout::{Margin, Rect};
 
-use super::LiveFigure;
-use crate::lessons::{CollisionSpec, Figure, FigureKind};
-use crate::numbers::fixed;
-use crate::physics::RestingTarget;
+use crate::lessons::FigureKind;
+use crate::numbers::{fixed, tidy};
 use crate::physics::units::{deg_from_rad, rad_from_deg};
+use crate::physics::{Collision, RestingTarget};
 use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
@@ -52,14 +51,15 @@ const SHARES: [Curve; 3] = [
 ];
 
 /// The angle that a cell of the picture stands for, in degrees.
-pub(super) fn alpha_at(
-    shown: &LiveFigure,
+pub(crate) fn alpha_at(
+    kind: FigureKind,
+    collision: &Collision,
     area: Rect,
     look: &Look,
     cell: (u16, u16),
 ) -> Option<f64> {
     let [plot, _] = rooms(area);
-    let at = empty(shown, plot, look).values_at(cell)?;
+    let at = empty(kind, &collision.into(), plot, look).values_at(cell)?;
     Some(at.x)
 }
 
@@ -68,11 +68,12 @@ fn rooms(area: Rect) -> [Rect; 2] {
     areas::upper(area, area.height * 11 / 20)
 }
 
-fn empty(shown: &LiveFigure, area: Rect, look: &Look) -> Plot {
+fn empty(kind: FigureKind, pair: &RestingTarget, area: Rect, look: &Look) -> Plot {
     let alpha = Axis::linear("impact angle α (°)", 0.0, 90.0).every(15.0);
-    match shown.figure.kind {
+    match kind {
         FigureKind::Angles => {
-            let most = if heavier_target(shown) { 180.0 } else { 90.0 };
+            // A full hit on a heavier disc throws the striker back.
+            let most = if pair.k() > 1.0 + 1e-9 { 180.0 } else { 90.0 };
             let theta2 = Axis::linear("coin θ₂ (°)", 0.0, 90.0).every(15.0);
             let theta1 = Axis::linear("striker θ₁ (°)", 0.0, most).every(most / 6.0);
             Plot::new(area, *look, theta2, theta1)
@@ -82,51 +83,43 @@ fn empty(shown: &LiveFigure, area: Rect, look: &Look) -> Plot {
             Plot::new(area, *look, alpha, share)
         }
         _ => {
-            let most = pair(shown).target_speed(0.0).max(1.0);
+            let most = pair.target_speed(0.0).max(1.0);
             let speed = Axis::linear("speed, in units of u", 0.0, most);
             Plot::new(area, *look, alpha, speed)
         }
     }
 }
 
-fn pair(shown: &LiveFigure) -> RestingTarget {
-    RestingTarget::from(shown.collision())
-}
-
-/// Whether a full hit throws the striker back.
-fn heavier_target(shown: &LiveFigure) -> bool {
-    pair(shown).k() > 1.0 + 1e-9
-}
-
-/// How both speeds go with the impact angle, with the point of a hit on a disc at rest.
-pub(in crate::screens) fn speeds_picture(shot: &CollisionSpec, area: Rect, look: &Look) -> Picture {
-    let figure = Figure {
-        kind: FigureKind::Curves,
-        shot: *shot,
-        after: *shot,
-        own: false,
-    };
-    plot(&LiveFigure::new(figure, None, false), area, look)
-}
-
-/// The plot with the point, and the hit at that point.
-pub(super) fn pictures(shown: &LiveFigure, area: Rect, look: &Look) -> [Picture; 2] {
+/// The curves of a kind of figure with the point of a hit on a disc at rest, and that hit
+/// below.
+pub(crate) fn curves_and_hit(
+    kind: FigureKind,
+    collision: &Collision,
+    area: Rect,
+    look: &Look,
+) -> [Picture; 2] {
     use Overlay::{Angles, Lines, Trails, Triangle};
     let [room, hit] = rooms(area);
     // Only what can be seen in a small picture.
     let layers = Overlays::default().without([Lines, Angles, Triangle, Trails]);
-    let watch = Watch::told(*shown.collision()).with_layers(layers);
+    let watch = Watch::told(*collision).with_layers(layers);
     let hit = watch.picture(hit.inner(Margin::new(1, 0)));
-    [plot(shown, room, look), hit]
+    [curves_picture(kind, collision, room, look), hit]
 }
 
-/// The plot with the point.
-fn plot(shown: &LiveFigure, room: Rect, look: &Look) -> Picture {
-    let mut plot = empty(shown, room, look);
-    let pair = pair(shown);
-    let alpha_deg = shown.alpha_deg().abs();
+/// The curves with the point: both speeds against the impact angle, unless it is the angles or
+/// the shares of the energy.
+pub(crate) fn curves_picture(
+    kind: FigureKind,
+    collision: &Collision,
+    room: Rect,
+    look: &Look,
+) -> Picture {
+    let pair = RestingTarget::from(collision);
+    let mut plot = empty(kind, &pair, room, look);
+    let alpha_deg = tidy(collision.alpha().map_or(0.0, deg_from_rad)).abs();
     let alpha = rad_from_deg(alpha_deg);
-    match shown.figure.kind {
+    match kind {
         FigureKind::Angles => {
             let theta1 = |deg: f64| pair.theta1(rad_from_deg(deg)).map(deg_from_rad);
             plot.function(theta1, Pen::new(Role::StrikerOut));

@@ -2,14 +2,14 @@
 
 use glam::DVec2;
 
+use super::Watch;
 use crate::numbers::tidy;
 use crate::physics::units::mm_from_m;
 use crate::physics::{Bond, CollisionOutcome, Meeting};
 use crate::quiz::why;
-use crate::widgets::hit::Watch;
 
 /// A title, which may be empty, and a text for the panel.
-pub(in crate::screens) fn explain(watch: &Watch) -> (&'static str, String) {
+pub(crate) fn explain(watch: &Watch) -> (&'static str, String) {
     let collision = watch.collision();
     let text = match watch.outcome().meeting {
         Meeting::Miss if collision.relative_velocity().length() == 0.0 => {
@@ -53,7 +53,7 @@ fn stuck(watch: &Watch) -> String {
 }
 
 /// How often in a second a pair that sticks turns, with the digits it takes.
-pub(super) fn turns_a_second(outcome: &CollisionOutcome) -> String {
+pub(crate) fn turns_a_second(outcome: &CollisionOutcome) -> String {
     let turns = outcome.spin.abs() / std::f64::consts::TAU;
     let decimals = if turns < 0.1 { 3 } else { 1 };
     format!("{turns:.decimals$}")
