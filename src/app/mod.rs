@@ -344,6 +344,14 @@ impl App {
         times.into_iter().flatten().min()
     }
 
+    /// When what the screen shows next moves, for whoever need not see it move: time can pass
+    /// at once. `None` also of a countdown that others see.
+    pub fn motion(&self) -> Option<Duration> {
+        let shares_time = self.stack.last().is_some_and(|it| it.shares_time());
+        let wake = self.screen_wake();
+        wake.filter(|wake| !shares_time || *wake <= crate::widgets::hit::FRAME)
+    }
+
     /// When the screen next needs time.
     fn screen_wake(&self) -> Option<Duration> {
         let stands = |layer: &AppLayer| !matches!(layer, AppLayer::Notice(_));

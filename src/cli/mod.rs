@@ -16,7 +16,6 @@ mod misconceptions;
 mod new;
 mod options;
 mod page;
-mod plain;
 mod play;
 mod progress;
 mod replay;
@@ -58,6 +57,10 @@ use options::Auto;
 pub struct Cli {
     #[command(flatten)]
     options: GlobalOptions,
+    /// Open the screen in plain lines, with no screen control: for screen readers, Braille
+    /// displays and scripts
+    #[arg(long, global = true)]
+    plain: bool,
     #[command(subcommand)]
     command: Option<Command>,
 }
@@ -138,18 +141,9 @@ enum OpenCommand {
     Learn {
         /// A chapter to read at once: its number or its name
         chapter: Option<String>,
-        /// Read and ask in plain lines, with no screen control: for screen readers,
-        /// Braille displays and scripts
-        #[arg(long)]
-        plain: bool,
     },
     /// Open the lab: set up a glancing hit, say where both will go, watch why
-    Lab {
-        /// Set and play shots in plain lines, with no screen control: for screen readers,
-        /// Braille displays and scripts
-        #[arg(long)]
-        plain: bool,
-    },
+    Lab,
     /// Open the foil: beams of particles, from the carrom board to the atom
     Foil,
     /// Open the quiz and choose a round (with --seed N at once the ten hits of that seed)
@@ -157,10 +151,6 @@ enum OpenCommand {
         /// A round to play at once: its code, such as mixed-7, speeds6-7, or 7 for ten hits
         #[arg(long, value_name = "CODE", value_parser = Code::read)]
         code: Option<Code>,
-        /// Ask and answer in plain lines, with no screen control: for screen readers,
-        /// Braille displays and scripts
-        #[arg(long)]
-        plain: bool,
     },
     /// Open a round for a class: teams at one keyboard, or everyone on a device of their own
     Class {
@@ -224,47 +214,11 @@ impl OpenCommand {
         }
     }
 
-    /// Whether it really opens a screen, rather than talking in lines or printing.
+    /// Whether it really opens a screen, rather than printing.
     fn opens(&self) -> bool {
         match self {
-            Self::Learn { plain, .. } | Self::Quiz { plain, .. } | Self::Lab { plain } => !plain,
             Self::Progress(args) => !args.prints(),
             _ => true,
-        }
-    }
-
-    /// What `carrom` alone has for use without a terminal.
-    const WITHOUT_TERMINAL: &'static str = "carrom learn --plain, carrom lab --plain, carrom quiz \
-        --plain, carrom solve, carrom worksheet, carrom figure, carrom progress --csv, carrom tape";
-
-    /// What serves in its place without a terminal.
-    fn without_terminal(&self) -> &'static str {
-        match self {
-            Self::Learn { .. } => "carrom learn --plain reads and asks in plain lines",
-            Self::Quiz { .. } => {
-                "carrom quiz --plain asks in plain lines, carrom worksheet puts a round on paper"
-            }
-            Self::Class { .. } => "carrom worksheet puts a round on paper",
-            Self::Join { .. } => "the page at the same address, in a browser, joins the class",
-            Self::Lab { .. } => {
-                "carrom solve works a hit out (with --plain in plain lines), carrom figure lab \
-                 --svg FILE draws it"
-            }
-            Self::Foil => {
-                "carrom figure foil --svg FILE draws it, carrom learn 10 --plain tells of it"
-            }
-            Self::Table => {
-                "carrom simulate FILE plays a shot, carrom replay FILE an exported game, carrom \
-                 tape FILE a script"
-            }
-            Self::Settings => "the options of carrom --help set the same",
-            Self::Progress(_) => {
-                "carrom progress --csv or --json prints it, --report FILE writes a page of it"
-            }
-            Self::Levels { .. } => {
-                "carrom level check FILE checks a level, carrom simulate FILE plays a shot, carrom \
-                 tape FILE a script"
-            }
         }
     }
 
@@ -274,9 +228,9 @@ impl OpenCommand {
     /// If there is no level or chapter of that name, or no question for a code, in words.
     fn place(&self, data: &Data, options: &GlobalOptions) -> Result<Place, String> {
         Ok(match self {
-            Self::Learn { chapter, .. } => named(data, "learn", chapter.as_deref())?,
-            Self::Lab { .. } => Place::Lab,
-            Self::Quiz { code, .. } => Place::Quiz {
+            Self::Learn { chapter } => named(data, "learn", chapter.as_deref())?,
+            Self::Lab => Place::Lab,
+            Self::Quiz { code } => Place::Quiz {
                 code: round(code.as_ref(), options, &data.own)?,
             },
             Self::Class {
@@ -395,6 +349,18 @@ impl Cli {
             Some(Command::Worksheet(args)) => args.code.is_some(),
             _ => false,
         };
+        if self.plain
+            && !matches!(
+                self.command,
+                None | Some(Command::Open(_) | Command::Solve(_))
+            )
+        {
+            return Err(
+                "expected --plain with a screen, such as carrom quiz --plain, or with \
+                        carrom solve"
+                    .into(),
+            );
+        }
         match self.options.seed {
             Some(_) if has_code => {
                 Err("expected --seed or --code, not both: a code has its seed in it".into())
@@ -411,8 +377,7 @@ impl Cli {
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Failure> {
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
-        Err(mut message) => {
-            plain::advise(&mut message);
+        Err(message) => {
             // Help asked for goes to standard output, anything else to standard
             // error; if neither can be written there is nobody to tell.
             let _ = say(&message);
@@ -424,20 +389,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
     };
     cli.check().map_err(Failure::input)?;
     let done = match &cli.command {
-        None => return play::run(&cli.options, None),
+        None => return play::run(&cli.options, None, cli.plain),
         Some(Command::Open(OpenCommand::Progress(args))) if args.prints() => {
             progress::run(args, &cli.options)
         }
-        Some(Command::Open(OpenCommand::Quiz { code, plain: true })) => {
-            plain::quiz(code.as_ref(), &cli.options)
-        }
-        Some(Command::Open(OpenCommand::Lab { plain: true })) => plain::lab(),
-        Some(Command::Open(OpenCommand::Learn {
-            chapter,
-            plain: true,
-        })) => plain::learn(chapter.as_deref(), &cli.options),
-        Some(Command::Open(screen)) => return play::run(&cli.options, Some(screen)),
-        Some(Command::Solve(args)) if args.plain => plain::solve(args),
+        Some(Command::Open(screen)) => return play::run(&cli.options, Some(screen), cli.plain),
+        Some(Command::Solve(args)) if args.plain => solve::plain(args),
         Some(Command::Solve(args)) => return solve::run(args, &cli.options),
         Some(Command::Simulate(args)) => simulate::run(args),
         Some(Command::Replay(args)) => replay::run(args),
@@ -517,6 +474,7 @@ fn open_within(arguments: &str, outer: &GlobalOptions) -> Result<(App, GlobalOpt
     })?;
     cli.check()?;
     let screen = match &cli.command {
+        _ if cli.plain => return Err("expected a command that opens a screen".into()),
         None => None,
         Some(Command::Open(screen)) if screen.opens() => Some(screen),
         Some(_) => return Err("expected a command that opens a screen".into()),

@@ -2,6 +2,7 @@
 
 use std::env;
 use std::hash::{BuildHasher, RandomState};
+use std::io::{self, BufReader};
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -9,18 +10,24 @@ use std::sync::Arc;
 use super::options::Auto;
 use super::{Failure, GlobalOptions, OpenCommand, app, page};
 use crate::shells::host::{HostOptions, ServedPage};
+use crate::shells::plain;
 use crate::shells::terminal::{self, Ending};
+use anyhow::anyhow;
 
 /// Opens the game at a screen and plays it until it is left.
 pub(super) fn run(
     options: &GlobalOptions,
     screen: Option<&OpenCommand>,
+    plain: bool,
 ) -> Result<ExitCode, Failure> {
     let env = |name: &str| env::var(name).ok();
-    terminal::check(env).map_err(|error| {
-        let instead = screen.map_or(OpenCommand::WITHOUT_TERMINAL, OpenCommand::without_terminal);
-        Failure::input(format!("{error}; without one: {instead}"))
-    })?;
+    if !plain {
+        terminal::check(env).map_err(|error| {
+            Failure::input(format!(
+                "{error}; without one, add --plain: carrom then reads and asks in plain lines"
+            ))
+        })?;
+    }
     terminal::report_crashes(options.data_dir());
     let auto = Auto {
         charset: terminal::charset(env),
@@ -32,6 +39,12 @@ pub(super) fn run(
     let store = options.store().with_own(app.own());
     let host = screen.map_or_else(|| host_options(None, None), OpenCommand::host_options);
     let host = host.map_err(Failure::Input)?;
+    if plain {
+        let input = BufReader::new(io::stdin());
+        plain::run(app, store, host, input, &mut io::stdout().lock())
+            .map_err(|error| anyhow!(error))?;
+        return Ok(ExitCode::SUCCESS);
+    }
     Ok(match terminal::run(app, store, host)? {
         Ending::Quit => ExitCode::SUCCESS,
         // As a shell reports a process that a signal ended.

@@ -89,6 +89,8 @@ pub trait AnyScreen {
     fn advance(&mut self, passed: Duration, cx: &mut Context);
     /// See [`Screen::wake`].
     fn wake(&self, cx: &Context) -> Option<Duration>;
+    /// See [`Screen::shares_time`].
+    fn shares_time(&self) -> bool;
     /// See [`Screen::draw`].
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context);
 }
@@ -394,6 +396,10 @@ impl<S: Screen> AnyScreen for Hosted<S> {
 
     fn wake(&self, cx: &Context) -> Option<Duration> {
         self.screen.wake(cx)
+    }
+
+    fn shares_time(&self) -> bool {
+        self.screen.shares_time()
     }
 
     fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {

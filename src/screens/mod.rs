@@ -121,6 +121,11 @@ pub trait Screen {
         None
     }
 
+    /// Whether others see the same time pass, as in a class: then nobody can be ahead of it.
+    fn shares_time(&self) -> bool {
+        false
+    }
+
     /// Draws itself into `area`, which is [`Context::body`]; not asked of a screen with a
     /// view.
     fn draw(&self, _area: Rect, _buf: &mut Buffer, _cx: &Context) {}

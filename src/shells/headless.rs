@@ -7,6 +7,7 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 
 use super::FRAME;
+use super::plain::AppHolder;
 use crate::app::App;
 use crate::messages::{
     Effect, HostCall, Input, JoinCall, Key, Mouse, MouseKind, StoreCall, StoreReply, StoreRequest,
@@ -217,6 +218,20 @@ impl Headless {
                 }
             }
         }
+    }
+}
+
+impl AppHolder for Headless {
+    fn app(&self) -> &App {
+        &self.app
+    }
+
+    fn input(&mut self, input: &Input) {
+        Self::input(self, input);
+    }
+
+    fn pass(&mut self, time: Duration) {
+        Self::pass(self, time);
     }
 }
 

@@ -1,5 +1,4 @@
-//! What drives the app: a terminal, a tape, a test. And what does without it: the quiz and
-//! the lessons in plain lines.
+//! What drives the app: a terminal, plain lines, a tape, a test.
 //!
 //! Each shell supplies time, translates its own inputs into
 //! [`Input`](crate::messages::Input)s and carries effects out. All of them drive

@@ -5,7 +5,9 @@ use ratatui::layout::Rect;
 
 use super::Role;
 use super::picture::{DrawLayer, Pen, Picture, View};
+use crate::numbers::capital;
 use crate::physics::Board;
+use crate::physics::units::mm_from_m;
 
 /// Length of a base line in metres.
 const BASE_LENGTH: f64 = 0.470;
@@ -74,6 +76,19 @@ pub(crate) fn ground(picture: &mut Picture, board: &Board) {
     if CENTRE_CIRCLE * scale > 1.5 * picture.view().per_column() {
         picture.circle(DVec2::ZERO, CENTRE_CIRCLE * scale, Role::BoardLine);
     }
+}
+
+/// Where discs lie, a sentence each: in millimetres from the middle of the board.
+pub(crate) fn places_in_words(discs: impl IntoIterator<Item = (String, DVec2)>) -> Vec<String> {
+    let way = |metres: f64, [less, more]: [&str; 2]| {
+        let mm = mm_from_m(metres).round();
+        format!("{} mm {}", mm.abs(), if mm < 0.0 { less } else { more })
+    };
+    let place = |(name, at): (String, DVec2)| {
+        let [x, y] = [way(at.x, ["left", "right"]), way(at.y, ["down", "up"])];
+        capital(&format!("{name}: {x}, {y}."))
+    };
+    discs.into_iter().map(place).collect()
 }
 
 /// A disc where it touches, as a ring: dotted where it is large enough for that.

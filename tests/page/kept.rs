@@ -509,7 +509,7 @@ fn a_talk_in_lines_tells_once_that_nothing_can_be_kept_and_keeps_it_later() {
     let say = "
         document.getElementById('line').value = arguments[0];
         document.getElementById('answer').requestSubmit();";
-    for line in ["a", "3", "a", "3"] {
+    for line in ["a", "3", "a", "3", ""] {
         chromium.run(say, &[Value::from(line)]);
         wait(300);
     }

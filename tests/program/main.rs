@@ -28,6 +28,7 @@ mod old_files;
 mod owed;
 mod page;
 mod plain;
+mod plain_all;
 mod play;
 mod rebound;
 mod report;

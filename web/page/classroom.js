@@ -55,6 +55,14 @@ const classroom = (() => {
   function fragment() {
     const given = location.hash.slice(1);
     if (!isHere()) return given;
+    if (/^plain(&|$)/.test(given)) {
+      return `plain&${placeHere(given.replace(/^plain&?/, ""))}`;
+    }
+    return placeHere(given);
+  }
+
+  // The same on a page that the host of a class has served.
+  function placeHere(given) {
     const before = kept();
     const link = /(^|&)code=([^&]*)/.exec(given);
     if (before && (!given || (link && link[2].toUpperCase() === before.code))) {

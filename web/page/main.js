@@ -82,8 +82,9 @@ const page = (() => {
     document.getElementById("plain").hidden = !isPlain;
     body.style.overflow = isPlain ? "auto" : "";
     outdated = true;
+    if (isPlain) plain.begin(speak);
     heed(reply);
-    if (isPlain) return plain.begin(speak);
+    if (isPlain) return schedule();
     draw();
     // Now that head and foot are there it is known what they take.
     fit();
@@ -138,19 +139,20 @@ const page = (() => {
     last = reply;
     for (const { name, content } of reply.downloads) give(name, content);
     for (const call of reply.calls) classroom.does(call);
+    if (isPlain) plain.show(reply.lines);
     if (reply.keep) {
       keeper.keep(kept, () => speak({ do: "slow" }));
     }
     // A page is not left: it begins again.
-    if (reply.quit) {
+    if (reply.quit && isPlain) plain.over();
+    else if (reply.quit) {
       if (location.hash) location.hash = "";
       else reopen();
     }
   }
 
   function kept(failed) {
-    const reply = speak({ do: "kept", failed });
-    if (reply && isPlain) plain.kept(failed, reply.keep);
+    speak({ do: "kept", failed });
   }
 
   // Lets the time pass that has passed, while something moves.

@@ -141,8 +141,9 @@ const panels = (() => {
   const KINDS = {
     picture: () => {
       const node = make("div", "picture");
-      return [node, ([{ number }]) => {
+      return [node, ([{ number, shows = [] }]) => {
         const canvas = painter.canvas(number);
+        canvas.setAttribute("aria-label", shows.join(" "));
         if (canvas.parentNode !== node) node.replaceChildren(canvas);
       }];
     },

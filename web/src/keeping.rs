@@ -116,21 +116,16 @@ impl PageStorage {
             self.early.push(call.clone());
             return None;
         }
-        let answer = self.do_at_once(call);
-        (!changes(&call.wish)).then_some(answer)
-    }
-
-    /// Does what a talk in lines asks, which goes on at once.
-    pub(crate) fn do_at_once(&mut self, call: &StoreCall) -> StoreAnswer {
         let answer = self.answer(call);
-        if changes(&call.wish) {
-            self.pending.push(Pending {
-                change: Change::Asked(call.clone()),
-                answer: answer.clone(),
-                is_refused: false,
-            });
+        if !changes(&call.wish) {
+            return Some(answer);
         }
-        answer
+        self.pending.push(Pending {
+            change: Change::Asked(call.clone()),
+            answer,
+            is_refused: false,
+        });
+        None
     }
 
     /// Takes in a file that was opened.

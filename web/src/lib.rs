@@ -10,7 +10,6 @@
 //!   opening    what a link opens: #quiz=mixed-7&player=Ana
 //!   keeping    the store, whose files the browser keeps
 //!   own        a teacher's own levels, chapters and questions, and other files
-//!   talk       the quiz and the lessons in plain lines
 //! ```
 
 #[expect(unsafe_code, reason = "a name that a page can call counts as unsafe")]
@@ -20,7 +19,6 @@ mod message;
 mod opening;
 mod own;
 mod shell;
-mod talk;
 
 pub use message::{Command, Reply};
 pub use shell::Shell;

@@ -90,10 +90,10 @@ pub enum Command {
         /// The glyph.
         letter: String,
     },
-    /// A talk in plain lines: all that was said in it so far.
-    Talk {
-        /// The lines.
-        lines: Vec<String>,
+    /// A line was said, where carrom is read in plain lines.
+    Line {
+        /// The line.
+        text: String,
     },
     /// Something was heard of the class.
     Joined {
@@ -212,10 +212,8 @@ pub struct Reply {
     pub files: Vec<FileLength>,
     /// Paths of files that are to be kept no longer.
     pub gone: Vec<String>,
-    /// What is said in a talk, a line each.
+    /// What is said in plain lines, or how a glyph is drawn.
     pub lines: Vec<String>,
-    /// Whether that talk is over.
-    pub over: bool,
     /// Something that is wrong, in words.
     pub fault: Option<String>,
     /// The bytes of the files.

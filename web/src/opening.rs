@@ -49,16 +49,17 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
             code: Some(Code::hits(wanted.seed)),
         };
     }
-    // A talk in lines goes on without the screens: below it none is to move.
-    if opening.fragment.split('&').any(|part| part == "plain") {
-        wanted.place = Place::Home;
-    }
     let mut app = App::with_data(data, wanted.place, wanted.settings, wanted.seed);
     app.set_kept(Some(kept));
     if !faults.is_empty() {
         app.tell(faults.join(" "));
     }
     app
+}
+
+/// Whether a link asks for plain lines.
+pub(crate) fn is_plain(fragment: &str) -> bool {
+    fragment.split('&').any(|part| part == "plain")
 }
 
 struct LinkTarget {

@@ -1,7 +1,6 @@
 //! The app with its screen and what is kept.
 
 use std::mem;
-use std::sync::Arc;
 use std::time::Duration;
 
 use carrom::app::App;
@@ -9,6 +8,7 @@ use carrom::messages::{
     Effect, HostCall, HostNews, Input, JoinCall, JoinNews, Key, Mouse, MouseKind,
 };
 use carrom::shells::FRAME;
+use carrom::shells::plain::{AppHolder, PlainReader};
 use carrom::widgets::{
     PaintedCell, PaintedPicture, Role, Section, Sheet, gather, glyph_shape, inks, painted, recorded,
 };
@@ -23,7 +23,7 @@ use crate::message::{
     ClassCall, Command, Download, FileLength, Keys, News, Opening, Painted, PictureMessage, Reply,
     split,
 };
-use crate::{message, opening, own, talk};
+use crate::{message, opening, own};
 
 /// The bit of a cell that a picture takes the place of.
 const VECTOR: u32 = 1 << 16;
@@ -46,7 +46,8 @@ pub struct Shell {
     calls: Vec<JoinCall>,
     quit: bool,
     opening: Opening,
-    talk: talk::Talked,
+    /// Says in lines what the screen shows, where they are asked for.
+    reader: Option<PlainReader>,
 }
 
 impl Shell {
@@ -91,17 +92,26 @@ impl Shell {
             calls: Vec::new(),
             quit: false,
             opening: opening.clone(),
-            talk: talk::Talked::default(),
+            reader: None,
         };
-        shell.app.set_pictures(opening.pictures);
-        shell.input(&Input::Resize(opening.columns, opening.rows));
+        let lines = if opening::is_plain(&opening.fragment) {
+            let mut reader = PlainReader::new(&mut shell.app);
+            let lines = reader.begin(&mut shell);
+            shell.reader = Some(reader);
+            lines
+        } else {
+            shell.app.set_pictures(opening.pictures);
+            shell.input(&Input::Resize(opening.columns, opening.rows));
+            Vec::new()
+        };
         let reply = shell.reply();
-        (shell, reply)
+        (shell, Reply { lines, ..reply })
     }
 
     /// Does what the page says; behind it may be bytes of files.
     pub fn call(&mut self, command: Command, bytes: &[u8]) -> Reply {
         let mut told = Reply::default();
+        let is_time = matches!(command, Command::Pass { .. } | Command::Now { .. });
         match command {
             Command::Open(_) => {}
             Command::Key { key } => {
@@ -115,6 +125,8 @@ impl Shell {
                 }
             }
             Command::Paste { text } => self.input(&Input::Paste(text)),
+            // In plain lines nothing of it is seen.
+            Command::Resize { .. } if self.reader.is_some() => {}
             Command::Resize {
                 columns,
                 rows,
@@ -186,26 +198,22 @@ impl Shell {
                     told.lines = vec![path, strength.to_string()];
                 }
             }
-            Command::Talk { lines } => {
-                let asked = talk::Asked {
-                    fragment: &self.opening.fragment,
-                    seed: self.opening.seed,
-                    player: &self.app.settings().player.clone(),
-                    own: &Arc::clone(self.app.own()),
-                    chapters: self.app.book().library(),
-                };
-                (told.lines, told.over) = self.talk.go_on(&lines, &asked, &mut self.keeping);
+            Command::Line { text } => {
+                told.lines = self.read(|reader, shell| reader.hear(&text, shell));
             }
             Command::Joined { news } => self.input(&Input::Joined(heard(news))),
             Command::Tell { words } => self.app.tell(words),
         }
+        told.lines.extend(self.read(|reader, shell| match is_time {
+            true => reader.news_of_time(shell),
+            false => reader.news(shell),
+        }));
         Reply {
             painted: told.painted,
             files: told.files,
             bytes: told.bytes,
             gone: told.gone,
             lines: told.lines,
-            over: told.over,
             fault: told.fault,
             ..self.reply()
         }
@@ -225,6 +233,19 @@ impl Shell {
             cells.extend([u32::from(letter), painted.ink, painted.paper, bits]);
         }
         cells
+    }
+
+    /// What is said in lines, if it is.
+    fn read(
+        &mut self,
+        read: impl FnOnce(&mut PlainReader, &mut Self) -> Vec<String>,
+    ) -> Vec<String> {
+        let Some(mut reader) = self.reader.take() else {
+            return Vec::new();
+        };
+        let lines = read(&mut reader, self);
+        self.reader = Some(reader);
+        lines
     }
 
     fn input(&mut self, input: &Input) {
@@ -464,6 +485,20 @@ fn mouse(kind: &str, x: f64, y: f64) -> Option<Mouse> {
         _ => return None,
     };
     Some(Mouse::at(kind, (x, y).into()))
+}
+
+impl AppHolder for Shell {
+    fn app(&self) -> &App {
+        &self.app
+    }
+
+    fn input(&mut self, input: &Input) {
+        Self::input(self, input);
+    }
+
+    fn pass(&mut self, time: Duration) {
+        Self::pass(self, time);
+    }
 }
 
 #[cfg(test)]

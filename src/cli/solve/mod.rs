@@ -12,8 +12,11 @@ mod text;
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
 
+use anyhow::anyhow;
+
 use super::{Failure, GlobalOptions, write_json};
 use crate::physics::worked::{self, WorkedStep};
+use crate::shells::plain::{self, Leave, Talk};
 use answer::SolveAnswer;
 pub(super) use args::Args;
 use lines::BatchError;
@@ -40,6 +43,18 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
             Ok(ExitCode::SUCCESS)
         }
         written => Ok(written?),
+    }
+}
+
+/// Says a worked solution in plain lines; where it is not said where the two meet, the hit is
+/// asked for.
+pub(super) fn plain(args: &Args) -> Result<(), Failure> {
+    let steps = args.is_complete().then(|| args.steps()).transpose()?;
+    let (mut input, mut output) = (io::stdin().lock(), io::stdout().lock());
+    match plain::solve(&mut Talk::new(&mut input, &mut output), steps.as_deref()) {
+        // To leave it early is no failure.
+        Ok(()) | Err(Leave::Quit | Leave::Ended) => Ok(()),
+        Err(Leave::Failed(error)) => Err(anyhow!(error).into()),
     }
 }
 

@@ -373,6 +373,10 @@ impl Screen for Class {
         }
     }
 
+    fn shares_time(&self) -> bool {
+        true
+    }
+
     fn wake(&self, cx: &Context) -> Option<Duration> {
         match &self.scene {
             ClassScene::Play(play) if !self.paused => play.wake(cx.settings.pace()),

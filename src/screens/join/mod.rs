@@ -336,6 +336,10 @@ impl Screen for Join {
         }
     }
 
+    fn shares_time(&self) -> bool {
+        true
+    }
+
     fn wake(&self, cx: &Context) -> Option<Duration> {
         let link = self.link.as_ref().and_then(Link::wake);
         let desk = self.desk.as_ref();

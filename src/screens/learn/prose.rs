@@ -80,7 +80,7 @@ impl Prose<'_> {
                 Run::new(text.as_str(), role)
             }
             // Held together, as a formula broken over two rows is hard to read.
-            Inline::Formula(formula) => Run::new(formula.inline().replace(' ', "\u{a0}"), plain),
+            Inline::Formula(formula) => Run::formula(formula, plain),
             Inline::Live(quantity) => {
                 let value = self.figure.map(|collision| quantity.shown(collision));
                 Run::new(value.unwrap_or_default(), Role::Title)

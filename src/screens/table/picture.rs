@@ -12,7 +12,7 @@ use crate::game::{Coin, Piece, PieceSet, Seat};
 use crate::messages::Mouse;
 use crate::physics::{Board, DiscState, stopping_distance};
 use crate::widgets::picture::{Body, DrawLayer, LabelSide, Pen, Picture, View};
-use crate::widgets::{Role, board};
+use crate::widgets::{Role, board, sheet};
 
 /// Seconds after which a trail has faded.
 const FADE: f64 = 0.9;
@@ -91,6 +91,15 @@ pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
     }
     discs.push(striker);
     picture.discs(discs);
+    sheet::next_picture_shows(|| {
+        let coins = active
+            .game()
+            .coins()
+            .iter()
+            .map(|coin| (coin.piece, coin.at));
+        let discs = coins.chain([(Piece::Striker, place)]);
+        board::places_in_words(discs.map(|(piece, at)| (piece.to_string(), at)))
+    });
     if let Some(hit) = &hit {
         let ghost = hit.ghost();
         if aids.ghost {

@@ -17,11 +17,42 @@ pub(super) fn by_words(text: &str) -> String {
     for sentence in sentences(text) {
         let lead = LEADS.iter().find_map(|lead| sentence.strip_prefix(lead));
         let said = lead.map_or_else(|| sentence.to_owned(), crate::numbers::capital);
-        if !said.contains(KEY) && !said.starts_with("Drag ") {
+        if !said.contains(KEY) && !is_for_hands(&said) {
             kept.push(said);
         }
     }
     kept.join(" ")
+}
+
+/// What a sentence begins with that is for hands and eyes.
+const FOR_HANDS: [&str; 6] = [
+    "Drag ",
+    "Press ",
+    "Click ",
+    "Watch ",
+    "Turn the ray",
+    "With the mouse",
+];
+
+/// What else shows that a sentence is for them.
+const BY_HAND: [&str; 9] = [
+    "Enter",
+    "Esc ",
+    "Esc,",
+    "Space",
+    "Tab ",
+    "with the arrows",
+    "the mouse",
+    "the wheel",
+    "click",
+];
+
+/// Whether a sentence names a key, or what is to be done with the mouse.
+fn is_for_hands(sentence: &str) -> bool {
+    FOR_HANDS.iter().any(|it| sentence.starts_with(it))
+        // By a letter.
+        || sentence.get(1..).is_some_and(|it| it.starts_with(" switches it"))
+        || BY_HAND.iter().any(|it| sentence.contains(it))
 }
 
 /// A text cut behind the stops of its sentences.

@@ -1,29 +1,26 @@
-//! The quiz, the lessons and a lab in plain lines: for screen readers, Braille displays, dumb
-//! terminals and scripts.
+//! The app in plain lines: for screen readers, Braille displays, dumb terminals and scripts.
 //!
-//! Nothing here draws, moves a cursor or waits for a time. A line is said, a line is
-//! heard, and what a picture would show is said in words: all that is needed to answer,
-//! and no more than the picture gives. Signs are spelt as they are read aloud.
+//! The same blocks as on the screen, which are recorded while it is drawn, are said line by line;
+//! a line that is heard does what it stands for. Nothing moves a cursor or waits for a time, and
+//! signs are spelt as they are read aloud.
 
-mod answering;
 mod by_words;
-mod figure;
 mod formula;
-mod learn;
 mod number;
-mod own_shot;
-mod picture;
-mod quiz;
-mod recorder;
+mod page;
+mod reader;
+#[cfg(not(target_family = "wasm"))]
+mod run;
 mod solve;
 mod spoken;
 mod talk;
+#[cfg(test)]
+mod tests;
 mod working;
 
-pub use learn::learn;
-pub use own_shot::lab;
-pub use quiz::quiz;
-pub use recorder::{AnswerRecorder, Keeper};
+pub use reader::{AppHolder, PlainReader};
+#[cfg(not(target_family = "wasm"))]
+pub use run::run;
 pub use solve::solve;
 pub use spoken::spoken;
 pub use talk::{Leave, Talk};

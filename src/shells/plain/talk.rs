@@ -111,41 +111,25 @@ impl<'a> Talk<'a> {
         }
     }
 
-    /// Asks likewise for an answer that may be left open; `None` if it is skipped.
-    ///
-    /// # Errors
-    /// If the player quits, or nothing more is to be heard.
-    pub(super) fn ask_or_skip<T>(
-        &mut self,
-        lead: &[String],
-        question: &str,
-        help: &str,
-        read: impl Fn(&str) -> Result<T, String>,
-    ) -> Result<Option<T>, Leave> {
-        self.ask_for(lead, question, help, |heard| {
-            match heard.to_lowercase().as_str() {
-                "skip" | "s" => Ok(None),
-                _ => read(heard).map(Some),
-            }
-        })
-    }
-
     fn hear(&mut self) -> Result<String, Leave> {
-        let mut bytes = Vec::new();
-        let heard = (&mut *self.input)
-            .take(LONGEST)
-            .read_until(b'\n', &mut bytes)?;
-        if heard == 0 {
-            return Err(Leave::Ended);
-        }
-        if bytes.last() != Some(&b'\n') {
-            // Too long to be an answer: the rest is passed over.
-            self.input.skip_until(b'\n')?;
-        }
-        let text = String::from_utf8_lossy(&bytes);
-        let visible: String = text.chars().filter(|c| !c.is_control()).collect();
+        let heard = hear(&mut *self.input)?.ok_or(Leave::Ended)?;
+        let visible: String = heard.chars().filter(|c| !c.is_control()).collect();
         Ok(visible.trim().to_owned())
     }
+}
+
+/// Hears a line; `None` once there is none.
+///
+/// # Errors
+/// If none can be read.
+pub(super) fn hear(input: &mut (impl BufRead + ?Sized)) -> io::Result<Option<String>> {
+    let mut bytes = Vec::new();
+    let heard = (&mut *input).take(LONGEST).read_until(b'\n', &mut bytes)?;
+    if heard > 0 && bytes.last() != Some(&b'\n') {
+        // Too long to be an answer: the rest is passed over.
+        input.skip_until(b'\n')?;
+    }
+    Ok((heard > 0).then(|| String::from_utf8_lossy(&bytes).into_owned()))
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ const MOST: u32 = 1000;
 /// Writes a text to a file of this name in the current folder, or, where there is one
 /// already, with a number behind its name: nothing is ever overwritten. Gives the path
 /// of the file, or why there is none.
-pub(super) fn write(name: &str, content: &str) -> Result<String, String> {
+pub(in crate::shells) fn write(name: &str, content: &str) -> Result<String, String> {
     write_beside(name, content)
         .map_err(|error| error.to_string())?
         .ok_or_else(|| format!("there are {MOST} files of this name already"))

@@ -34,6 +34,7 @@ use ratatui::{Terminal, TerminalOptions, Viewport};
 use thiserror::Error;
 
 pub use crash::report_crashes;
+pub(super) use export::write as export;
 pub use surroundings::{Unusable, charset, check, depth};
 
 use crate::app::App;
@@ -279,7 +280,7 @@ impl TerminalRun {
                 Effect::Host(call) => self.host.call(call),
                 Effect::Join(call) => self.client.call(call),
                 Effect::Export { name, content } => {
-                    let exported = Input::Exported(export::write(name, content));
+                    let exported = Input::Exported(export(name, content));
                     // Should nobody listen any more, nobody waits for it either.
                     let _ = self.sender.send(Message::Input(exported));
                 }

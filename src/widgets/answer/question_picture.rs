@@ -3,11 +3,12 @@
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use super::AnswerInput;
+use crate::physics::Collision;
 use crate::quiz::{Form, Illustration, Question, Response};
-use crate::widgets::Look;
 use crate::widgets::hit::{Face, Markings, after_picture, aim_picture, setup_picture};
 use crate::widgets::picture::Picture;
 use crate::widgets::tracks::tracks_picture;
+use crate::widgets::{Look, sheet};
 
 /// What a question shows, with no more in it than it gives, and what is being said to
 /// it; nothing for a question of words alone.
@@ -50,8 +51,34 @@ pub fn draw_question(
     input: Option<&AnswerInput>,
 ) {
     if let Some(picture) = question_picture(area, question, input) {
+        sheet::next_picture_shows(|| shows(question));
         picture.draw(buf, look);
     }
+}
+
+/// What the picture shows beyond the text of the question, which describes the hit whole
+/// unless it gives no figures: then the picture is all there is to go by.
+fn shows(question: &Question) -> Vec<String> {
+    match &question.picture {
+        Illustration::Before { collision, shown } if !shown.figures => seen(collision, shown.angle),
+        _ => Vec::new(),
+    }
+}
+
+/// How a hit looks, as a careful eye would judge it.
+fn seen(collision: &Collision, line: bool) -> Vec<String> {
+    let share = collision.offset / collision.contact_distance();
+    let percent = (100.0 * share.abs()).round();
+    let side = if share < 0.0 { "left" } else { "right" };
+    let place = format!(
+        "Seen along the striker's path, the target's centre lies to the {side} of the path, by \
+         about {percent:.0} percent of the two radii together."
+    );
+    let alpha = collision.alpha().filter(|_| line).map(|alpha| {
+        let alpha = (alpha.abs().to_degrees() / 5.0).round() * 5.0;
+        format!("The line of impact is drawn, at about {alpha:.0}° to the path.")
+    });
+    [place].into_iter().chain(alpha).collect()
 }
 
 #[cfg(test)]
@@ -59,8 +86,8 @@ mod tests {
     use glam::DVec2;
 
     use super::*;
+    use crate::physics::Disc;
     use crate::physics::rutherford::Rutherford;
-    use crate::physics::{Collision, Disc};
     use crate::quiz::{AimTask, Code, Markings, Measure, Ray, Round};
     use crate::widgets::cells::text;
     use crate::widgets::{Charset, Depth, Palette, Theme};

@@ -377,7 +377,7 @@ fn write(content: &Content, lines: &mut Lines) {
         }
         Content::Formula(formula, role) => {
             let recorded = |charset| Words::Equation {
-                runs: vec![Run::new(formula.inline(), *role).spelt(charset)],
+                runs: vec![Run::formula(formula, *role).spelt(charset)],
             };
             lines.written_as(recorded, |lines| {
                 for row in formula::set(formula, lines.charset()) {

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use serde::Serialize;
 
+use crate::lessons::Formula;
 use crate::widgets::{Charset, Role, text};
 
 /// A stretch of text in one style. No-break blanks hold words together.
@@ -13,6 +14,9 @@ pub struct Run {
     pub text: String,
     /// Its style.
     pub role: Role,
+    /// The formula that it writes, if it is one, for whoever reads it aloud.
+    #[serde(skip)]
+    pub(crate) formula: Option<Formula>,
 }
 
 impl Run {
@@ -21,13 +25,25 @@ impl Run {
         Self {
             text: text.into(),
             role,
+            formula: None,
+        }
+    }
+
+    /// A formula in one line, with blanks that do not break.
+    pub(crate) fn formula(formula: &Formula, role: Role) -> Self {
+        Self {
+            formula: Some(formula.clone()),
+            ..Self::new(formula.inline().replace(' ', "\u{a0}"), role)
         }
     }
 
     /// The same as a charset writes it, with blanks that do not break where no line should.
     pub(crate) fn spelt(&self, charset: Charset) -> Self {
         let text = text::unbroken(&charset.text(&self.text));
-        Self { text, ..*self }
+        Self {
+            text,
+            ..self.clone()
+        }
     }
 }
 

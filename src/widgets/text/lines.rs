@@ -193,6 +193,7 @@ impl<'a> Lines<'a> {
             Run {
                 text,
                 role: Role::Key,
+                ..
             },
         ] = runs
             && mark.is_empty()

@@ -83,6 +83,9 @@ pub enum Words {
     Picture {
         /// Its number, from 0.
         number: usize,
+        /// What it shows, in sentences; empty where the words beside it say as much.
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        shows: Vec<String>,
     },
     /// What is read from the left to the right, behind a mark if it has one.
     Text {
@@ -160,6 +163,8 @@ pub enum Words {
 struct Recorder {
     sheets: Vec<Sheet>,
     pictures: usize,
+    /// What the next picture shows.
+    shows: Vec<String>,
 }
 
 impl Recorder {
@@ -268,6 +273,7 @@ pub fn recorded<T>(draw: impl FnOnce() -> T) -> (T, Vec<Sheet>) {
     RECORDED.set(Some(Recorder {
         sheets: Vec::new(),
         pictures: 0,
+        shows: Vec::new(),
     }));
     let drawn = draw();
     let sheets = RECORDED.take().map_or_else(Vec::new, |it| it.sheets);
@@ -325,8 +331,18 @@ pub(crate) fn picture(area: Rect) {
     with(|recorder| {
         let number = recorder.pictures;
         recorder.pictures += 1;
-        recorder.note(area, Item::new(Words::Picture { number }));
+        let shows = std::mem::take(&mut recorder.shows);
+        recorder.note(area, Item::new(Words::Picture { number, shows }));
     });
+}
+
+/// Says in sentences what the picture shows that is drawn next, for whoever does not see it.
+/// `say` is asked only if anyone records.
+pub(crate) fn next_picture_shows(say: impl FnOnce() -> Vec<String>) {
+    if is_recording() {
+        let shows = say();
+        with(|recorder| recorder.shows = shows);
+    }
 }
 
 /// Notes something that was written into an area. `make` is asked only if anyone records.
@@ -426,7 +442,10 @@ mod tests {
         let titles: Vec<_> = sheets[0].sections.iter().map(|it| &it.title).collect();
         assert_eq!(titles, ["picture", "panel", ""]);
         assert_eq!(sheets[0].sections[1].items, [text("beside")]);
-        let numbered = |number| Item::new(Words::Picture { number });
+        let numbered = |number| {
+            let shows = Vec::new();
+            Item::new(Words::Picture { number, shows })
+        };
         assert_eq!(
             sheets[0].sections[0].items,
             [numbered(0), text("above it"), text("between"), numbered(1)]

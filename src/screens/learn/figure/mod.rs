@@ -5,6 +5,7 @@ mod foil;
 mod frames;
 mod shots;
 mod triangle;
+pub(super) mod words;
 mod worked;
 
 use std::time::Duration;

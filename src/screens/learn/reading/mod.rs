@@ -9,7 +9,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::figure::{FigureAction, LiveFigure, svg_of};
+use super::figure::{FigureAction, LiveFigure, svg_of, words};
 use super::record;
 use crate::lessons::{Bookmark, Chapter, Forget};
 use crate::messages::{Input, Key, Mouse, StoreReply};
@@ -17,7 +17,7 @@ use crate::quiz::Response;
 use crate::screens::{Confirmation, Context, Next, Place, Screen, SharedAction, View};
 use crate::widgets::input::{KeyTable, RayAction};
 use crate::widgets::panel::Panel;
-use crate::widgets::{AnswerAction, AnswerInput, Look, Outcome, Role, Scroll, SplitLayout};
+use crate::widgets::{AnswerAction, AnswerInput, Look, Outcome, Role, Scroll, SplitLayout, sheet};
 
 use page::{OpenPage, Stage};
 
@@ -491,6 +491,8 @@ impl Screen for Reading {
         let rays = open.rays();
         let title = rays.map_or_else(|| figure.title(), |_| "where will they go?".into());
         let draw = move |area: Rect, buf: &mut Buffer, look: &Look| {
+            let is_told = !open.is_asking();
+            sheet::next_picture_shows(|| words::describe(&self.chapter, self.at, is_told));
             figure.draw(area, buf, look, rays);
         };
         Some(View {

@@ -10,7 +10,7 @@ use crate::physics::units::m_from_mm;
 use crate::quiz::Ray;
 use crate::screens::levels::words::face;
 use crate::widgets::picture::{Body, DrawLayer, LabelSide, Pen, Picture, View};
-use crate::widgets::{Role, board};
+use crate::widgets::{Role, board, sheet};
 
 /// Length of the arrow of the shot, in metres for each m/s.
 const ARROW: f64 = 0.03;
@@ -110,6 +110,12 @@ fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
 }
 
 fn discs(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
+    sheet::next_picture_shows(|| {
+        let named = discs
+            .iter()
+            .map(|(disc, at)| (level.scene.name(*disc), *at));
+        board::places_in_words(named)
+    });
     let body = |&(disc, at): &(usize, DVec2)| {
         let piece = level.scene.pieces.get(disc)?;
         let face = face(piece.kind);

@@ -1,7 +1,7 @@
 //! Units as they are read aloud, and as they are typed.
 
 /// Units as texts write them, with their names after one and after many.
-const UNITS: [(&str, &str, &str); 17] = [
+const UNITS: [(&str, &str, &str); 18] = [
     ("m/s", "metre per second", "metres per second"),
     ("rad/s", "radian per second", "radians per second"),
     ("mm", "millimetre", "millimetres"),
@@ -14,6 +14,7 @@ const UNITS: [(&str, &str, &str); 17] = [
     ("J", "joule", "joules"),
     ("MeV", "mega electron volt", "mega electron volts"),
     ("fm", "femtometre", "femtometres"),
+    ("µm", "micrometre", "micrometres"),
     ("s", "second", "seconds"),
     ("°", "degree", "degrees"),
     ("deg", "degree", "degrees"),

@@ -2,8 +2,6 @@
 
 use glam::DVec2;
 
-use super::spoken::sentence;
-use super::working;
 use crate::lessons::{Chapter, ChapterPage, CheckpointKind, Expected, Figure, FigureKind};
 use crate::numbers::{degrees, millimetres, significant, with_unit};
 use crate::physics::beam::Beam;
@@ -15,7 +13,11 @@ use crate::physics::{
 
 /// What the figure of a page shows, a line each; before the page's question is
 /// `answered`, and where a later page asks for it, no more than how the hit is set up.
-pub(super) fn describe(chapter: &Chapter, at: usize, answered: bool) -> Vec<String> {
+pub(in crate::screens::learn) fn describe(
+    chapter: &Chapter,
+    at: usize,
+    answered: bool,
+) -> Vec<String> {
     let page = chapter.pages.get(at);
     let Some((page, figure)) = page.and_then(|page| Some((page, page.figure.as_ref()?))) else {
         return Vec::new();
@@ -34,16 +36,8 @@ pub(super) fn describe(chapter: &Chapter, at: usize, answered: bool) -> Vec<Stri
                 .into(),
         ],
         FigureKind::Shots { space, beyond_deg } => shots(space, beyond_deg, told),
-        FigureKind::Worked { blank } => {
-            let blank = match told {
-                true => next_blank(later, &figure.shot),
-                false => blank,
-            };
-            let steps = working(&collision, figure);
-            let shown = blank.map_or(steps.len(), |step| step - 1);
-            steps.into_iter().take(shown).flatten().collect()
-        }
-        FigureKind::Solve => working(&collision, figure).concat(),
+        // These are words already.
+        FigureKind::Worked { .. } | FigureKind::Solve => Vec::new(),
         kind => {
             let mut lines = vec![format!("Figure: {}", set_up(&figure.shot, &collision))];
             if told {
@@ -70,17 +64,6 @@ fn is_asked(later: &[ChapterPage], shot: &CollisionSpec) -> bool {
                 Expected::Fixed(..) => false,
             },
             _ => false,
-        }
-    })
-}
-
-/// The first step of a shot's worked solution that one of these pages leaves blank.
-fn next_blank(later: &[ChapterPage], shot: &CollisionSpec) -> Option<usize> {
-    later.iter().find_map(|page| {
-        let figure = page.figure.as_ref().filter(|figure| figure.shot == *shot)?;
-        match figure.kind {
-            FigureKind::Worked { blank } => blank.filter(|_| page.checkpoint.is_some()),
-            _ => None,
         }
     })
 }
@@ -147,13 +130,6 @@ fn shots(space: bool, beyond_deg: f64, told: bool) -> Vec<String> {
     lines
 }
 
-/// How a hit is set up, and what the two weigh.
-pub(super) fn whole_set_up(spec: &CollisionSpec) -> [String; 2] {
-    let collision = spec.collision();
-    let set_up = format!("The shot: {}", set_up(spec, &collision));
-    [set_up, weighed(&collision)]
-}
-
 /// How the hit is set up, as far as the picture before it shows.
 fn set_up(spec: &CollisionSpec, collision: &Collision) -> String {
     let place = match collision.alpha() {
@@ -192,7 +168,7 @@ fn weighed(collision: &Collision) -> String {
 }
 
 /// What becomes of it, as the worked solution sums it up.
-pub(super) fn result(collision: &Collision) -> Vec<String> {
+fn result(collision: &Collision) -> Vec<String> {
     let last = worked::steps(collision, false).pop();
     last.map(|step| step.why).into_iter().collect()
 }
@@ -200,18 +176,6 @@ pub(super) fn result(collision: &Collision) -> Vec<String> {
 /// A speed in words.
 fn speed(v: DVec2) -> String {
     with_unit(&significant(v.length()), "m/s")
-}
-
-/// The steps of the worked solution, each in lines.
-fn working(collision: &Collision, figure: &Figure) -> Vec<Vec<String>> {
-    let by_offset = figure.shot.is_by_offset();
-    let each = (1..).zip(worked::steps(collision, by_offset));
-    each.map(|(number, step)| {
-        let head = format!("Step {number}: {} {}", sentence(step.title), step.why);
-        let lines = working::lines(&step);
-        std::iter::once(head).chain(lines).collect()
-    })
-    .collect()
 }
 
 /// A line every ten degrees of the impact angle, from head-on to nearly a graze.

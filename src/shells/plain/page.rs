@@ -1,0 +1,550 @@
+//! What a screen says in lines, and what can be said to it: made of the same blocks as the
+//! screen, which are recorded while it is drawn.
+
+use super::by_words::{KEY, by_words};
+use super::formula::aloud;
+use super::spoken::{spoken, unit_name, verbatim};
+use crate::app::App;
+use crate::messages::Key;
+use crate::numbers::capital;
+use crate::widgets::flow::Run;
+use crate::widgets::input::KeyRow;
+use crate::widgets::{Item, Role, Section, Sheet, SheetKind, Words};
+
+/// Parts of the key table that a line stands for, or that only eyes need.
+const BY_OTHER_MEANS: [&str; 9] = [
+    "list.", "form.", "number.", "dial.", "answer.", "ray.", "hit.", "shot.", "mystery.",
+];
+
+/// Rows of those parts that are offered all the same.
+const OFFERED: [&str; 2] = ["ray.stays-still", "shot.impacts"];
+
+/// The row of what goes on to the next question.
+pub(super) const ON: &str = "quiz.go-on";
+
+/// What stands where nothing has been typed yet.
+const OPEN: char = '_';
+
+/// A screen, or what lies over it, in lines.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct PlainPage {
+    /// Its title.
+    pub title: String,
+    /// What lies over the screen, if anything does.
+    pub layer: Option<SheetKind>,
+    /// How it stands, in parts.
+    pub status: Vec<String>,
+    /// Its parts in the order in which they are read.
+    pub sections: Vec<PlainSection>,
+    /// What can be chosen.
+    pub options: Vec<PlainOption>,
+    /// What a line is taken for.
+    pub asked: Asked,
+    /// What its pictures show.
+    pub shown: Vec<String>,
+}
+
+/// What stands in one frame.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct PlainSection {
+    /// The title of the frame.
+    pub title: String,
+    /// Its first text: with another one it is about something else.
+    pub subject: String,
+    /// What it says.
+    pub lines: Vec<String>,
+}
+
+/// Something that can be chosen.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct PlainOption {
+    /// What is typed to choose it; empty where its words alone do.
+    pub label: String,
+    /// What it is called.
+    pub words: String,
+    /// What it is among those things.
+    pub kind: OptionKind,
+    /// The cell where a click chooses it.
+    pub cell: Option<(u16, u16)>,
+    /// The key that does it.
+    pub key: Option<Key>,
+    /// Whether it is the one that is chosen.
+    pub is_chosen: bool,
+}
+
+/// What can be chosen.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum OptionKind {
+    /// An answer, or an entry of a list.
+    Entry,
+    /// Something that can be set, and its value as the screen writes it.
+    Field(String),
+    /// A text that can be typed, and what has been.
+    Text(String),
+    /// Something that can be done.
+    Deed,
+}
+
+/// What a line is taken for that is no choice.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) enum Asked {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// A number, of this name and in this unit.
+    Number(String, String),
+    /// An angle, of a disc that may stay still.
+    Angle(String),
+    /// A text of this name.
+    Text(String),
+}
+
+impl Asked {
+    /// The question that ends what is said.
+    pub(super) fn question(&self, has_choice: bool) -> String {
+        let asked = match self {
+            Self::Nothing if has_choice => "Which one?".into(),
+            Self::Nothing => "What next?".into(),
+            Self::Number(name, unit) if unit.is_empty() => format!("{name}?"),
+            Self::Number(name, unit) => format!("{name} in {}?", unit_name(unit)),
+            Self::Angle(name) => format!("{name}, in degrees?"),
+            Self::Text(name) => format!("{name}?"),
+        };
+        capital(&read(&asked))
+    }
+}
+
+impl PlainPage {
+    /// What an app says of its screen, of which these sheets were recorded.
+    pub(super) fn new(app: &App, sheets: &[Sheet]) -> Self {
+        let Some(sheet) = sheets.last() else {
+            return Self::default();
+        };
+        let table = app.keys();
+        let rows = table.rows();
+        let types = rows.iter().any(|row| row.id.ends_with(".type"));
+        let mut page = Self {
+            title: read(&sheet.title),
+            layer: (sheet.kind != SheetKind::Screen).then_some(sheet.kind),
+            status: parts(&sheet.status),
+            asked: asked(sheet, types, rows),
+            ..Self::default()
+        };
+        let items = sheet.sections.iter().flat_map(|section| &section.items);
+        let mut options: Vec<_> = items
+            .filter_map(|item| PlainOption::of(item, rows))
+            .collect();
+        let told: Vec<_> = options.iter().filter_map(|it| it.key).collect();
+        options.extend(rows.iter().filter_map(|row| deed(row, &told)));
+        let mut names: Vec<String> = Vec::new();
+        options.retain(|option| {
+            let is_new = option.kind != OptionKind::Deed || !names.contains(&option.words);
+            names.push(option.words.clone());
+            is_new
+        });
+        // There a line may be the answer to what comes next.
+        if !rows.iter().any(|row| row.id == ON) {
+            let are_set = options
+                .iter()
+                .any(|it| matches!(it.kind, OptionKind::Field(_)));
+            label(&mut options, types || are_set);
+        }
+        page.sections = sections(sheet, &options, rows);
+        page.options = options;
+        let pictures = sheet.sections.iter().flat_map(|section| &section.items);
+        page.shown = pictures.flat_map(|item| shown(&item.words)).collect();
+        page
+    }
+
+    /// All that is said of it, but for what it is called.
+    pub(super) fn lines(&self) -> impl Iterator<Item = &String> {
+        self.sections.iter().flat_map(|it| &it.lines)
+    }
+
+    /// Whether a line is one of several to choose from.
+    pub(super) fn has_entry(&self, line: &str) -> bool {
+        let mut entries = self
+            .options
+            .iter()
+            .filter(|it| it.kind == OptionKind::Entry);
+        entries.any(|it| it.line() == line)
+    }
+
+    /// What can be done, a line each.
+    pub(super) fn deeds(&self) -> Vec<String> {
+        let deeds = self.options.iter().filter(|it| it.kind == OptionKind::Deed);
+        deeds.map(PlainOption::line).collect()
+    }
+
+    /// The question that ends what is said of it.
+    pub(super) fn question(&self) -> String {
+        let is_entry = |it: &PlainOption| it.kind == OptionKind::Entry;
+        let is_set = |it: &PlainOption| matches!(it.kind, OptionKind::Field(_));
+        let has_choice = self.options.iter().any(is_entry) && !self.options.iter().any(is_set);
+        self.asked.question(has_choice)
+    }
+}
+
+impl PlainOption {
+    /// What an item stands for that can be chosen.
+    fn of(item: &Item, rows: &[KeyRow<()>]) -> Option<Self> {
+        let (words, kind, key) = match &item.words {
+            Words::Prompt { words, key } => {
+                let key = key.as_deref().and_then(Key::parse);
+                let row = rows
+                    .iter()
+                    .find(|row| row.all_keys().any(|it| Some(it) == key));
+                if row.is_some_and(is_by_other_means) {
+                    return None;
+                }
+                (words.clone(), OptionKind::Deed, key)
+            }
+            Words::Field { name, value, .. } => {
+                let name = name.trim_end_matches('=').trim().to_owned();
+                (name, OptionKind::Field(value.clone()), None)
+            }
+            Words::TextField { name, value } => {
+                (name.clone(), OptionKind::Text(value.clone()), None)
+            }
+            Words::Tab { name } => (name.clone(), OptionKind::Entry, None),
+            Words::Text { mark, runs } => {
+                let text = joined(runs);
+                (format!("{mark} {text}"), OptionKind::Entry, None)
+            }
+            Words::Pair { name, value } => (
+                listed(&name.text, [value.text.as_str()]),
+                OptionKind::Entry,
+                None,
+            ),
+            Words::Columns { name, values } => (
+                listed(&name.text, values.iter().map(|it| it.text.as_str())),
+                OptionKind::Entry,
+                None,
+            ),
+            _ => return None,
+        };
+        let is_deed = kind == OptionKind::Deed;
+        if item.press.is_none() && !(is_deed && key.is_some()) {
+            return None;
+        }
+        let (label, words) = match kind {
+            OptionKind::Entry => own_label(words.trim()),
+            _ => (String::new(), words),
+        };
+        let key = key.or_else(|| own_key(&label, rows));
+        Some(Self {
+            words: tidied(&words),
+            label,
+            kind,
+            cell: item.press.map(|[column, row]| (column, row)),
+            key,
+            is_chosen: item.chosen == Some(true),
+        })
+    }
+
+    /// How it is told.
+    pub(super) fn line(&self) -> String {
+        let words = match &self.kind {
+            OptionKind::Field(value) => format!("{}: {}", self.words, value_words(value)),
+            OptionKind::Text(value) if value.is_empty() => format!("{}: empty", self.words),
+            OptionKind::Text(value) => format!("{}: {value}", self.words),
+            OptionKind::Entry | OptionKind::Deed => self.words.clone(),
+        };
+        match self.label.as_str() {
+            "" => read(&words),
+            label => format!("{label}: {}", read(&words)),
+        }
+    }
+}
+
+/// What can be done by a key that no item stands for.
+fn deed(row: &KeyRow<()>, told: &[Key]) -> Option<PlainOption> {
+    let mut keys = row.keys();
+    let (Some(key), None) = (keys.next(), keys.next()) else {
+        return None;
+    };
+    let is_offered = !is_by_other_means(row) && !row.name.is_empty();
+    (is_offered && !told.contains(&key)).then(|| PlainOption {
+        label: String::new(),
+        words: row.name.to_owned(),
+        kind: OptionKind::Deed,
+        cell: None,
+        key: Some(key),
+        is_chosen: false,
+    })
+}
+
+/// Whether a line stands for it, or it is for eyes alone.
+fn is_by_other_means(row: &KeyRow<()>) -> bool {
+    let is = BY_OTHER_MEANS.iter().any(|part| row.id.starts_with(part))
+        || row.id.ends_with(".export")
+        || row.id.ends_with("scroll");
+    is && !OFFERED.contains(&row.id.as_str())
+}
+
+/// Labels for those that have none of their own: numbers, or letters where numbers are typed.
+/// Beside answers that have letters, or numbers as few as those of how sure one is, what can be
+/// done has only its words.
+fn label(options: &mut [PlainOption], types: bool) {
+    let own: Vec<_> = options.iter().map(|it| it.label.clone()).collect();
+    let last: usize = own
+        .iter()
+        .filter_map(|it| it.parse().ok())
+        .max()
+        .unwrap_or(0);
+    let is_letter = |label: &String| label.chars().any(char::is_alphabetic);
+    if own.iter().any(is_letter) || (1..=3).contains(&last) {
+        return;
+    }
+    let mut names: Box<dyn Iterator<Item = String>> = match types {
+        true => Box::new(('a'..='z').map(String::from)),
+        false => Box::new((last + 1..).map(|number| number.to_string())),
+    };
+    for option in options.iter_mut().filter(|it| it.label.is_empty()) {
+        option.label = names.next().unwrap_or_default();
+    }
+}
+
+/// The letter or number that an entry begins with, and the rest.
+fn own_label(words: &str) -> (String, String) {
+    let split = words.split_once(' ').unwrap_or((words, ""));
+    let (first, rest) = (split.0.trim_end_matches('.'), split.1.trim_start());
+    let is_number = !first.is_empty() && first.chars().all(|c| c.is_ascii_digit());
+    let is_letter = first.len() == 1 && first.chars().all(|c| c.is_ascii_uppercase());
+    match is_number || is_letter && !rest.is_empty() {
+        true => (first.to_owned(), rest.to_owned()),
+        false => (String::new(), words.to_owned()),
+    }
+}
+
+/// The key that chooses an entry of this label at once.
+fn own_key(label: &str, rows: &[KeyRow<()>]) -> Option<Key> {
+    let key = label
+        .parse()
+        .ok()
+        .map(|c: char| Key::Char(c.to_ascii_lowercase()))?;
+    let chooses = |row: &&KeyRow<()>| row.id.ends_with(".choose") || row.id.ends_with(".sure");
+    let mut rows = rows.iter().filter(chooses);
+    rows.any(|row| row.all_keys().any(|it| it == key))
+        .then_some(key)
+}
+
+/// What a line is taken for.
+fn asked(sheet: &Sheet, types: bool, rows: &[KeyRow<()>]) -> Asked {
+    let items = sheet.sections.iter().flat_map(|section| &section.items);
+    let chosen = items.filter(|item| item.chosen == Some(true));
+    for item in chosen {
+        match &item.words {
+            Words::TextField { name, .. } => return Asked::Text(name.clone()),
+            Words::Field { name, value, .. } if types => {
+                let name = name.trim_end_matches('=').trim().to_owned();
+                return match rows.iter().any(|row| row.id == "ray.turn") {
+                    true => Asked::Angle(name),
+                    false => Asked::Number(name, unit(value)),
+                };
+            }
+            _ => {}
+        }
+    }
+    match types {
+        true => Asked::Number("A number, or what next".into(), String::new()),
+        false => Asked::Nothing,
+    }
+}
+
+/// The unit of a value: what stands behind its number.
+pub(super) fn unit(value: &str) -> String {
+    let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',' | '-' | '−' | OPEN);
+    let behind = value.trim_start_matches(number).trim_start();
+    let is_number = behind.len() < value.len();
+    let first = behind.split(' ').next().unwrap_or_default();
+    if is_number {
+        first.to_owned()
+    } else {
+        String::new()
+    }
+}
+
+fn value_words(value: &str) -> String {
+    match value.split_once(OPEN) {
+        Some(("", _)) => "not said yet".into(),
+        Some((typed, unit)) => format!("{typed}{unit}"),
+        None => value.to_owned(),
+    }
+}
+
+/// The lines of each part.
+fn sections(sheet: &Sheet, options: &[PlainOption], rows: &[KeyRow<()>]) -> Vec<PlainSection> {
+    let mut left = options.iter().filter(|it| it.kind != OptionKind::Deed);
+    let section = |section: &Section| {
+        let mut heads: Option<&Item> = None;
+        let mut lines = Vec::new();
+        let mut subject = None;
+        for item in &section.items {
+            let is_option =
+                PlainOption::of(item, rows).is_some_and(|it| it.kind != OptionKind::Deed);
+            let option = if is_option { left.next() } else { None };
+            let line = match (&item.words, option) {
+                (Words::Prompt { .. }, _) => None,
+                (Words::Columns { .. }, option) => Some(row(heads, item, option)),
+                (_, Some(option)) => Some(option.line()),
+                (words, None) => text(words, sheet.kind == SheetKind::Help),
+            };
+            heads = match &item.words {
+                Words::Columns { .. } => heads.or_else(|| is_head(item).then_some(item)),
+                _ => None,
+            };
+            let Some(line) = line.filter(|line| !line.is_empty()) else {
+                continue;
+            };
+            if matches!(item.words, Words::Text { .. }) && !is_option {
+                subject.get_or_insert_with(|| line.clone());
+            }
+            lines.extend(line.lines().map(str::to_owned));
+        }
+        PlainSection {
+            title: title(&section.title),
+            subject: subject.unwrap_or_default(),
+            lines,
+        }
+    };
+    sheet.sections.iter().map(section).collect()
+}
+
+/// Whether it is the row of a table above its values.
+fn is_head(item: &Item) -> bool {
+    match &item.words {
+        Words::Columns { values, .. } => {
+            item.press.is_none() && values.iter().all(|it| it.role == Role::Dim)
+        }
+        _ => false,
+    }
+}
+
+/// A row of a table, each value behind the head of its column.
+fn row(heads: Option<&Item>, item: &Item, option: Option<&PlainOption>) -> String {
+    let Words::Columns { name, values } = &item.words else {
+        return String::new();
+    };
+    let (head_name, heads) = match heads.map(|it| &it.words) {
+        Some(Words::Columns { name, values }) => (name.text.as_str(), values.as_slice()),
+        _ if is_head(item) => return String::new(),
+        _ => ("", [].as_slice()),
+    };
+    let values = values.iter().enumerate().map(|(at, value)| {
+        let head = heads.get(at).map_or("", |head| head.text.trim());
+        format!("{head} {}", value.text.trim())
+    });
+    let values: Vec<_> = values
+        .map(|it| tidied(&it))
+        .filter(|it| !it.is_empty())
+        .collect();
+    let values = values.join(", ");
+    let (label, name) = match option {
+        Some(option) => (format!("{}: ", option.label), own_label(name.text.trim()).1),
+        None => (String::new(), name.text.trim().to_owned()),
+    };
+    let name = [name, head_name.trim().to_owned()];
+    let name: Vec<_> = name
+        .iter()
+        .filter(|it| !it.is_empty())
+        .map(String::as_str)
+        .collect();
+    format!(
+        "{label}{}",
+        read(&listed(&name.join(", "), [values.as_str()]))
+    )
+}
+
+/// What a picture shows.
+fn shown(words: &Words) -> Vec<String> {
+    match words {
+        Words::Picture { shows, .. } => shows.iter().map(|it| read(it)).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// What is read of something that cannot be chosen; `None` if that is nothing.
+fn text(words: &Words, is_help: bool) -> Option<String> {
+    Some(match words {
+        Words::Gap | Words::Prompt { .. } => return None,
+        Words::Picture { .. } => shown(words).join("\n"),
+        Words::Text { runs, .. } if runs.iter().all(|run| run.role == Role::Key) => return None,
+        Words::Text { mark, .. } if is_help && !mark.is_empty() => return None,
+        Words::Text { mark, runs } => {
+            let text = by_words(&joined(runs));
+            let (mark, text) = match text.split_once(' ') {
+                Some((inner @ ("✓" | "✗"), text)) => (inner, text.to_owned()),
+                _ => (mark.trim(), text),
+            };
+            let text = match mark {
+                _ if text.is_empty() => text,
+                "" | "-" => text,
+                "✓" => format!("Right: {text}"),
+                "✗" => format!("Not right: {text}"),
+                mark => format!("{}: {text}", mark.trim_end_matches('.')),
+            };
+            read(&text)
+        }
+        Words::Equation { runs } => read(&format!("Formula: {}", joined(runs))),
+        Words::Pair { name, value } => read(&listed(&name.text, [value.text.as_str()])),
+        Words::Columns { .. } => return None,
+        Words::Field { name, value, .. } => {
+            let name = name.trim_end_matches('=').trim();
+            read(&format!("{name}: {}", value_words(value)))
+        }
+        Words::TextField { name, value } => read(&listed(name, [value.as_str()])),
+        Words::Tab { name } => read(name),
+        Words::Meter { name, value, .. } => read(&listed(name, [value.as_str()])),
+        Words::Large { runs } => read(&joined(runs)),
+    })
+}
+
+/// A text as it is read aloud, without signs that are drawn.
+pub(super) fn read(text: &str) -> String {
+    let is_path = text.starts_with('/') && !text.contains(' ');
+    if is_path {
+        return spoken(&verbatim(text));
+    }
+    let is_read = |c: char| c.is_ascii() || c.is_alphanumeric();
+    let read = spoken(&text.replace('_', " "));
+    tidied(&read.replace(|c| !is_read(c), " "))
+}
+
+/// A text whose names of keys are marked.
+fn joined(runs: &[Run]) -> String {
+    let run = |run: &Run| match (&run.formula, run.role) {
+        (Some(formula), _) => aloud(formula),
+        (None, Role::Key) => format!("{KEY}{}", run.text),
+        (None, _) => run.text.clone(),
+    };
+    runs.iter().map(run).collect()
+}
+
+/// What something is called, and what is said of it.
+fn listed<'v>(name: &str, values: impl IntoIterator<Item = &'v str>) -> String {
+    let values = values.into_iter().map(tidied).filter(|it| !it.is_empty());
+    let values: Vec<_> = values.collect();
+    match (tidied(name), values.join(", ")) {
+        (name, values) if values.is_empty() => name,
+        (name, values) if name.is_empty() => values,
+        (name, values) => format!("{name}: {values}"),
+    }
+}
+
+/// A text with one blank between words.
+fn tidied(text: &str) -> String {
+    let words: Vec<_> = text.split_whitespace().collect();
+    words.join(" ")
+}
+
+/// The parts of what stands in the title line.
+fn parts(status: &str) -> Vec<String> {
+    let parts = status.split("  ").map(|part| read(part.trim()));
+    parts.filter(|part| !part.is_empty()).collect()
+}
+
+/// A frame's title; it shows in front of it which part has the keys.
+fn title(title: &str) -> String {
+    read(title.trim_start_matches('>').trim())
+}

@@ -1,0 +1,647 @@
+//! The app in plain lines: a line in, and out what has changed.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+
+use super::number::number;
+use super::page::{Asked, ON, OptionKind, PlainOption, PlainPage, read, unit};
+use super::spoken::sentence;
+use crate::app::App;
+use crate::messages::{Input, Key, Mouse, MouseKind};
+use crate::numbers::capital;
+use crate::shells::FRAME;
+use crate::widgets::{PictureSizes, SheetKind, recorded};
+
+/// Columns and rows of the screen, of which nothing is seen: all has room there.
+const SIZE: (u16, u16) = (160, 200);
+
+/// The sizes of its pictures.
+const PICTURES: PictureSizes = PictureSizes {
+    any: [40, 20],
+    square: [40, 20],
+};
+
+/// Longest line that is listened to, in letters.
+const LONGEST: usize = 1000;
+
+/// Longest time that passes at once while something moves.
+const LONGEST_MOTION: Duration = Duration::from_secs(300);
+
+/// How often it is listened to what moves.
+const LISTENED: u32 = 12;
+
+/// How many lines are remembered, and letters of those that nobody hears twice gladly.
+const RECENT: usize = 60;
+const LONG: usize = 60;
+
+/// Most steps from one value of a field to another.
+const MOST_STEPS: usize = 60;
+
+/// The key of a disc that stays where it is.
+const STILL: Key = Key::Char('x');
+
+/// How a title line says that something could not be kept.
+const NOT_KEPT: &str = "not kept";
+
+/// Whoever holds an app, and carries out what it asks for.
+pub trait AppHolder {
+    /// The app.
+    fn app(&self) -> &App;
+    /// Hands one input over.
+    fn input(&mut self, input: &Input);
+    /// Lets time pass.
+    fn pass(&mut self, time: Duration);
+}
+
+/// The app in plain lines.
+pub struct PlainReader {
+    screen: Terminal<TestBackend>,
+    page: PlainPage,
+    /// What was said since the player was last heard.
+    said: Vec<String>,
+    /// What was said lately.
+    recent: VecDeque<String>,
+}
+
+impl PlainReader {
+    /// Nothing has been said of an app yet, which is given room for all.
+    pub fn new(app: &mut App) -> Self {
+        app.set_pictures(Some(PICTURES));
+        app.settings_mut().charset = crate::widgets::Charset::Unicode;
+        let Ok(screen) = Terminal::new(TestBackend::new(SIZE.0, SIZE.1));
+        Self {
+            screen,
+            page: PlainPage::default(),
+            said: Vec::new(),
+            recent: VecDeque::new(),
+        }
+    }
+
+    /// What is said first.
+    pub fn begin(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
+        holder.input(&Input::Resize(SIZE.0, SIZE.1));
+        let mut lines =
+            vec!["carrom in plain lines. Type help at any time, and quit to leave.".to_owned()];
+        lines.extend(self.news(holder));
+        lines
+    }
+
+    /// What has changed since it was last said, without anything having been heard.
+    pub fn news(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
+        let mut lines = self.settle(holder);
+        if !lines.is_empty() {
+            lines.push(self.page.question());
+        }
+        lines
+    }
+
+    /// The same of time that has passed: a countdown is not told.
+    pub fn news_of_time(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
+        self.say_moving(holder)
+    }
+
+    /// What is said once nothing more will be heard: what comes last, if it only has to be gone
+    /// on to.
+    pub fn end(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
+        if !self.goes_on(holder.app()) {
+            return Vec::new();
+        }
+        holder.input(&Key::Enter.into());
+        self.settle(holder)
+    }
+
+    /// Hears a line; gives what is said to it.
+    pub fn hear(&mut self, line: &str, holder: &mut dyn AppHolder) -> Vec<String> {
+        let visible = line.chars().filter(|c| !c.is_control()).take(LONGEST);
+        let line = visible.collect::<String>().trim().to_owned();
+        self.said.clear();
+        let mut lines = match self.take(&line, holder) {
+            Ok(lines) => lines,
+            Err(expected) => vec![expected],
+        };
+        lines.extend(self.settle(holder));
+        lines.push(self.page.question());
+        lines
+    }
+
+    fn take(&mut self, line: &str, holder: &mut dyn AppHolder) -> Result<Vec<String>, String> {
+        let lower = line.to_lowercase();
+        let labelled = self.labelled(line);
+        if let (Some(option), false) = (&labelled, self.is_text()) {
+            return self.choose(&option.clone(), holder);
+        }
+        match lower.as_str() {
+            "quit" | "exit" | "q" => {
+                holder.input(&Key::Ctrl('c').into());
+                return Ok(Vec::new());
+            }
+            "help" | "h" | "?" => return Ok(self.help(holder)),
+            "repeat" | "r" => return Ok(self.repeat()),
+            "" | "shoot" => {
+                holder.input(&Key::Enter.into());
+                return Ok(Vec::new());
+            }
+            _ => {}
+        }
+        if let Some((name, value)) = assignment(line) {
+            return self.set(name, value, holder);
+        }
+        if let Some(words) = lower.strip_prefix("choose ") {
+            let option = self.labelled(words).or_else(|| self.named(words));
+            let option = option.ok_or_else(|| self.expected())?.clone();
+            return self.choose(&option, holder);
+        }
+        if self.is_text() {
+            return self.type_text(line, holder);
+        }
+        // A letter alone is none.
+        if let Some(option) = self.named(&lower).filter(|_| lower.len() > 1) {
+            return self.choose(&option, holder);
+        }
+        if let Some(key) = self.moved(&lower, holder.app()) {
+            holder.input(&key.into());
+            return Ok(Vec::new());
+        }
+        match &self.page.asked {
+            Asked::Number(..) | Asked::Angle(_) => self.type_number(line, holder),
+            _ if self.goes_on(holder.app()) => {
+                // What is typed ahead is the answer to what comes next.
+                holder.input(&Key::Enter.into());
+                let mut lines = self.settle(holder);
+                lines.extend(self.take(line, holder)?);
+                Ok(lines)
+            }
+            _ => Err(self.expected()),
+        }
+    }
+
+    fn is_text(&self) -> bool {
+        matches!(self.page.asked, Asked::Text(_))
+    }
+
+    /// Whether all that is left to do here is to go on.
+    fn goes_on(&self, app: &App) -> bool {
+        app.keys().rows().iter().any(|row| row.id == ON)
+    }
+
+    /// The option of this label; an answer that has a letter also by its number.
+    fn labelled(&self, label: &str) -> Option<PlainOption> {
+        let label = label.trim_end_matches(['.', ':', ')']);
+        let mut options = self.page.options.iter();
+        let is = |it: &&PlainOption| !it.label.is_empty() && it.label.eq_ignore_ascii_case(label);
+        let is_answer = |it: &&PlainOption| it.label.chars().any(char::is_uppercase);
+        let number = label
+            .parse::<usize>()
+            .ok()
+            .and_then(|number| number.checked_sub(1));
+        let numbered = || self.page.options.iter().filter(is_answer).nth(number?);
+        options.find(is).or_else(numbered).cloned()
+    }
+
+    /// The option of this name: exactly, or by the beginnings of its words.
+    fn named(&self, words: &str) -> Option<PlainOption> {
+        let meant: Vec<_> = words.split_whitespace().collect();
+        let is_name = meant
+            .iter()
+            .any(|word| word.chars().any(char::is_alphabetic));
+        let name_of = |it: &PlainOption| read(&it.words).to_lowercase();
+        let options = || self.page.options.iter().map(|it| (it, name_of(it)));
+        let all = |name: &str, is: fn(&str, &str) -> bool| {
+            let words: Vec<_> = name.split([' ', ',', ':']).collect();
+            meant
+                .iter()
+                .all(|meant| words.iter().any(|word| is(word, meant)))
+        };
+        let whole = |name: &str| all(name, |word, meant| word == meant);
+        let begun = |name: &str| {
+            all(name, |word, meant| {
+                meant.len() > 2 && word.starts_with(meant)
+            })
+        };
+        if !is_name {
+            return None;
+        }
+        let exact = options().find(|(_, name)| name == words);
+        let exact = exact.or_else(|| options().find(|(_, name)| whole(name)));
+        let found = exact.or_else(|| options().find(|(_, name)| begun(name)));
+        found.map(|(option, _)| option.clone())
+    }
+
+    /// The key of a word for a step: "more", "much less", "strength more", "back", "next".
+    fn moved(&self, words: &str, app: &App) -> Option<Key> {
+        let table = app.keys();
+        let (name, last) = words.rsplit_once(' ').unwrap_or(("", words));
+        let is_more = match last {
+            "more" => true,
+            "less" => false,
+            "back" | "next" | "n" if name.is_empty() => {
+                let key = if last == "back" {
+                    Key::Escape
+                } else {
+                    Key::Char('n')
+                };
+                return table.keys().any(|it| it == key).then_some(key);
+            }
+            _ => return None,
+        };
+        let (name, nth) = match name.strip_prefix("much").map(str::trim) {
+            Some(name) => (name, 1),
+            None => (name, 0),
+        };
+        let rows = table.rows().iter().filter(|row| match name {
+            "" => row.id.ends_with(".step") || row.id.ends_with(".dial") || row.id == "ray.turn",
+            name => row.id.ends_with(&format!(".{name}")),
+        });
+        let big = table
+            .rows()
+            .iter()
+            .filter(|row| row.id.ends_with(".big") && name.is_empty());
+        let keys: Vec<_> = rows
+            .chain(big)
+            .flat_map(|row| row.keys().collect::<Vec<_>>())
+            .collect();
+        let less = ["Left", "Down", "-", ",", "<", "[", "{"].map(Key::parse);
+        let mut keys = keys
+            .into_iter()
+            .filter(|key| less.contains(&Some(*key)) != is_more);
+        keys.nth(nth)
+    }
+
+    /// What can be said here, in a line.
+    fn expected(&self) -> String {
+        match &self.page.asked {
+            Asked::Angle(_) => "Please type an angle from minus 180 to 180, or still.".into(),
+            Asked::Number(..) => "Please type a number, such as 2.5.".into(),
+            _ => match self
+                .page
+                .options
+                .iter()
+                .filter(|it| !it.label.is_empty())
+                .collect::<Vec<_>>()[..]
+            {
+                [] => "Please press Enter to go on, or type help.".into(),
+                [one] => format!("Please type {}, or help.", one.label),
+                [first, .., last] => format!(
+                    "Please type a label from {} to {}, the words behind it, or help.",
+                    first.label, last.label
+                ),
+            },
+        }
+    }
+
+    /// Chooses something.
+    fn choose(
+        &mut self,
+        option: &PlainOption,
+        holder: &mut dyn AppHolder,
+    ) -> Result<Vec<String>, String> {
+        match (option.key, option.cell) {
+            (Some(key), _) => holder.input(&key.into()),
+            (None, Some(cell)) => {
+                for kind in [MouseKind::Down, MouseKind::Up] {
+                    holder.input(&Input::Mouse(Mouse::over(kind, cell)));
+                }
+            }
+            (None, None) => {}
+        }
+        if option.key == Some(STILL) && matches!(self.page.asked, Asked::Angle(_)) {
+            self.enter(holder, &["ray.next"]);
+        }
+        // A click on an entry may only have chosen it.
+        let is_same = |it: &PlainOption| it.words == option.words && it.is_chosen;
+        if option.kind == OptionKind::Entry && self.look(holder.app()).options.iter().any(is_same) {
+            self.enter(holder, &["answer.enter", "list.open"]);
+        }
+        let is_field = matches!(option.kind, OptionKind::Field(_) | OptionKind::Text(_));
+        Ok(is_field.then(|| option.line()).into_iter().collect())
+    }
+
+    /// Presses Enter where it stands for one of these.
+    fn enter(&mut self, holder: &mut dyn AppHolder, ids: &[&str]) {
+        let table = holder.app().keys();
+        let mut rows = table.rows().iter();
+        if rows
+            .any(|row| ids.contains(&row.id.as_str()) && row.all_keys().any(|it| it == Key::Enter))
+            && self.is_the_same(holder)
+        {
+            holder.input(&Key::Enter.into());
+        }
+    }
+
+    /// Whether it is still the same screen.
+    fn is_the_same(&mut self, holder: &dyn AppHolder) -> bool {
+        let now = self.look(holder.app());
+        now.title == self.page.title && now.layer == self.page.layer
+    }
+
+    /// Types a number and gives it.
+    fn type_number(
+        &mut self,
+        line: &str,
+        holder: &mut dyn AppHolder,
+    ) -> Result<Vec<String>, String> {
+        let angle = "Please type an angle from minus 180 to 180, or still.";
+        if matches!(self.page.asked, Asked::Angle(_)) && line.eq_ignore_ascii_case("still") {
+            holder.input(&STILL.into());
+            self.enter(holder, &["ray.next"]);
+            return Ok(Vec::new());
+        }
+        let value = match &self.page.asked {
+            Asked::Angle(_) => number(line, "°", -180.0, 180.0).map_err(|_| angle.to_owned())?,
+            Asked::Number(_, unit) => number(line, unit, -1e9, 1e9)?,
+            _ => return Err(self.expected()),
+        };
+        for digit in digits(value).chars() {
+            holder.input(&Key::Char(digit).into());
+        }
+        holder.input(&Key::Enter.into());
+        self.enter(holder, &["dial.enter", "answer.enter"]);
+        Ok(Vec::new())
+    }
+
+    /// Types a text in the place of what stands there, and goes on.
+    fn type_text(&mut self, line: &str, holder: &mut dyn AppHolder) -> Result<Vec<String>, String> {
+        let is_chosen = |it: &&PlainOption| it.is_chosen && matches!(it.kind, OptionKind::Text(_));
+        if let Some(PlainOption {
+            kind: OptionKind::Text(before),
+            ..
+        }) = self.page.options.iter().find(is_chosen)
+        {
+            holder.input(&Key::End.into());
+            for _ in before.chars() {
+                holder.input(&Key::Backspace.into());
+            }
+        }
+        for letter in line.chars() {
+            holder.input(&Key::Char(letter).into());
+        }
+        holder.input(&Key::Enter.into());
+        Ok(Vec::new())
+    }
+
+    /// Sets what is called so.
+    fn set(
+        &mut self,
+        name: &str,
+        value: &str,
+        holder: &mut dyn AppHolder,
+    ) -> Result<Vec<String>, String> {
+        let is_field =
+            |it: &PlainOption| matches!(it.kind, OptionKind::Field(_) | OptionKind::Text(_));
+        let option = self.named(&name.to_lowercase()).filter(is_field);
+        let Some(option) = option else {
+            let names: Vec<_> = self
+                .page
+                .options
+                .iter()
+                .filter(|it| is_field(it))
+                .map(|it| read(&it.words))
+                .collect();
+            return Err(match names.is_empty() {
+                true => "Nothing can be set here.".into(),
+                false => format!("Please name one of these: {}.", names.join(", ")),
+            });
+        };
+        if !option.is_chosen {
+            self.choose(&option, holder)?;
+        }
+        match &option.kind {
+            OptionKind::Text(_) => self.type_text(value, holder),
+            OptionKind::Field(shown) if number(value, &unit(shown), -1e9, 1e9).is_ok() => {
+                self.page.asked = Asked::Number(option.words, unit(shown));
+                self.type_number(value, holder)
+            }
+            _ => self.step_to(&option, value, holder),
+        }
+    }
+
+    /// Steps through the values of a field until it has this one.
+    fn step_to(
+        &mut self,
+        option: &PlainOption,
+        value: &str,
+        holder: &mut dyn AppHolder,
+    ) -> Result<Vec<String>, String> {
+        let value = value.to_lowercase();
+        let mut seen = Vec::new();
+        for key in [Key::Right, Key::Left] {
+            let mut last = None;
+            for _ in 0..MOST_STEPS {
+                let page = self.look(holder.app());
+                let mut fields = page.options.iter().filter(|it| it.words == option.words);
+                let Some(OptionKind::Field(now)) = fields.next().map(|it| &it.kind) else {
+                    return Err(self.expected());
+                };
+                let now = read(now);
+                if now.to_lowercase().starts_with(&value) {
+                    return Ok(Vec::new());
+                }
+                // At the last value, or at the first one again.
+                if last.as_ref() == Some(&now) || key == Key::Right && seen.contains(&now) {
+                    break;
+                }
+                seen.push(now.clone());
+                last = Some(now);
+                holder.input(&key.into());
+            }
+        }
+        seen.sort();
+        seen.dedup();
+        Err(format!(
+            "{} can be: {}.",
+            read(&option.words),
+            seen.join("; ")
+        ))
+    }
+
+    /// What can be said here, and what the screen is for.
+    fn help(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
+        let mut lines = Vec::new();
+        if self.page.layer.is_none() && !self.is_text() {
+            holder.input(&Key::Char('?').into());
+            let page = self.look(holder.app());
+            if page.layer == Some(SheetKind::Help) {
+                lines.extend(page.lines().cloned());
+                holder.input(&Key::Escape.into());
+            }
+        }
+        lines.push("Type the label or the words of what you choose; Enter alone goes on.".into());
+        lines.push(
+            "What can be set is set by its name: speed = 3, or choose it and say more or less."
+                .into(),
+        );
+        lines.push("At any time: repeat says all again, back goes back, quit leaves and keeps what was answered.".into());
+        lines.extend(self.page.deeds());
+        lines
+    }
+
+    /// All that the screen says.
+    fn repeat(&mut self) -> Vec<String> {
+        let page = std::mem::take(&mut self.page);
+        let lines = changes(&PlainPage::default(), &page, &[]);
+        self.page = page;
+        lines
+    }
+
+    /// Lets pass what moves, and closes what only tells something; gives what was said
+    /// meanwhile and how it is now.
+    fn settle(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
+        // A hit is told whole at its end, behind all that is told at the contact.
+        let ends = |app: &App| app.keys().rows().iter().any(|row| row.id == "hit.end");
+        for _ in 0..2 {
+            if holder.app().motion().is_some() && ends(holder.app()) {
+                holder.input(&Key::End.into());
+                holder.input(&Key::End.into());
+            }
+        }
+        let mut lines = self.say(holder);
+        let mut left = LONGEST_MOTION;
+        let mut steps = 0;
+        while let Some(wake) = holder.app().motion().filter(|_| !left.is_zero()) {
+            let step = wake.max(FRAME).min(left);
+            holder.pass(step);
+            left -= step;
+            steps += 1;
+            if steps % LISTENED == 0 {
+                lines.extend(self.say_moving(holder));
+            }
+        }
+        if steps > 0 {
+            lines.extend(self.say(holder));
+        }
+        if self.page.layer == Some(SheetKind::Notice) {
+            holder.input(&Key::Escape.into());
+            lines.extend(self.settle(holder));
+        }
+        lines
+    }
+
+    /// Says what has changed.
+    fn say(&mut self, holder: &dyn AppHolder) -> Vec<String> {
+        let page = self.look(holder.app());
+        let mut lines = changes(&self.page, &page, &self.said);
+        if self.page.title == page.title {
+            lines.retain(|line| line.len() < LONG || !self.recent.contains(line));
+        }
+        self.page = page;
+        self.note(&lines);
+        lines
+    }
+
+    fn note(&mut self, lines: &[String]) {
+        self.said.extend(lines.iter().cloned());
+        self.recent.extend(lines.iter().cloned());
+        let old = self.recent.len().saturating_sub(RECENT);
+        self.recent.drain(..old);
+    }
+
+    /// The same while something moves: figures that run are not told.
+    fn say_moving(&mut self, holder: &dyn AppHolder) -> Vec<String> {
+        let mut page = self.look(holder.app());
+        let known: Vec<_> = self
+            .said
+            .iter()
+            .chain(self.page.lines())
+            .map(|it| without_figures(it))
+            .collect();
+        let mut lines = changes(&self.page, &page, &self.said);
+        let deeds = page.deeds();
+        let is_passing = |line: &String| deeds.contains(line) || page.shown.contains(line);
+        lines.retain(|line| !known.contains(&without_figures(line)) && !is_passing(line));
+        if !lines.is_empty() {
+            // What can be done is told once it stands still.
+            page.options.clone_from(&self.page.options);
+            self.page = page;
+            self.note(&lines);
+        }
+        lines
+    }
+
+    /// The screen as it is now.
+    fn look(&mut self, app: &App) -> PlainPage {
+        self.screen.current_buffer_mut().reset();
+        let ((), sheets) = recorded(|| app.draw(&mut self.screen.get_frame()));
+        PlainPage::new(app, &sheets)
+    }
+}
+
+/// What is new on a page since the one before; what was `said` lately is not said again.
+fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> {
+    let mut lines = Vec::new();
+    let is_new = before.title != now.title || before.layer != now.layer;
+    if is_new {
+        lines.push(capital(&sentence(&now.title)));
+    }
+    let status = now
+        .status
+        .iter()
+        .filter(|part| is_new || !before.status.contains(part));
+    let status: Vec<_> = status.map(String::as_str).collect();
+    if !status.is_empty() {
+        lines.push(format!("{}.", capital(&status.join(", "))));
+    }
+    let is_unkept = |page: &PlainPage| page.status.iter().any(|it| it.starts_with(NOT_KEPT));
+    if is_unkept(before) && !is_unkept(now) {
+        lines.push("All that was not kept is kept now.".into());
+    }
+    let known: Vec<_> = before.lines().collect();
+    for section in &now.sections {
+        let same = before.sections.iter().find(|it| it.title == section.title);
+        let is_fresh = is_new || same.is_none_or(|same| same.subject != section.subject);
+        let is_titled =
+            !section.title.is_empty() && !section.title.contains(|c: char| c.is_ascii_digit());
+        if is_titled && (is_new || same.is_none()) {
+            lines.push(capital(&sentence(&section.title)));
+        }
+        for line in &section.lines {
+            let is_known = known.contains(&line) || said.contains(line);
+            // The same letter stands for an answer to another question, or it was one.
+            let is_entry = now.has_entry(line);
+            let was_entry = before.has_entry(line);
+            if !is_known || is_new || is_fresh && is_entry || was_entry && !is_entry {
+                lines.push(line.clone());
+            }
+        }
+    }
+    let deeds_before = before.deeds();
+    let deeds = now.deeds();
+    lines.extend(
+        deeds
+            .into_iter()
+            .filter(|it| is_new || !deeds_before.contains(it)),
+    );
+    lines
+}
+
+/// A line with one sign for each of its numbers.
+fn without_figures(line: &str) -> String {
+    let mut text: String = line
+        .chars()
+        .map(|c| if c.is_ascii_digit() { '#' } else { c })
+        .collect();
+    while text.contains("##") {
+        text = text.replace("##", "#");
+    }
+    text
+}
+
+/// A name and the value that it is to have: "speed = 3", "set speed 3".
+fn assignment(line: &str) -> Option<(&str, &str)> {
+    let set = line
+        .strip_prefix("set ")
+        .and_then(|it| it.trim().split_once(' '));
+    let (name, value) = set.or_else(|| line.split_once('='))?;
+    Some((name.trim(), value.trim()))
+}
+
+/// A number as it is typed, in at most nine signs.
+fn digits(value: f64) -> String {
+    let places = (0..=6).rev().map(|places| format!("{value:.places$}"));
+    let mut exact = std::iter::once(format!("{value}")).chain(places);
+    exact
+        .find(|text| text.len() <= 9)
+        .unwrap_or_else(|| "0".into())
+}

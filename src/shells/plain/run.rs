@@ -1,0 +1,199 @@
+//! The app in plain lines over standard input and output.
+
+use std::io::{self, BufRead, Write};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use super::reader::{AppHolder, PlainReader};
+use super::talk::hear;
+use crate::app::App;
+use crate::messages::{Effect, Input};
+use crate::shells::FRAME;
+use crate::shells::client::Client;
+use crate::shells::host::{Host, HostOptions};
+use crate::shells::terminal;
+use crate::store::Store;
+
+/// Something that happened.
+enum Heard {
+    /// A line was heard.
+    Line(String),
+    /// Something for the app.
+    Input(Input),
+    /// There is news of the class that is served.
+    Hosted,
+    /// Nothing more is to be heard.
+    Ended,
+}
+
+/// Talks with whoever is at the other end of `input` and `output` until they leave, or nobody
+/// is there any more; a class is served as `host` says.
+///
+/// # Errors
+/// If a line cannot be written, or what was done last cannot be kept.
+pub fn run(
+    mut app: App,
+    store: Store,
+    host: HostOptions,
+    input: impl BufRead + Send + 'static,
+    output: &mut dyn Write,
+) -> io::Result<()> {
+    let (sender, news) = mpsc::channel();
+    let [to_host, to_client] = [sender.clone(), sender.clone()];
+    let mut reader = PlainReader::new(&mut app);
+    let mut held = PlainApp {
+        app,
+        store,
+        host: Host::new(host, move || drop(to_host.send(Heard::Hosted))),
+        client: Client::new(move |news| {
+            drop(to_client.send(Heard::Input(Input::Joined(news))));
+        }),
+        sender: sender.clone(),
+        quit: false,
+    };
+    let (more, wanted) = mpsc::channel();
+    let listen = move || listen(input, &wanted, &sender);
+    thread::Builder::new()
+        .name("listener".into())
+        .spawn(listen)?;
+    let talked = talk(&mut reader, &mut held, &news, &more, output);
+    let kept = held.store.pay_at_last().map_err(io::Error::other);
+    talked.and(kept)
+}
+
+/// Hears a line each time one is wanted, so that a flood of them waits where it comes from.
+fn listen(mut input: impl BufRead, wanted: &Receiver<()>, sender: &Sender<Heard>) {
+    while wanted.recv().is_ok() {
+        let heard = hear(&mut input)
+            .ok()
+            .flatten()
+            .map_or(Heard::Ended, Heard::Line);
+        if sender.send(heard).is_err() {
+            return;
+        }
+    }
+}
+
+fn talk(
+    reader: &mut PlainReader,
+    held: &mut PlainApp,
+    news: &Receiver<Heard>,
+    more: &Sender<()>,
+    output: &mut dyn Write,
+) -> io::Result<()> {
+    say(output, &reader.begin(held))?;
+    let mut last = Instant::now();
+    let want = || {
+        let _ = more.send(());
+    };
+    want();
+    while !held.quit {
+        let next = wait(news, held.app.wake());
+        held.pass(last.elapsed());
+        last = Instant::now();
+        let lines = match next {
+            Some(Heard::Line(line)) => {
+                let lines = reader.hear(&line, held);
+                want();
+                lines
+            }
+            Some(Heard::Input(input)) => {
+                held.input(&input);
+                reader.news(held)
+            }
+            Some(Heard::Hosted) => {
+                let news = held.host.take_news();
+                held.input(&Input::Hosted(news));
+                reader.news(held)
+            }
+            Some(Heard::Ended) => return say(output, &reader.end(held)),
+            None => reader.news_of_time(held),
+        };
+        if !held.quit {
+            say(output, &lines)?;
+        }
+    }
+    Ok(())
+}
+
+/// Blocks until something happens, or until the app needs time.
+fn wait(news: &Receiver<Heard>, wake: Option<Duration>) -> Option<Heard> {
+    let Some(wake) = wake else {
+        return news.recv().ok().or(Some(Heard::Ended));
+    };
+    match news.recv_timeout(wake.max(FRAME)) {
+        Ok(news) => Some(news),
+        Err(RecvTimeoutError::Timeout) => None,
+        Err(RecvTimeoutError::Disconnected) => Some(Heard::Ended),
+    }
+}
+
+/// Says these lines.
+fn say(output: &mut dyn Write, lines: &[String]) -> io::Result<()> {
+    let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
+    match output
+        .write_all(text.as_bytes())
+        .and_then(|()| output.flush())
+    {
+        // Nobody listens any more.
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        said => said,
+    }
+}
+
+/// An app whose effects are carried out on the spot.
+struct PlainApp {
+    app: App,
+    store: Store,
+    host: Host,
+    client: Client,
+    sender: Sender<Heard>,
+    quit: bool,
+}
+
+impl AppHolder for PlainApp {
+    fn app(&self) -> &App {
+        &self.app
+    }
+
+    fn input(&mut self, input: &Input) {
+        if !self.quit {
+            let effects = self.app.update(input);
+            self.carry_out(&effects);
+        }
+    }
+
+    fn pass(&mut self, time: Duration) {
+        let mut left = time;
+        while !self.quit && !left.is_zero() {
+            let Some(wake) = self.app.wake() else {
+                return;
+            };
+            let step = wake.max(FRAME).min(left);
+            let effects = self.app.advance(step);
+            self.carry_out(&effects);
+            left -= step;
+        }
+    }
+}
+
+impl PlainApp {
+    fn carry_out(&mut self, effects: &[Effect]) {
+        for effect in effects {
+            match effect {
+                Effect::Quit => self.quit = true,
+                Effect::Keep(call) => {
+                    let answer = self.store.answer(call);
+                    self.input(&Input::Kept(Box::new(answer)));
+                }
+                Effect::Host(call) => self.host.call(call),
+                Effect::Join(call) => self.client.call(call),
+                Effect::Export { name, content } => {
+                    let exported = Input::Exported(terminal::export(name, content));
+                    drop(self.sender.send(Heard::Input(exported)));
+                }
+            }
+        }
+    }
+}

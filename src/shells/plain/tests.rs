@@ -1,0 +1,75 @@
+//! All that questions and chapters say can be read aloud.
+
+use super::by_words::by_words;
+use super::formula::aloud;
+use super::page::read;
+use super::{assert_spoken, spoken};
+use crate::lessons::{ChapterLibrary, CheckpointKind, Inline, TextBlock};
+use crate::quiz::{Answer, Confidence, Course, CourseKind, Family, Form, Round, concepts, explain};
+
+#[test]
+fn every_question_is_spoken_whole() {
+    for &family in Family::ALL {
+        for seed in 0..20 {
+            let round = Round::new(Course::new(CourseKind::Topic(family)), seed);
+            for question in round.questions() {
+                let mut lines = vec![by_words(&question.text)];
+                if let Form::Choice { options, .. } = &question.form {
+                    lines.extend(options.iter().map(ToString::to_string));
+                }
+                for said in question.beliefs.iter().map(|belief| belief.said) {
+                    let explained = explain(question, &Answer::new(said, Confidence::Sure));
+                    lines.extend([explained.title.to_owned(), explained.text.to_string()]);
+                    lines.push(question.form.words(&said).to_string());
+                }
+                lines.iter().for_each(|line| assert_spoken(&read(line)));
+            }
+        }
+    }
+    for concept in concepts::all() {
+        let wrongs = concept.wrongs.iter();
+        let choices = wrongs.flat_map(|wrong| [&wrong.choice, &wrong.says]);
+        let own = [&concept.ask, &concept.right, &concept.why];
+        own.into_iter()
+            .chain(choices)
+            .for_each(|text| assert_spoken(&read(text)));
+    }
+}
+
+#[test]
+fn no_formula_of_the_chapters_is_spoken_with_a_unit() {
+    let units = ["metre", "gram", "second", "joule", "volt", "percent"];
+    let mut formulas = 0;
+    let chapters = &ChapterLibrary::embedded_once().chapters;
+    for page in chapters.iter().flat_map(|chapter| &chapter.pages) {
+        let checkpoint = page.checkpoint.iter();
+        let asked = checkpoint.flat_map(|it| [&it.question, &it.hint, &it.after]);
+        let blocks = std::iter::once(&page.text).chain(asked).flatten();
+        let mut pieces: Vec<&Inline> = Vec::new();
+        let mut all = Vec::new();
+        for block in blocks {
+            match block {
+                TextBlock::Formula(formula) => all.push(formula),
+                TextBlock::Paragraph(line) | TextBlock::Item(_, line) => pieces.extend(line),
+            }
+        }
+        let choices = page.checkpoint.iter().map(|it| &it.asked);
+        for choice in choices.flat_map(|asked| match asked {
+            CheckpointKind::Choice(choices) => &choices[..],
+            _ => &[],
+        }) {
+            pieces.extend(choice.text.iter().chain(&choice.why));
+        }
+        all.extend(pieces.into_iter().filter_map(|piece| match piece {
+            Inline::Formula(formula) => Some(formula),
+            _ => None,
+        }));
+        formulas += all.len();
+        for formula in all {
+            let said = spoken(&aloud(formula));
+            assert!(!units.iter().any(|unit| said.contains(unit)), "{said}");
+            assert_spoken(&said);
+        }
+    }
+    assert!(formulas > 100, "{formulas}");
+}

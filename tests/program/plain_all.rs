@@ -1,0 +1,196 @@
+//! All screens in plain lines, as a pupil who does not see goes through them: from the first screen
+//! to a shot of the lab, a level that is won, a stroke at the table and a vote in a class.
+
+use std::io::{BufRead, BufReader, Write};
+use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::mpsc::{self, Receiver};
+use std::thread;
+use std::time::Duration;
+
+use carrom::class::DoorCode;
+
+use crate::folder::Folder;
+
+/// How long a line may take to be answered on a loaded machine.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// The program, talked with line by line.
+struct Talk {
+    child: Child,
+    input: ChildStdin,
+    lines: Receiver<String>,
+    said: Vec<String>,
+}
+
+impl Talk {
+    fn begin(arguments: &[&str], folder: &Folder) -> Self {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_carrom"))
+            .args(arguments)
+            .args(["--plain", "--data-dir"])
+            .arg(folder.path())
+            .env("TERM", "dumb")
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let input = child.stdin.take().unwrap();
+        let output = BufReader::new(child.stdout.take().unwrap());
+        let (sender, lines) = mpsc::channel();
+        thread::spawn(move || {
+            for line in output.lines().map_while(Result::ok) {
+                let _ = sender.send(line);
+            }
+        });
+        Self {
+            child,
+            input,
+            lines,
+            said: Vec::new(),
+        }
+    }
+
+    /// Waits for a line with these words.
+    fn hears(&mut self, words: &str) {
+        loop {
+            let line = self.lines.recv_timeout(PATIENCE);
+            let line = line.unwrap_or_else(|_| panic!("{words}: {:#?}", self.said));
+            assert_read(&line);
+            self.said.push(line);
+            if self.said.last().is_some_and(|line| line.contains(words)) {
+                return;
+            }
+        }
+    }
+
+    fn says(&mut self, line: &str) {
+        self.said.push(format!("> {line}"));
+        writeln!(self.input, "{line}").unwrap();
+    }
+
+    /// Says each line once the words before it were heard.
+    fn goes(&mut self, steps: &[(&str, &str)]) {
+        for (heard, said) in steps {
+            self.hears(heard);
+            self.says(said);
+        }
+    }
+
+    fn leaves(mut self) {
+        self.says("quit");
+        let left = self.child.wait().unwrap();
+        assert!(left.success(), "{:#?}", self.said);
+    }
+}
+
+/// Makes sure that a line can be read aloud: nothing in it is drawn or set in columns, and it names
+/// no key.
+fn assert_read(line: &str) {
+    let is_read = |c: char| c.is_ascii() && !c.is_control() || c.is_alphanumeric();
+    assert!(line.chars().all(is_read), "{line}");
+    assert!(!line.contains("  ") && line.trim() == line, "{line}");
+    for never in [
+        "Esc", "PageUp", "arrows", "mouse", "click", "| ", "Press ", "Drag ",
+    ] {
+        assert!(!line.contains(never), "{never}: {line}");
+    }
+}
+
+#[test]
+fn from_home_to_a_shot_in_the_lab() {
+    let folder = Folder::new("plain-lab");
+    let mut talk = Talk::begin(&[], &folder);
+    talk.goes(&[
+        ("3: Lab", "lab"),
+        ("Offset b in millimetres?", "coin mass = 30"),
+        ("coin mass: 30.0 grams", "contact = stick"),
+        ("contact: stick", "contact = slip"),
+        ("contact: slip", "offset = 15"),
+        ("Offset b in millimetres?", ""),
+        ("Striker, in degrees?", "94"),
+        ("Coin, in degrees?", "30"),
+    ]);
+    talk.hears("striker, degrees: you said 94.0, truth");
+    talk.hears("separation");
+    talk.says("set up");
+    talk.hears("Set up the hit.");
+    talk.says("back");
+    talk.hears("Which one?");
+    talk.leaves();
+}
+
+#[test]
+fn a_level_is_won() {
+    let folder = Folder::new("plain-level");
+    let mut talk = Talk::begin(&["levels"], &folder);
+    talk.goes(&[
+        ("1: Dead stop", "1"),
+        ("The white coin: 0 millimetres right", "a hint"),
+        ("Hint 1 of 2", "direction = 53.1"),
+        ("direction: 53.1 degrees", ""),
+        ("Coin, in degrees?", "0"),
+        ("Won", "help"),
+    ]);
+    talk.leaves();
+    let mut talk = Talk::begin(&["levels"], &folder);
+    talk.hears("1 of 62 won");
+    talk.leaves();
+}
+
+#[test]
+fn a_stroke_at_the_table_and_the_computers_after_it() {
+    let folder = Folder::new("plain-table");
+    let mut talk = Talk::begin(&["table", "--seed", "3"], &folder);
+    talk.goes(&[
+        ("play", "play"),
+        ("Queen: 0 millimetres right, 0 millimetres up.", "80"),
+        ("80.0 degrees", "strike"),
+        ("the turn passes", ""),
+    ]);
+    talk.hears("I wanted to");
+    talk.hears("What next?");
+    talk.leaves();
+}
+
+/// Teacher and pupil both read lines; the class is the same as on screens.
+#[test]
+fn a_vote_in_a_class_that_is_hosted_in_lines_too() {
+    let (host_folder, folder) = (Folder::new("plain-host"), Folder::new("plain-join"));
+    let free = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = free.local_addr().unwrap().port().to_string();
+    drop(free);
+    let class = [
+        "class",
+        "--host",
+        "--code",
+        "from-angle2-7",
+        "--port",
+        &port,
+    ];
+    let mut host = Talk::begin(&class, &host_folder);
+    host.hears("Nobody is in yet.");
+    let code = host.said.iter().rfind(|it| it.parse::<DoorCode>().is_ok());
+    let code = code.unwrap().clone();
+    let mut pupil = Talk::begin(&["join"], &folder);
+    pupil.goes(&[
+        ("Address?", &format!("127.0.0.1:{port}")),
+        ("Code?", &code),
+        ("Name?", "Ada"),
+        ("Which one?", ""),
+    ]);
+    pupil.hears("You are in, Ada.");
+    host.goes(&[("One is in.", "on with the round"), ("the vote", "")]);
+    pupil.goes(&[
+        ("Striker, in degrees?", "75"),
+        ("Coin, in degrees?", "15"),
+        ("3: sure", "sure"),
+    ]);
+    pupil.hears("Your vote is in.");
+    host.hears("1 of 1 have voted");
+    for next in ["talk", "second vote", "the shot"] {
+        host.says(next);
+    }
+    host.hears("right at first: 1 of 1");
+    pupil.hears("10.0 of 10 points");
+    pupil.leaves();
+    host.leaves();
+}
