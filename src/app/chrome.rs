@@ -22,7 +22,6 @@ pub(super) fn body(size: Rect) -> Rect {
     )
 }
 
-/// Draws everything.
 pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
     let look = app.settings().look();
     buf.set_style(area, look.theme.base());
@@ -113,7 +112,6 @@ fn key_line(
     buf.set_line(row.x, row.y, &line, row.width);
 }
 
-/// What a layer says.
 fn panel_of(app: &App, layer: &AppLayer) -> Panel<LayerAction> {
     let (title, words) = match layer {
         AppLayer::Help { .. } => return help(app),

@@ -70,7 +70,6 @@ impl Sampler {
         bin
     }
 
-    /// The bin of `w`.
     fn bin(&self, w: u64) -> usize {
         let cell = (w >> (u64::BITS - CELLS.ilog2())) as usize % CELLS;
         self.search(usize::from(self.lowest[cell]), w) % PLACES

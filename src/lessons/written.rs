@@ -2,7 +2,6 @@
 
 use super::formula::superscript;
 
-/// A written figure.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct WrittenFigure {
     /// As the screen shows it.

@@ -198,7 +198,6 @@ struct FirstImpact {
     discs: [usize; 2],
     /// Which of the two was set off: the other is at rest.
     moving: usize,
-    /// Its velocity before.
     before: DVec2,
     afters: [DVec2; 2],
 }

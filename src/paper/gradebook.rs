@@ -160,7 +160,6 @@ fn believed(results: &ClassResults<'_>) -> Markup {
     }
 }
 
-/// What one pupil did.
 fn report(results: &PupilResults<'_>) -> Markup {
     let (pupil, tally) = (results.pupil, results.tally);
     let rounds: Vec<Vec<String>> = { results.rounds.iter() }

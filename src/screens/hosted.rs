@@ -129,7 +129,6 @@ impl<S: Screen> Hosted<S> {
         }
     }
 
-    /// The screen itself.
     #[cfg(test)]
     pub(super) fn screen(&self) -> &S {
         &self.screen

@@ -64,7 +64,6 @@ impl<T> KeptFiles<T> {
         }
     }
 
-    /// All that are known.
     fn known(&self) -> &[Kept<T>] {
         match &self.files {
             Ok(Some(files)) => files,
@@ -72,7 +71,6 @@ impl<T> KeptFiles<T> {
         }
     }
 
-    /// The chosen one.
     pub(super) fn chosen(&self) -> Option<&Kept<T>> {
         self.known().get(self.list.chosen(self.known().len()))
     }
@@ -106,7 +104,6 @@ impl<T> KeptFiles<T> {
         self.loading.take_if(|it| *it == ticket).is_some()
     }
 
-    /// Removes the chosen one.
     pub(super) fn remove(&self, cx: &mut Context) {
         if let Some(kept) = self.chosen() {
             cx.ask((self.kind.remove)(kept.name.clone()));

@@ -11,7 +11,6 @@ pub(super) enum Recall {
     Asked(u64),
     /// Nobody can say, and why.
     Unknown(String),
-    /// This.
     Known(Box<History>),
 }
 

@@ -25,7 +25,6 @@ pub struct Classroom {
     passed: Duration,
 }
 
-/// A pupil.
 struct PupilDevice {
     name: String,
     game: Headless,

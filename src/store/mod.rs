@@ -90,7 +90,6 @@ pub struct Store {
 /// What a store knows of the time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Clock {
-    /// What the computer says.
     Computer,
     /// Always the same, in seconds since 1970 began; days are those of this offset from UTC.
     Stopped(i64, Offset),

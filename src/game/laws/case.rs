@@ -12,7 +12,6 @@ pub(super) const QUEEN_WORTHLESS_FROM: u8 = 22;
 /// The queen just before a stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum QueenBefore {
-    /// On the board.
     OnBoard,
     /// Pocketed by the player's last stroke, and to be covered by this one.
     ToCover,
@@ -50,7 +49,6 @@ pub(crate) struct Case {
     pub may_take_queen: bool,
 }
 
-/// A side in numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Side {
     /// Its coins on the board before the stroke.
@@ -105,7 +103,6 @@ pub(crate) enum TurnFate {
     Ends {
         /// Whether the player who struck won it.
         won: bool,
-        /// Points to the winner.
         points: u8,
     },
 }
@@ -144,7 +141,6 @@ impl Verdict {
         Self::new(law.into(), text, TurnFate::Continues)
     }
 
-    /// The turn passes.
     pub(super) fn passes(law: impl Into<Option<Law>>, text: String) -> Self {
         Self::new(law.into(), text, TurnFate::Passes)
     }
@@ -159,7 +155,6 @@ impl Verdict {
         Self { own_back, ..self }
     }
 
-    /// One coin is due.
     pub(super) fn one_due(self) -> Self {
         Self { dues: 1, ..self }
     }

@@ -17,7 +17,6 @@ pub(super) struct Rehearsal<'a> {
 
 /// What came of a stroke that was tried.
 pub(super) struct Tried {
-    /// The game after it.
     pub(super) after: Game,
     /// Whether it brought down what the player wanted, and not the striker.
     pub(super) pocketed: bool,

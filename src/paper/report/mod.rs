@@ -156,7 +156,6 @@ impl<'a> Report<'a> {
         ends_deg(self.attempts)
     }
 
-    /// What to do next.
     fn next(&self) -> String {
         clean(&advice(self.attempts, self.calendar), 300)
     }

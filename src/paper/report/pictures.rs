@@ -35,7 +35,6 @@ pub struct ReportPicture {
     pub svg: Svg,
 }
 
-/// All pictures there are.
 pub(super) fn all(report: &Report) -> Vec<ReportPicture> {
     let pictures = [errors(report), calibration(report), over_time(report)];
     pictures.into_iter().flatten().collect()

@@ -64,7 +64,6 @@ pub(super) fn of((some, all): (usize, usize)) -> String {
     format!("{some} of {all}")
 }
 
-/// A pack of levels.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct PackRow {
     pub(super) title: String,

@@ -127,7 +127,6 @@ fn room(form: &Form) -> Markup {
     }
 }
 
-/// Lines to work on.
 fn work() -> Markup {
     html! { div.work { @for _ in 0..3 { div {} } } }
 }

@@ -10,7 +10,6 @@ use super::super::{Board, Motion};
 pub(super) enum SlideEnd {
     /// Never: nothing slows the disc and nothing stands in its way.
     Never,
-    /// Friction stops it.
     Stop,
     /// It meets the cushion on this side.
     Cushion(FrameSide),

@@ -12,7 +12,6 @@ pub(super) fn of_both<T>([a, b]: [&T; 2], number: impl Fn(&T) -> f64) -> f64x2 {
     f64x2::new([number(a), number(b)])
 }
 
-/// Two vectors.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TwoVectors {
     x: f64x2,

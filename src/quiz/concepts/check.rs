@@ -91,7 +91,6 @@ impl Concept {
     }
 }
 
-/// Letters of a text.
 fn letters(text: &str) -> usize {
     text.chars().count()
 }

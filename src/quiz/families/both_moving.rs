@@ -90,7 +90,6 @@ impl MovingPair {
     }
 }
 
-/// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let ways_deg: &[u32] = match difficulty {
         Difficulty::Easy | Difficulty::Hard => &[0, 180],

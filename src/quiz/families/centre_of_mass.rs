@@ -6,7 +6,6 @@ use crate::physics::frames::{cm_scattering_angle, lab_scattering_angle};
 
 const TOPIC: &str = "centre-of-mass";
 
-/// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let first = dice.coin();
     let hit = |pieces: &[Pieces], dice: &mut Dice| {

@@ -4,7 +4,6 @@ use super::outline::Outline;
 use crate::quiz::concepts::{self, Concept};
 use crate::quiz::question::{Dice, Difficulty, Illustration, Markings, Question};
 
-/// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let concepts = concepts::all().iter();
     let concepts: Vec<&Concept> = concepts.filter(|it| it.difficulty == difficulty).collect();

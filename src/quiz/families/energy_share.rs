@@ -3,7 +3,6 @@
 use super::prelude::*;
 use super::speeds::{SHRUNK, sine_for_cosine};
 
-/// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let unequal = [
         Pieces::Tournament,

@@ -13,7 +13,6 @@ use crate::quiz::question::{
     Dice, Difficulty, Hit, MIN_SEPARATION, Pieces, RIGHT_DEG, Rays, nearest,
 };
 
-/// A kind of hit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
 pub(super) enum HitKind {
     /// Equal masses, α given.

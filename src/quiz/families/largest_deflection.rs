@@ -28,7 +28,6 @@ const NOT_HEAVIER: [&[(u32, u32)]; 2] = [
     &[(10, 20), (12, 15), (15, 30), (20, 25)],
 ];
 
-/// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     match difficulty {
         Difficulty::Easy => limit(dice),
@@ -183,7 +182,6 @@ fn aimed(dice: &mut Dice) -> Option<(Hit, f64, f64, Outline)> {
 
 const HEAD_ON: &str = "Head-on a heavier striker goes straight on: it is not turned at all.";
 
-/// At which impact angle.
 fn where_by_angle(dice: &mut Dice) -> Option<Question> {
     let (_, theta1, alpha, draft) = aimed(dice)?;
     let theta1_deg = deg_from_rad(theta1);
@@ -213,7 +211,6 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// At which offset.
 fn where_by_offset(dice: &mut Dice) -> Option<Question> {
     let (hit, theta1, alpha, draft) = aimed(dice)?;
     let reach_mm = hit.reach_mm();

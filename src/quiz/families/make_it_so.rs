@@ -17,7 +17,6 @@ const LIGHT: [Pieces; 3] = [
     },
 ];
 
-/// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let (pieces, wanted_deg) = match difficulty {
         Difficulty::Easy | Difficulty::Middle => {
@@ -49,7 +48,6 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 
 /// What is to be done.
 struct ShotTask {
-    /// The hit, head-on.
     hit: Hit,
     /// The side on which the target has to lie: 1 for the right, −1 for the left.
     side: f64,

@@ -71,7 +71,6 @@ impl Outline {
         self
     }
 
-    /// The topic.
     pub(super) fn topic(mut self, topic: impl Into<Topic>) -> Self {
         self.question.topic = topic.into();
         self

@@ -13,7 +13,6 @@ const SQUARE: [&[(u32, u32, u32)]; 4] = [
     &[(14, 20, 7), (16, 20, 8)],
 ];
 
-/// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     match difficulty {
         Difficulty::Easy if dice.coin() => square_again(dice),

@@ -43,7 +43,6 @@ impl FoilBeam {
     }
 }
 
-/// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let (foil, charge) = *dice.pick(&FOILS)?;
     let beam = FoilBeam {

@@ -36,7 +36,6 @@ const NEAR_SQUARE: [&[MassesAndLoss]; 5] = [
     &[(6, 15, 4), (6, 15, 2)],
 ];
 
-/// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     match difficulty {
         Difficulty::Easy => corner(&LOSSLESS_PAIRS, difficulty, dice),

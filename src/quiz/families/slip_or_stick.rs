@@ -3,7 +3,6 @@
 use super::prelude::*;
 use crate::physics::Bond;
 
-/// What the rims do.
 #[derive(Clone, Copy, PartialEq)]
 enum Rims {
     /// Smooth, and nothing is lost.
@@ -63,7 +62,6 @@ impl Rims {
     }
 }
 
-/// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let by_number: [fn(&Hit) -> Option<Question>; 4] = [parting, striker_speed, pair_speed, loss];
     let (pieces, asks) = match difficulty {

@@ -8,7 +8,6 @@ const DRAWS: [HitDraws; 3] = [
     HitDraws(UNEQUAL, 15..=75, &[0.4, 0.5, 0.6, 0.8]),
 ];
 
-/// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let hit = DRAWS[difficulty as usize].draw(difficulty, dice)?;
     match difficulty {

@@ -20,7 +20,6 @@ const COINS_G: [u32; 10] = [5, 6, 8, 10, 12, 18, 20, 25, 30, 40];
 const STRIKER_G: u32 = 15;
 const STRIKER: f64 = STRIKER_G as f64;
 
-/// Draws a question.
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     match difficulty {
         Difficulty::Easy => which(dice),

@@ -16,7 +16,6 @@ use crate::screens::{Context, Next};
 use crate::widgets::panels::draw_panel;
 use crate::widgets::{Lines, Look, Role, text};
 
-/// Rounds as files.
 const ROUNDS: KeptKind = KeptKind {
     one: "round",
     all: "earlier rounds",
@@ -42,7 +41,6 @@ impl EarlierRounds {
         Self { set_up, rounds }
     }
 
-    /// Takes the mouse.
     pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
         let list = column(cx.body).inner(Margin::new(1, 1));
         self.rounds.mouse(mouse, list, cx)
@@ -71,7 +69,6 @@ impl EarlierRounds {
         None
     }
 
-    /// Draws the list.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look) {
         let frame = column(area);
         let inside = draw_panel(buf, frame, "earlier rounds", look.charset, &look.theme);

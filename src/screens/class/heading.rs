@@ -23,7 +23,6 @@ const AIRY_FROM: u16 = 30;
 pub(super) struct Heading {
     /// What it may say, the best first; the first that fits is taken.
     texts: Vec<String>,
-    /// The line below it.
     line: String,
     /// Whether both are one line of plain type.
     small: bool,

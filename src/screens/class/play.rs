@@ -116,7 +116,6 @@ impl ClassPlay {
         self.session.round()
     }
 
-    /// The question at hand.
     pub(super) fn question(&self) -> Option<&Question> {
         self.session.round().questions().get(self.number())
     }
@@ -126,7 +125,6 @@ impl ClassPlay {
         self.session.round().place().question
     }
 
-    /// The step at hand.
     pub(super) fn step(&self) -> ClassStep {
         self.session.round().place().step
     }

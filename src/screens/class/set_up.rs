@@ -30,7 +30,6 @@ pub(super) struct SetUp {
     pub(super) kind: RoundKind,
     /// The one topic, by its place among [`CourseKind::topics`].
     pub(super) topic: usize,
-    /// The code as typed.
     pub(super) code: TextField,
     /// Why it cannot start.
     pub(super) trouble: Option<String>,
@@ -47,7 +46,6 @@ pub(super) enum SetUpRow {
     Add,
     /// What the class is called.
     Class,
-    /// A kind of round.
     Kind(RoundKind),
     /// Off we go.
     Start,

@@ -151,7 +151,6 @@ impl<'a> StepView<'a> {
         said.placed.as_ref()?.at(page, cell)?.checked_sub(1)
     }
 
-    /// Draws it.
     pub(super) fn draw(&self, buf: &mut Buffer, look: &Look) {
         if let Some(heading) = &self.heading {
             heading.draw(self.area, buf, look);

@@ -10,7 +10,6 @@ use crate::widgets::flow::Run;
 use crate::widgets::input::TextField;
 use crate::widgets::{Lines, Look, Role, Words};
 
-/// Rows that it takes.
 pub(super) const ROWS: u16 = 2;
 /// Most letters that are typed.
 const LONGEST: usize = 40;

@@ -104,7 +104,6 @@ impl Unfinished {
         }
     }
 
-    /// The keys.
     pub(super) fn keys(&self) -> KeyTable<ListAction> {
         match self.stopped {
             Some(_) => ListView::keys(CHOICES[self.list.chosen(CHOICES.len())]),

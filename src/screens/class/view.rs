@@ -113,7 +113,6 @@ impl ClassPlay {
     }
 }
 
-/// Draws a round.
 pub(super) fn draw(play: &ClassPlay, room: Room, buf: &mut Buffer, look: &Look) {
     let area = room.area;
     if play.host_page.is_some() {

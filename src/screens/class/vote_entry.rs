@@ -12,7 +12,6 @@ const SAME: f64 = 1e-6;
 /// The teams giving one of their two votes on a question.
 #[derive(Debug, Clone)]
 pub(super) struct VoteEntry {
-    /// Which vote.
     pub(super) vote: Vote,
     question: usize,
     /// The teams; after the last of them comes going on.

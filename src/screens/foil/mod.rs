@@ -64,7 +64,6 @@ pub(crate) enum FoilAction {
     Back,
 }
 
-/// The foil.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct FoilScreen {
     setup: FoilSetup,

@@ -78,7 +78,6 @@ impl FoilFigure {
         self
     }
 
-    /// Its title.
     pub(crate) fn title(&self) -> &'static str {
         view::title(&self.0)
     }

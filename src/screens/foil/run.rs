@@ -12,13 +12,10 @@ const MOST: u64 = 2_000_000;
 /// A beam, as far as it has been thrown.
 #[derive(Debug, Clone)]
 pub(super) struct BeamRun {
-    /// The law it follows.
     pub(super) law: ScatteringLaw,
     sampler: Box<Sampler>,
     seed: u64,
-    /// Particles in all.
     pub(super) particles: u64,
-    /// The counts so far.
     pub(super) counts: Counts,
     /// Whether it was stopped.
     pub(super) halted: bool,

@@ -85,7 +85,6 @@ impl FoilSetup {
         (self.beam == Beam::Space).then_some(self.counted_for)
     }
 
-    /// Particles in a beam.
     pub(crate) fn particles(&self) -> u64 {
         10_u64.saturating_pow(self.particles_exponent)
     }

@@ -7,7 +7,6 @@ use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Role, Room, SplitLayout};
 
-/// Columns of the menu.
 const MENU: u16 = 42;
 /// The same where there is no room for what each line is about.
 const NARROW: u16 = 31;

@@ -26,11 +26,8 @@ pub(super) struct Desk {
 /// What there is to do.
 #[derive(Debug, Clone)]
 pub(super) enum Doing {
-    /// Look and listen.
     Look,
-    /// A vote is made.
     Vote(Asking),
-    /// The truth is watched.
     Watch(Box<Reveal>),
 }
 
@@ -130,7 +127,6 @@ impl Desk {
         }
     }
 
-    /// Takes the vote back.
     pub(super) fn take_back(&mut self, link: &mut Link, cx: &mut Context) {
         if let Some(vote) = self.state.step.vote() {
             link.vote(self.state.q, vote, None, cx);

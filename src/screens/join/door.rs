@@ -24,7 +24,6 @@ pub(super) struct DoorForm {
     pub(super) trouble: Option<String>,
 }
 
-/// A row of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum DoorRow {
     Address,

@@ -24,7 +24,6 @@ use mystery::Mystery;
 
 pub(crate) use field::LabSettings;
 
-/// The lab.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lab {
     settings: LabSettings,
@@ -45,7 +44,6 @@ enum LabPhase {
     Aim,
     /// Saying where both will go.
     Predict(RayInput),
-    /// Watching.
     Watch(Box<Watch>),
 }
 

@@ -16,7 +16,6 @@ pub(super) struct Prose<'a> {
 }
 
 impl Prose<'_> {
-    /// Writes blocks of text.
     pub(super) fn write<A>(self, blocks: &[TextBlock], panel: &mut Panel<A>) {
         self.write_in(None, blocks, panel);
     }

@@ -2,12 +2,10 @@
 
 use strum::VariantArray;
 
-/// A page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
 pub(super) enum ProgressPage {
     /// How far off the answers were as time went by.
     OverTime,
-    /// How each topic stands.
     Topics,
     /// Whether confidence and answers go together.
     Sure,

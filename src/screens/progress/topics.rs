@@ -12,7 +12,6 @@ use crate::widgets::{Look, Role, text};
 
 /// Columns of a topic's name.
 const NAME: u16 = 26;
-/// Columns of the bar.
 const BAR: u16 = 20;
 /// How many names are listed.
 const LISTED: usize = 6;

@@ -8,7 +8,6 @@ use crate::files::{FileErrors, Source, all, is_blank_name};
 use crate::game::is_player_name;
 use crate::widgets::Depth;
 
-/// Format of the file.
 const FORMAT: u32 = 1;
 /// Largest file that is read, in bytes.
 const LARGEST: usize = 64 * 1024;

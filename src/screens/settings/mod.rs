@@ -20,7 +20,6 @@ use field::PLAYER;
 /// Letters of a name at most.
 const LONGEST: usize = 40;
 
-/// The settings.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SettingsScreen {
     form: SettingsForm,

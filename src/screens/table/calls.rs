@@ -8,7 +8,6 @@ use crate::quiz::{Rays, RaysGrade};
 /// A call and what came of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Called {
-    /// What was said.
     pub(super) said: Rays,
     /// The hit it was said of.
     pub(super) collision: Collision,

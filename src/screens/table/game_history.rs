@@ -26,7 +26,6 @@ pub(super) struct GameHistory {
 /// A move that was made.
 #[derive(Debug, Clone)]
 pub(super) struct Past {
-    /// The game before it.
     pub(super) before: Game,
     /// What the referee announced.
     pub(super) rulings: Vec<Ruling>,
@@ -60,14 +59,12 @@ impl Past {
 /// What the calls of a team have brought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct CallTally {
-    /// Points earned.
     pub(super) points: u32,
     /// Points that could have been earned.
     pub(super) most: u32,
 }
 
 impl GameHistory {
-    /// A new game.
     pub(super) fn new(setup: GameSetup) -> Self {
         Self {
             record: Record::new(setup),

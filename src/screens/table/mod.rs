@@ -42,7 +42,6 @@ enum TablePage {
     NewGame(NewGame),
     /// One is looked for among those that were saved.
     SavedGames(Box<SavedGames>),
-    /// One is played.
     Playing(Box<Playing>),
 }
 

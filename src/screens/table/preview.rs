@@ -19,7 +19,6 @@ pub(super) struct Preview {
 /// How the way of the striker ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum WayEnd {
-    /// It meets a coin.
     Meets(FirstHit),
     /// It falls into a pocket without touching anything.
     Falls,

@@ -14,7 +14,6 @@ use crate::widgets::Role;
 use crate::widgets::input::{KeyTable, ListAction};
 use crate::widgets::panel::Panel;
 
-/// Games as files.
 const GAMES: KeptKind = KeptKind {
     one: "game",
     all: "saved games",

@@ -5,10 +5,8 @@ use crate::game::opponent::Story;
 use crate::game::{ByTeam, Move, Piece, RulingEffect, Team};
 use crate::physics::units::deg_from_rad;
 
-/// A board in numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct BoardTale {
-    /// What each team did.
     pub(super) teams: ByTeam<TeamTale>,
     /// The number of the move that was the best stroke; `None` if nothing fell.
     pub(super) best: Option<usize>,
@@ -19,7 +17,6 @@ pub(super) struct BoardTale {
 /// What a team did on a board.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct TeamTale {
-    /// Strokes.
     pub(super) strokes: u32,
     /// Those in which something wanted fell, and the striker did not.
     pub(super) pocketing: u32,
@@ -27,7 +24,6 @@ pub(super) struct TeamTale {
     pub(super) fouls: u32,
     /// Own coins that were put back.
     pub(super) put_back: u32,
-    /// Strokes with a hint.
     pub(super) hints: u32,
 }
 

@@ -10,7 +10,6 @@ use std::net::IpAddr;
 pub(super) const LONGEST: usize = 8 * 1024;
 /// Most lines of a head.
 const MOST_LINES: usize = 64;
-/// Where devices talk.
 pub(crate) const TALK: &str = "/class";
 
 /// What a request wants.

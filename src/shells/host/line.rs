@@ -178,7 +178,6 @@ fn write_whole(line: &Line, bytes: &[u8]) -> io::Result<()> {
     (&line.stream).write_all(bytes)
 }
 
-/// Talks with a device.
 fn talk(board: &Arc<Switchboard>, line: &Arc<Line>, rest: Vec<u8>) {
     let config = WebSocketConfig::default()
         .read_buffer_size(2 * LARGEST_SAYING)

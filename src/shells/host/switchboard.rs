@@ -62,7 +62,6 @@ pub(super) enum Outgoing {
     State(String),
     /// The last that is said.
     Last(String),
-    /// Nothing for a while.
     Nothing,
     /// It is over.
     Closed,
@@ -166,7 +165,6 @@ impl Switchboard {
         }
     }
 
-    /// Something was heard.
     pub(super) fn hear(&self, news: HostNews) {
         let mut all = lock(&self.news);
         let was_empty = all.is_empty();

@@ -88,7 +88,6 @@ pub(super) enum OptionKind {
 /// What a line is taken for that is no choice.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) enum Asked {
-    /// Nothing.
     #[default]
     Nothing,
     /// A number, of this name and in this unit.
@@ -456,7 +455,6 @@ fn row(heads: Option<&Item>, item: &Item, option: Option<&PlainOption>) -> Strin
     )
 }
 
-/// What a picture shows.
 fn shown(words: &Words) -> Vec<String> {
     match words {
         Words::Picture { shows, .. } => shows.iter().map(|it| read(it)).collect(),

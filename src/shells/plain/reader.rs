@@ -292,7 +292,6 @@ impl PlainReader {
         }
     }
 
-    /// Chooses something.
     fn choose(
         &mut self,
         option: &PlainOption,

@@ -17,7 +17,6 @@ use crate::store::Store;
 
 /// Something that happened.
 enum Heard {
-    /// A line was heard.
     Line(String),
     /// Something for the app.
     Input(Input),

@@ -24,7 +24,6 @@ static HELD: AtomicBool = AtomicBool::new(false);
 pub(super) struct Guard(());
 
 impl Guard {
-    /// Takes the terminal.
     pub(super) fn take() -> io::Result<Self> {
         let guard = Self(());
         guard.enter()?;

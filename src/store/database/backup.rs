@@ -13,7 +13,6 @@ use super::salvage::{Columns, RowCounts};
 use super::{schema, unchanged};
 use crate::files::fsync_dir;
 
-/// How many are kept.
 const KEPT: usize = 3;
 /// A copy, until it is whole.
 const DRAFT: &str = ".progress-backup.db";

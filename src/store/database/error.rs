@@ -34,7 +34,6 @@ pub(super) enum DatabaseError {
          copy the folder to where something can"
     )]
     InLog(String),
-    /// SQLite failed.
     #[error("{}", in_words(.0))]
     Sqlite(#[from] rusqlite::Error),
     /// The folder cannot be used.

@@ -66,7 +66,6 @@ struct Page {
     bytes: Vec<u8>,
     layout: PageLayout,
     is_bottom: bool,
-    /// Where its header starts.
     header: usize,
 }
 

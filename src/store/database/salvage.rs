@@ -18,7 +18,6 @@ const LEAST_ANSWER: usize = 32;
 /// Numbers of rows, each with the name of their table.
 pub(super) type RowCounts = Vec<(String, usize)>;
 
-/// What could be saved.
 #[derive(Debug, Default)]
 pub(super) struct Saved {
     /// Rows of each table, in the order in which the tables were made.

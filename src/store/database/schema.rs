@@ -27,7 +27,6 @@ const STEPS: [&str; 3] = [
 /// How every SQLite database begins.
 pub(super) const MAGIC: &[u8] = b"SQLite format 3\0";
 
-/// The present version.
 pub(super) const VERSION: i64 = STEPS.len() as i64;
 
 /// A table, an index or anything else in a schema.

@@ -136,7 +136,6 @@ fn seen(page: &str) -> Bookmark {
     }
 }
 
-/// A page answered.
 fn answered(page: &str, answer: Response, right: bool) -> Bookmark {
     let given = GivenAnswer {
         asked: "choice\nWhich?".into(),

@@ -43,7 +43,6 @@ impl Beat {
         }
     }
 
-    /// Its name.
     const fn name(self) -> &'static str {
         match self {
             Self::Contact => "contact",

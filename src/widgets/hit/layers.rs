@@ -57,7 +57,6 @@ impl Default for Overlays {
 }
 
 impl Overlays {
-    /// Whether `layer` is on.
     pub(crate) fn shows(self, layer: Overlay) -> bool {
         self.on[layer as usize]
     }
@@ -71,7 +70,6 @@ impl Overlays {
         self
     }
 
-    /// Switches `layer`.
     pub(crate) fn toggle(&mut self, layer: Overlay) {
         self.on[layer as usize] ^= true;
     }

@@ -132,7 +132,6 @@ impl Playback {
         }
     }
 
-    /// Whether discs are moving.
     pub(crate) fn is_moving(&self) -> bool {
         match self.stage {
             PlaybackStage::Approach(_) => true,
@@ -243,7 +242,6 @@ impl Playback {
         }
     }
 
-    /// Halts at the start.
     pub(crate) fn halt_at_start(&mut self) {
         self.stage = PlaybackStage::Halted(0.0);
     }

@@ -164,7 +164,6 @@ impl Watch {
         &self.outcome
     }
 
-    /// Its clock.
     pub(crate) fn clock(&self) -> &Playback {
         &self.clock
     }
@@ -179,7 +178,6 @@ impl Watch {
         self.frame
     }
 
-    /// What the player said.
     pub(crate) fn said(&self) -> Option<&Rays> {
         self.said.as_ref()
     }

@@ -132,7 +132,6 @@ impl Canvas {
         self.commit(pen);
     }
 
-    /// A dot.
     pub(super) fn dot(&mut self, at: DVec2, pen: impl Into<Pen>) {
         let (at, pen) = (self.paper(at), pen.into());
         self.stroke.end(at, pen);
@@ -159,7 +158,6 @@ impl Canvas {
         self.through(points, pen, turn.abs() < TAU);
     }
 
-    /// A circle.
     pub(super) fn circle(&mut self, centre: DVec2, radius: f64, pen: impl Into<Pen>) {
         self.arc((centre, radius), [0.0, TAU], pen.into());
     }

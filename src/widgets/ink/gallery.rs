@@ -21,9 +21,7 @@ thread_local! {
 /// A picture that was drawn into cells.
 #[derive(Debug, Clone)]
 pub struct DrawnPicture {
-    /// The picture.
     pub(in crate::widgets) picture: Picture,
-    /// How it looks.
     pub(in crate::widgets) look: Look,
     /// Where its labels have found room.
     pub(in crate::widgets) labels: Vec<PlacedLabel>,

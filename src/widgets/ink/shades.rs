@@ -13,7 +13,6 @@ pub(super) struct Shades {
 }
 
 impl Shades {
-    /// Those of a cell.
     pub(super) fn of(cell: &Cell, theme: &Theme) -> Self {
         let [top, below] = cell.discs.map(|disc| {
             let colour = match disc.faint {

@@ -89,7 +89,6 @@ impl StrokeSamples {
         }
     }
 
-    /// A filled triangle.
     pub(super) fn triangle(&mut self, corners: [DVec2; 3]) {
         let [a, b, c] = corners.map(|corner| corner / self.sample());
         if !(a.is_finite() && b.is_finite() && c.is_finite()) {

@@ -117,7 +117,6 @@ impl NumberInput {
         with_unit(&self.entry.shown().unwrap_or(number), unit)
     }
 
-    /// Writes it, a row.
     pub(crate) fn write<A>(&self, name: &str, panel: &mut Panel<A>) {
         let name = match &self.quantity {
             Measure::Own { sign, .. } => format!("{sign} ="),

@@ -27,7 +27,6 @@ pub(crate) struct Placed<'p> {
     fixed: [Fixed<'p>; 2],
     /// The first row of each block, counted from the top of the whole.
     blocks: Vec<(u16, PlacedBlock<'p>)>,
-    /// Rows of the whole.
     rows: u16,
     targets: Vec<Target>,
     /// The rows of what is chosen.

@@ -363,7 +363,6 @@ impl<A> Panel<A> {
         self.push_with(Content::Tabs { names, open }, actions);
     }
 
-    /// One of several texts.
     pub(crate) fn item(&mut self, text: impl Into<String>, role: Role) {
         self.flow("-", vec![Run::new(text, role)]);
     }
@@ -378,7 +377,6 @@ impl<A> Panel<A> {
         self.push(Content::Formula(formula, role));
     }
 
-    /// A line of working.
     pub(crate) fn working(&mut self, line: impl Into<String>) {
         self.push(Content::Working(line.into()));
     }

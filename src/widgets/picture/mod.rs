@@ -38,10 +38,16 @@ pub use view::View;
 /// One thing that is drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Mark {
-    /// A straight line.
-    Line { from: DVec2, to: DVec2, pen: Pen },
+    Line {
+        from: DVec2,
+        to: DVec2,
+        pen: Pen,
+    },
     /// A line through many points. It breaks at points that are not finite.
-    Curve { points: Vec<DVec2>, pen: Pen },
+    Curve {
+        points: Vec<DVec2>,
+        pen: Pen,
+    },
     /// Part of a circle, given by its centre and radius, from one angle to another
     /// (radians, anticlockwise from +x; to < from goes clockwise). A whole turn or more is
     /// a circle.
@@ -51,20 +57,38 @@ pub(crate) enum Mark {
         pen: Pen,
     },
     /// An arrow with its tip at `to`. Labels keep off the tip.
-    Arrow { from: DVec2, to: DVec2, pen: Pen },
+    Arrow {
+        from: DVec2,
+        to: DVec2,
+        pen: Pen,
+    },
     /// A dot.
-    Dot { at: DVec2, pen: Pen },
+    Dot {
+        at: DVec2,
+        pen: Pen,
+    },
     /// A disc. It hides what lies on lower layers.
     Disc(Body),
     /// A disc that hides nothing, faint or an outline, with its letter at `letter`: among
     /// things that are to be seen.
-    Ring { body: Body, letter: DVec2 },
+    Ring {
+        body: Body,
+        letter: DVec2,
+    },
     /// Many discs, all drawn in one way, and every one of them to be seen.
     Discs(Vec<Body>),
     /// A filled rectangle between its lower left and its upper right corner.
-    Area { low: DVec2, high: DVec2, pen: Pen },
+    Area {
+        low: DVec2,
+        high: DVec2,
+        pen: Pen,
+    },
     /// A sign or a few letters centred on a point. Labels keep off it.
-    Text { at: DVec2, text: String, role: Role },
+    Text {
+        at: DVec2,
+        text: String,
+        role: Role,
+    },
     /// The axes of a plot, along the left and the lower edge of the view.
     Axes(Axes),
     /// Nothing to be seen, but labels keep off this point.

@@ -152,7 +152,6 @@ impl Plot {
         self.picture
     }
 
-    /// Draws it all.
     pub(crate) fn draw(&self, buf: &mut Buffer) {
         self.picture.draw(buf, &self.look);
     }

@@ -3,7 +3,6 @@
 use crate::lessons::formula::superscript;
 use crate::numbers::{fixed, true_minus};
 
-/// A tick.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Tick {
     /// Where it is, in units in which the axis is even.

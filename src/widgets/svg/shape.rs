@@ -85,7 +85,6 @@ fn arms(glyph: char) -> Option<(u8, f64)> {
     Some((arms, if light { 1.0 } else { 2.0 }))
 }
 
-/// Draws in one cell.
 struct CellPen<'a> {
     left: f64,
     top: f64,

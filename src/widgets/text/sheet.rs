@@ -159,7 +159,6 @@ pub enum Words {
     },
 }
 
-/// What is being recorded.
 struct Recorder {
     sheets: Vec<Sheet>,
     pictures: usize,

@@ -23,7 +23,6 @@ const LEAST_WORDS: u16 = 24;
 /// What all should know.
 const OPENLY: &str = "Whoever is in this network can see names and votes: nicknames will do.";
 
-/// Draws the page.
 pub(in crate::screens::class) fn draw(
     session: &Session,
     area: Rect,

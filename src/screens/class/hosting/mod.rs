@@ -45,7 +45,6 @@ pub(crate) enum HostingAction {
 pub(super) enum HostPage {
     /// How to come in.
     Door,
-    /// Who is in.
     People(People),
 }
 
@@ -57,7 +56,6 @@ pub(super) fn step_keys() -> KeyTable<HostingAction> {
 }
 
 impl HostPage {
-    /// Its keys.
     pub(super) fn keys(&self, session: &Session) -> KeyTable<HostingAction> {
         use HostingAction::{Door, GoOn, Names, Shut};
         let shut = match session.is_shut() {

@@ -23,7 +23,6 @@ pub(in crate::screens::class) struct People {
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Row {
     Person(String),
-    /// Somebody who was removed.
     Removed(String),
 }
 
@@ -52,7 +51,6 @@ fn rows(session: &Session) -> Vec<Row> {
     people.chain(removed).collect()
 }
 
-/// The number of somebody.
 fn number(session: &Session, name: &str) -> Option<usize> {
     let mut all = session.round().participants().iter();
     all.position(|it| it.name() == name)

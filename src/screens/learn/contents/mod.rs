@@ -53,7 +53,6 @@ fn listed(book: &mut Book, act: impl FnOnce(&mut ListView, usize) -> Outcome<usi
 /// What a line of the contents is.
 #[derive(Debug, Clone, Copy)]
 enum ContentsLine<'a> {
-    /// A chapter.
     Chapter(&'a Chapter),
     /// How far one has come.
     Summary,
@@ -70,7 +69,6 @@ fn lines(book: &Book) -> Vec<ContentsLine<'_>> {
     lines.chain(problems).collect()
 }
 
-/// The chosen line.
 fn chosen(book: &Book) -> ContentsLine<'_> {
     let chosen = lines(book).get(book.at).copied();
     chosen.unwrap_or(ContentsLine::Summary)

@@ -73,7 +73,6 @@ enum FigureState {
     Hits(Vec<Watch>),
     /// Nothing but the collision.
     Plain,
-    /// A worked solution.
     Worked(WorkedFigure),
     /// A page of the foil.
     Foil(Box<FoilFigure>),
@@ -130,7 +129,6 @@ impl LiveFigure {
         };
     }
 
-    /// The collision it shows.
     pub(super) fn collision(&self) -> &Collision {
         &self.collision
     }
@@ -209,7 +207,6 @@ impl LiveFigure {
         matches!(&self.state, FigureState::Worked(worked) if worked.is_typing())
     }
 
-    /// Writes what is read.
     pub(super) fn write(&self, panel: &mut Panel<FigureAction>) {
         if let FigureState::Worked(worked) = &self.state {
             worked.write(&self.collision, panel);
@@ -231,7 +228,6 @@ impl LiveFigure {
         drawn_against_it && !self.hidden
     }
 
-    /// Its title.
     pub(super) fn title(&self) -> String {
         if self.hidden && self.covers_outcome() {
             return "before the hit".into();

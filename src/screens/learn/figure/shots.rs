@@ -9,10 +9,8 @@ use ratatui::layout::Rect;
 use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture, View};
 use crate::widgets::{Lines, Look, Role, areas};
 
-/// Shots on a board.
 const ON_BOARD: u32 = 8;
 
-/// Shots in space.
 const IN_SPACE: u32 = 60;
 
 /// Half the width and height of the picture, in touching distances.

@@ -173,7 +173,6 @@ fn result(collision: &Collision) -> Vec<String> {
     last.map(|step| step.why).into_iter().collect()
 }
 
-/// A speed in words.
 fn speed(v: DVec2) -> String {
     with_unit(&significant(v.length()), "m/s")
 }

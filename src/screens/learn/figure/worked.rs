@@ -87,7 +87,6 @@ impl WorkedFigure {
         self.step.min(last(collision))
     }
 
-    /// Its title.
     pub(super) fn title(&self, collision: &Collision) -> String {
         let (step, last) = (self.step(collision), last(collision));
         format!("worked out: step {} of {}", step + 1, last + 1)

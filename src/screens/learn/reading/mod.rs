@@ -131,7 +131,6 @@ impl Reading {
         self.open(self.visited.unwrap_or(left), cx);
     }
 
-    /// Opens a page.
     fn open(&mut self, at: usize, cx: &mut Context) {
         self.at = at.min(self.chapter.pages.len().saturating_sub(1));
         let Some(page) = self.chapter.pages.get(self.at) else {

@@ -15,7 +15,6 @@ pub(super) struct Dials {
     pub(super) aim: LevelAim,
     /// What the shot first meets as it is aimed.
     pub(super) met: Option<FirstMet>,
-    /// What the mouse drags.
     dragged: Option<Dial>,
 }
 
@@ -46,7 +45,6 @@ impl FormFields for Dials {
 }
 
 impl Dials {
-    /// As the level opens.
     pub(super) fn new(level: Level) -> Self {
         let mut dials = Self {
             aim: level.start(),

@@ -25,7 +25,6 @@ use crate::widgets::{Outcome, RayInput};
 use dials::Dials;
 use made_shot::MadeShot;
 
-/// A level being played.
 #[derive(Debug, Clone)]
 pub(crate) struct LevelPlay {
     /// Its number on the shelf, from 0.
@@ -51,7 +50,6 @@ enum LevelPhase {
     Aim,
     /// Saying where the first hit sends the discs.
     Predict(Box<PendingShot>),
-    /// Watching the shot.
     Watch(Box<MadeShot>),
 }
 
@@ -60,7 +58,6 @@ enum LevelPhase {
 struct EarlierShot {
     /// Its number, from 1.
     number: u32,
-    /// How it was set.
     set: String,
     /// What came about: of the goals the first that was missed.
     told: String,

@@ -22,7 +22,6 @@ const SHOWN_EARLIER: usize = 2;
 
 type LevelPanel = Panel<LevelAction>;
 
-/// All of it.
 pub(super) fn panel(play: &LevelPlay, cx: &Context) -> LevelPanel {
     let mut panel = match &play.phase {
         LevelPhase::Aim => aim(play, cx),

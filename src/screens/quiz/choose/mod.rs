@@ -36,7 +36,6 @@ pub(crate) enum ChoosingAction {
 pub(crate) struct Choosing {
     history: Recall,
     page: ChoosingPage,
-    /// The rounds.
     rounds: ListView,
     /// The topics, as in [`CourseKind::topics`].
     topics: ListView,
@@ -47,9 +46,7 @@ pub(crate) struct Choosing {
 /// What is being chosen from.
 #[derive(Debug, Clone, PartialEq)]
 enum ChoosingPage {
-    /// The kinds of round.
     Rounds,
-    /// The topics.
     Topics,
     /// A code.
     Code {
@@ -126,7 +123,6 @@ impl Choosing {
         CourseKind::topics().nth(self.topics.chosen(CourseKind::topics().count()))
     }
 
-    /// What is due.
     fn due(&self) -> Due {
         let history = self.history.history();
         history.map_or_else(Due::default, |it| Due::of(&it.attempts, &it.calendar))

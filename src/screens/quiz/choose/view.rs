@@ -10,7 +10,6 @@ use crate::widgets::Role;
 use crate::widgets::input::{ListAction, TextField};
 use crate::widgets::panel::Panel;
 
-/// Why rounds are mixed.
 const WHY_MIXED: &str = "Mixed questions feel harder than many of one kind in a row, and you will \
     miss more of them. But each time you must see first what kind it is, and that is what stays \
     with you: weeks later you know more.";
@@ -28,12 +27,9 @@ pub(super) fn view<'s>(choosing: &Choosing, book: &Book) -> View<'s, ChoosingAct
     View::panels(list, about)
 }
 
-/// A choice in words.
 struct ChoiceWords {
     name: &'static str,
-    /// What stands beside it.
     beside: String,
-    /// What it is about.
     about: &'static str,
 }
 

@@ -70,7 +70,6 @@ pub enum AimAid {
 impl AimAid {
     const ALL: [Self; 3] = [Self::Line, Self::Ghost, Self::Rays];
 
-    /// Whether it is on.
     fn of(self, aids: &mut Aids) -> &mut bool {
         match self {
             Self::Line => &mut aids.line,
@@ -232,7 +231,6 @@ impl ActiveGame {
         }
     }
 
-    /// Aims by the mouse.
     pub(super) fn aim_at(&mut self, mouse: &Mouse, area: Rect, cx: &Context) -> After {
         let (at, inside) = picture::pointed(mouse, area);
         match mouse.kind {
@@ -282,7 +280,6 @@ impl ActiveGame {
         score::write(self, charset, panel);
     }
 
-    /// How a direction reads.
     pub(super) fn direction(&self, aim: &Aim) -> String {
         format!("{:.1}°", aim.shown_deg(self.seat()))
     }
@@ -340,7 +337,6 @@ fn hint(hinted: &Hinted, panel: &mut Panel<TableAction>) {
     panel.prompt(more, TableAction::Aim(AimAction::Hint));
 }
 
-/// What a coin is.
 fn piece(game: &Game, coin: usize) -> &'static str {
     let coin = game.coins().get(coin);
     coin.map_or("coin", |coin| coin.piece.into())

@@ -69,7 +69,6 @@ pub(super) enum GamePhase {
     Show(Box<ShownStroke>),
     /// Saying where the two of the first impact will go.
     Call(Box<Calling>),
-    /// Watching a stroke.
     Watch(Box<StrokeReplay>),
     /// Laying coins out, in practice.
     Arrange(Arrange),
@@ -145,7 +144,6 @@ impl ActiveGame {
         self.game().seat()
     }
 
-    /// Whether this is practice.
     pub(super) fn is_practice(&self) -> bool {
         self.game().setup().rules == Rules::Practice
     }

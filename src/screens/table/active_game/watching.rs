@@ -30,7 +30,6 @@ pub(in crate::screens::table) const FALL: f64 = 0.6;
 /// Seconds for which the end of a stroke is seen, at real speed, before computers play on.
 const END_SEEN: f64 = 4.0;
 
-/// A piece that falls.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::screens::table) struct FallingPiece {
     pub(in crate::screens::table) piece: Piece,

@@ -63,7 +63,6 @@ impl Moment<'_> {
         }
     }
 
-    /// The velocities after it.
     fn outgoing(&self, sketch: &mut Sketch, scale: &ArrowScale, after: [DVec2; 2], at: [DVec2; 2]) {
         if self.sticks() && self.watch.frame != Frame::CentreOfMass {
             // The one velocity of a pair that sticks, from its centre of mass.

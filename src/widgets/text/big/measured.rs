@@ -12,7 +12,6 @@ use crate::widgets::text::terms;
 /// Most letters that are held together on a line.
 const HELD: usize = 14;
 
-/// A text in words.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct BigText {
     words: Vec<BigWord>,
@@ -106,7 +105,6 @@ impl BigText {
         }
     }
 
-    /// Words in a line.
     pub(super) fn ink(&self, words: Range<usize>, size: LetterSize) -> Option<Ink> {
         if size == LetterSize::Strokes {
             return self.strokes(words).map(Ink::Strokes);

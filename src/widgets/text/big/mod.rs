@@ -26,7 +26,6 @@ use strokes::LetterRows;
 
 /// Pixels between two letters.
 const GAP: usize = 1;
-/// Pixels of a blank.
 const BLANK: usize = 4;
 /// Pixels from the top of a letter to its foot.
 const HEIGHT: usize = 8;
@@ -39,11 +38,9 @@ const LINE: u16 = 4;
 /// Where a text stands in its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Align {
-    /// At the left.
     Left,
     /// In the middle.
     Centre,
-    /// At the right.
     Right,
 }
 
@@ -55,11 +52,9 @@ pub(crate) struct Big {
     lines: Vec<BigLine>,
 }
 
-/// A line of letters.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct BigLine {
     words: Range<usize>,
-    /// The columns it takes.
     columns: usize,
     /// Its rows, from the first of the text. Lines of strokes may have rows in common.
     rows: Range<usize>,
@@ -69,9 +64,7 @@ struct BigLine {
 
 /// What letters are made of.
 enum Ink {
-    /// Columns of pixels.
     Pixels(Vec<u8>),
-    /// Rows of strokes.
     Strokes(LetterRows),
 }
 
@@ -176,14 +169,12 @@ impl Big {
         self.lines.iter().take_while(fits).count()
     }
 
-    /// The columns it takes.
     #[must_use]
     pub(crate) fn columns(&self) -> u16 {
         let widest = self.lines.iter().map(|line| line.columns).max();
         u16::try_from(widest.unwrap_or(0)).unwrap_or(u16::MAX)
     }
 
-    /// The rows it takes.
     #[must_use]
     pub(crate) fn rows(&self) -> u16 {
         let end = self.lines.last().map_or(0, |line| line.rows.end);

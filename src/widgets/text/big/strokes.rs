@@ -11,7 +11,6 @@ static FONT: &str = include_str!("../../../../assets/fonts/mini.flf");
 
 /// Rows of a line of letters.
 pub(super) const ROWS: usize = 4;
-/// Columns of a blank.
 pub(super) const BLANK: usize = 3;
 /// A blank that nothing else may come into.
 const HARD: char = '$';
@@ -59,7 +58,6 @@ pub(super) fn apart(above: &LetterRows, below: &LetterRows) -> usize {
     ROWS - usize::from(!touch)
 }
 
-/// Words in a line.
 pub(super) fn beside(words: &[&LetterRows]) -> LetterRows {
     std::array::from_fn(|row| {
         let words: Vec<_> = words.iter().map(|word| word[row].as_slice()).collect();
