@@ -108,10 +108,7 @@ fn a_screen_reader_has_every_question_and_answer_as_text() {
             .iter()
             .filter(|(role, _)| role == "StaticText")
             .collect();
-        if texts
-            .iter()
-            .any(|(_, text)| text.contains("Your round."))
-        {
+        if texts.iter().any(|(_, text)| text.contains("Your round.")) {
             let has = |words: &str| texts.iter().filter(|(_, it)| it.contains(words)).count();
             for question in 1..=10 {
                 assert_eq!(has(&format!("Question {question} of 10")), 1, "{texts:?}");
