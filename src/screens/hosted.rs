@@ -99,6 +99,9 @@ pub trait AnyScreen {
 pub struct Hosted<S: Screen> {
     screen: S,
     asked: Option<S::Action>,
+    /// Whether the button is down on something that was chosen by it: what the mouse does until it
+    /// is let go means nothing to the picture.
+    has_chosen: bool,
     scrolled: Vec<Scrolled>,
 }
 
@@ -125,6 +128,7 @@ impl<S: Screen> Hosted<S> {
         Self {
             screen,
             asked: None,
+            has_chosen: false,
             scrolled: Vec::new(),
         }
     }
@@ -298,14 +302,21 @@ impl<S: Screen> Hosted<S> {
                 panel.action(at)
             });
             // The wheel moves the mark of a list, which is followed.
-            let is_followed = |it: &Shown| !has_picture && it.placed.chosen().is_some();
+            let is_followed =
+                |it: &Shown| it.placed.is_list() || !has_picture && it.placed.chosen().is_some();
             let is_long = under.map(|(_, it)| it.placed.overflow() > 0 && !is_followed(it));
             (layout.picture, hit, is_long)
         });
         drop(view);
         let wheel = mouse.wheel().map(|up| -up);
+        let had_chosen = self.has_chosen && matches!(mouse.kind, MouseKind::Drag | MouseKind::Up);
+        self.has_chosen = had_chosen && mouse.kind == MouseKind::Drag;
         if let (MouseKind::Down, Some(action)) = (mouse.kind, hit) {
+            self.has_chosen = true;
             return self.act(action, cx);
+        }
+        if had_chosen {
+            return Next::Ignored;
         }
         if wheel.is_none() || under.is_none() {
             let next = self.screen.point(mouse, picture, cx);

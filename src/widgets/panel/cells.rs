@@ -31,6 +31,8 @@ pub(crate) struct Placed<'p> {
     targets: Vec<Target>,
     /// The rows of what is chosen.
     chosen: Option<Range<u16>>,
+    /// Whether that is one of a list, rather than something that can be set.
+    is_list: bool,
 }
 
 /// Blocks that are not scrolled.
@@ -161,6 +163,7 @@ fn placed<'p>(
         rows: 0,
         targets: Vec::new(),
         chosen: None,
+        is_list: false,
     };
     let mut after_gap = true;
     let blocks = pieces.into_iter().zip(is_shown).zip(lengths);
@@ -182,6 +185,11 @@ fn placed<'p>(
         let top = placed.rows;
         if piece.content.is_chosen() {
             placed.chosen = Some(top..top + rows);
+            let sets = matches!(
+                piece.content,
+                Content::Field { .. } | Content::TextField { .. }
+            );
+            placed.is_list = !sets;
         }
         placed
             .targets
@@ -233,6 +241,11 @@ impl Placed<'_> {
     /// The row of what is chosen.
     pub(crate) fn chosen(&self) -> Option<u16> {
         self.chosen.as_ref().map(|rows| rows.start)
+    }
+
+    /// Whether one of a list is chosen.
+    pub(crate) fn is_list(&self) -> bool {
+        self.is_list
     }
 
     /// How far it is scrolled unless the player does it by hand: what is chosen stands in

@@ -162,14 +162,17 @@ pub fn ago(age: Duration) -> String {
     }
 }
 
-/// The beginning of a text, in at most so many columns; what is cut off is told by dots.
+/// The beginning of a text, in at most so many columns; what is cut off is told by dots. Marks
+/// without a width of their own do not pile up either: a column has two signs at most.
 pub fn clipped(text: &str, columns: usize) -> String {
-    if width(text) <= columns {
+    let fits =
+        |text: &str, columns| width(text) <= columns && text.chars().nth(2 * columns).is_none();
+    if fits(text, columns) {
         return text.to_owned();
     }
     let mut clipped = String::new();
     for letter in text.graphemes(true) {
-        if width(&clipped) + width(letter) + 2 > columns {
+        if !fits(&format!("{clipped}{letter}"), columns.saturating_sub(2)) {
             break;
         }
         clipped += letter;
