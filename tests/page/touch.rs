@@ -107,7 +107,7 @@ impl Phone {
     fn button(&mut self, label: &str) -> bool {
         let script = "
             const all = [...over.querySelectorAll('button')].filter(seen);
-            return all.find((it) => text(it) === words)
+            return all.find((it) => text(it).replace(/!$/, '') === words)
               || all.find((it) => it.dataset.key === arguments[0]);"
             .replace("arguments[0]", &format!("{label:?}"));
         let place = self.middle(&script, label);

@@ -151,7 +151,7 @@ impl PlainReader {
         }
         if let Some(words) = lower.strip_prefix("choose ") {
             let option = self.labelled(words).or_else(|| self.named(words));
-            let option = option.ok_or_else(|| self.expected())?.clone();
+            let option = option.ok_or_else(|| self.expected())?;
             return self.choose(&option, holder);
         }
         if self.is_text() {
