@@ -479,13 +479,19 @@ const panels = (() => {
     if (at !== wasAt) for (const node of [screen, left, right]) node.scrollTop = 0;
     wasAt = at;
     const chosen = screen.querySelector(".field.chosen, .choice.chosen");
-    if (chosen && chosen !== lastChosen) chosen.scrollIntoView({ block: "nearest" });
+    if (chosen && chosen !== lastChosen && !isSeen(chosen)) chosen.scrollIntoView({ block: "nearest" });
     lastChosen = chosen;
     moveFocus();
     isFollowing = false;
     showLayer(over[over.length - 1]);
   }
   let lastChosen = null;
+
+  // Scrolling to what is seen anyway would move the place from which Tab goes on.
+  function isSeen(node) {
+    const [own, round] = [node.getBoundingClientRect(), screen.getBoundingClientRect()];
+    return own.top >= round.top && own.bottom <= round.bottom;
+  }
 
   // What lies over the screen, as a dialog: all below it is inert.
   function showLayer(sheet) {
