@@ -119,7 +119,13 @@ fn a_screen_reader_has_every_question_and_answer_as_text() {
         let is_field = |(role, name): &(String, String)| role == "textbox" && name == "Your line";
         assert!(tree.iter().any(is_field), "the field is named: {tree:?}");
         // The last words before the field: what is asked, what there is to choose from, and how.
-        let asks = |words| texts.iter().rev().take(13).any(|(_, it)| it.contains(words));
+        let asks = |words| {
+            texts
+                .iter()
+                .rev()
+                .take(13)
+                .any(|(_, it)| it.contains(words))
+        };
         let line = match () {
             () if asks("How sure") => "3",
             () if asks("Which one?") => "a",
