@@ -6,8 +6,7 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 
-use super::FRAME;
-use super::plain::AppHolder;
+use super::AppHolder;
 use crate::app::App;
 use crate::messages::{
     Effect, HostCall, Input, JoinCall, Key, Mouse, MouseKind, StoreCall, StoreReply, StoreRequest,
@@ -108,17 +107,14 @@ impl Headless {
 
     /// Hands one input over.
     pub fn input(&mut self, input: &Input) {
-        if !self.quit {
-            let effects = self.app.update(input);
-            self.carry_out(&effects);
-        }
+        AppHolder::input(self, input);
     }
 
     /// Does what the target of this number in [`App::targets`] does.
     pub fn choose(&mut self, target: usize) {
         if !self.quit {
             let effects = self.app.choose(target);
-            self.carry_out(&effects);
+            self.carry_out(effects);
         }
     }
 
@@ -169,16 +165,7 @@ impl Headless {
 
     /// Lets simulated time pass, in the steps the app asks for.
     pub fn pass(&mut self, time: Duration) {
-        let mut left = time;
-        while !self.quit && !left.is_zero() {
-            let Some(wake) = self.app.wake() else {
-                return;
-            };
-            let step = wake.max(FRAME).min(left);
-            let effects = self.app.advance(step);
-            self.carry_out(&effects);
-            left -= step;
-        }
+        AppHolder::pass(self, time);
     }
 
     /// Lets time pass until nothing moves any more, but at most `limit`; says
@@ -201,24 +188,6 @@ impl Headless {
     pub fn screen(&mut self) -> String {
         text(self.buffer())
     }
-
-    fn carry_out(&mut self, effects: &[Effect]) {
-        for effect in effects {
-            match effect {
-                Effect::Quit => self.quit = true,
-                Effect::Keep(request) => {
-                    let answer = self.store.answer(request);
-                    self.input(&Input::Kept(Box::new(answer)));
-                }
-                Effect::Host(call) => self.host_calls.push(call.clone()),
-                Effect::Join(call) => self.join_calls.push(call.clone()),
-                Effect::Export { name, content } => {
-                    self.exports.push((name.clone(), content.clone()));
-                    self.input(&Input::Exported(Ok(name.clone())));
-                }
-            }
-        }
-    }
 }
 
 impl AppHolder for Headless {
@@ -226,12 +195,30 @@ impl AppHolder for Headless {
         &self.app
     }
 
-    fn input(&mut self, input: &Input) {
-        Self::input(self, input);
+    fn app_mut(&mut self) -> &mut App {
+        &mut self.app
     }
 
-    fn pass(&mut self, time: Duration) {
-        Self::pass(self, time);
+    fn has_quit(&self) -> bool {
+        self.quit
+    }
+
+    fn carry_out(&mut self, effects: Vec<Effect>) {
+        for effect in effects {
+            match effect {
+                Effect::Quit => self.quit = true,
+                Effect::Keep(request) => {
+                    let answer = self.store.answer(&request);
+                    self.input(&Input::Kept(Box::new(answer)));
+                }
+                Effect::Host(call) => self.host_calls.push(call),
+                Effect::Join(call) => self.join_calls.push(call),
+                Effect::Export { name, content } => {
+                    self.exports.push((name.clone(), content));
+                    self.input(&Input::Exported(Ok(name)));
+                }
+            }
+        }
     }
 }
 

@@ -13,6 +13,7 @@ pub mod classroom;
 #[cfg(not(target_family = "wasm"))]
 pub mod client;
 pub mod headless;
+mod holder;
 #[cfg(not(target_family = "wasm"))]
 pub mod host;
 pub mod plain;
@@ -22,6 +23,7 @@ pub mod terminal;
 
 pub use classroom::Classroom;
 pub use headless::Headless;
+pub use holder::AppHolder;
 
 /// The shortest time between two pictures: a sixtieth of a second.
 pub const FRAME: Duration = Duration::from_nanos(16_666_667);

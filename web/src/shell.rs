@@ -7,8 +7,8 @@ use carrom::app::App;
 use carrom::messages::{
     Effect, HostCall, HostNews, Input, JoinCall, JoinNews, Key, Mouse, MouseKind,
 };
-use carrom::shells::FRAME;
-use carrom::shells::plain::{AppHolder, PlainReader};
+use carrom::shells::AppHolder;
+use carrom::shells::plain::PlainReader;
 use carrom::widgets::{
     PaintedCell, PaintedPicture, Role, Section, Sheet, gather, glyph_shape, inks, painted, recorded,
 };
@@ -248,60 +248,6 @@ impl Shell {
         lines
     }
 
-    fn input(&mut self, input: &Input) {
-        if !self.quit {
-            let effects = self.app.update(input);
-            self.carry_out(effects);
-        }
-    }
-
-    /// Lets time pass, in the steps the app asks for.
-    fn pass(&mut self, time: Duration) {
-        let mut left = time;
-        while !self.quit && !left.is_zero() {
-            let Some(wake) = self.app.wake() else {
-                return;
-            };
-            let step = wake.max(FRAME).min(left);
-            let effects = self.app.advance(step);
-            self.carry_out(effects);
-            left -= step;
-        }
-    }
-
-    fn carry_out(&mut self, effects: Vec<Effect>) {
-        for effect in effects {
-            match effect {
-                Effect::Quit => self.quit = true,
-                Effect::Keep(call) => {
-                    if let Some(answer) = self.keeping.ask(&call) {
-                        self.input(&Input::Kept(Box::new(answer)));
-                    }
-                    // There is no browser that could fail.
-                    if self.opening.simulated && self.keeping.changes().is_ok() {
-                        for answer in self.keeping.kept(None) {
-                            self.input(&Input::Kept(Box::new(answer)));
-                        }
-                    }
-                }
-                Effect::Host(HostCall::Open { .. }) => {
-                    let words = "a page cannot be one; the program carrom can".to_owned();
-                    self.input(&Input::Hosted(vec![HostNews::Opened(Err(words))]));
-                }
-                Effect::Host(_) => {}
-                Effect::Join(call) => self.calls.push(call),
-                Effect::Export { name, content } => {
-                    let place = match self.opening.simulated {
-                        true => name.clone(),
-                        false => format!("the folder for downloads: {name}"),
-                    };
-                    self.downloads.push(Download { name, content });
-                    self.input(&Input::Exported(Ok(place)));
-                }
-            }
-        }
-    }
-
     fn reply(&mut self) -> Reply {
         let exports = self.keeping.store().take_exports().into_iter();
         let exports = exports.map(|(name, content)| Download { name, content });
@@ -492,12 +438,45 @@ impl AppHolder for Shell {
         &self.app
     }
 
-    fn input(&mut self, input: &Input) {
-        Self::input(self, input);
+    fn app_mut(&mut self) -> &mut App {
+        &mut self.app
     }
 
-    fn pass(&mut self, time: Duration) {
-        Self::pass(self, time);
+    fn has_quit(&self) -> bool {
+        self.quit
+    }
+
+    fn carry_out(&mut self, effects: Vec<Effect>) {
+        for effect in effects {
+            match effect {
+                Effect::Quit => self.quit = true,
+                Effect::Keep(call) => {
+                    if let Some(answer) = self.keeping.ask(&call) {
+                        self.input(&Input::Kept(Box::new(answer)));
+                    }
+                    // There is no browser that could fail.
+                    if self.opening.simulated && self.keeping.changes().is_ok() {
+                        for answer in self.keeping.kept(None) {
+                            self.input(&Input::Kept(Box::new(answer)));
+                        }
+                    }
+                }
+                Effect::Host(HostCall::Open { .. }) => {
+                    let words = "a page cannot be one; the program carrom can".to_owned();
+                    self.input(&Input::Hosted(vec![HostNews::Opened(Err(words))]));
+                }
+                Effect::Host(_) => {}
+                Effect::Join(call) => self.calls.push(call),
+                Effect::Export { name, content } => {
+                    let place = match self.opening.simulated {
+                        true => name.clone(),
+                        false => format!("the folder for downloads: {name}"),
+                    };
+                    self.downloads.push(Download { name, content });
+                    self.input(&Input::Exported(Ok(place)));
+                }
+            }
+        }
     }
 }
 

@@ -18,7 +18,7 @@ mod talk;
 mod tests;
 mod working;
 
-pub use reader::{AppHolder, PlainReader};
+pub use reader::PlainReader;
 #[cfg(not(target_family = "wasm"))]
 pub use run::run;
 pub use solve::solve;

@@ -12,6 +12,7 @@ use super::spoken::sentence;
 use crate::app::App;
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::numbers::capital;
+use crate::shells::AppHolder;
 use crate::shells::FRAME;
 use crate::widgets::{PictureSizes, SheetKind, recorded};
 
@@ -45,16 +46,6 @@ const STILL: Key = Key::Char('x');
 
 /// How a title line says that something could not be kept.
 const NOT_KEPT: &str = "not kept";
-
-/// Whoever holds an app, and carries out what it asks for.
-pub trait AppHolder {
-    /// The app.
-    fn app(&self) -> &App;
-    /// Hands one input over.
-    fn input(&mut self, input: &Input);
-    /// Lets time pass.
-    fn pass(&mut self, time: Duration);
-}
 
 /// The app in plain lines.
 pub struct PlainReader {

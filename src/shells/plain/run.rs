@@ -5,10 +5,11 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::reader::{AppHolder, PlainReader};
+use super::reader::PlainReader;
 use super::talk::hear;
 use crate::app::App;
 use crate::messages::{Effect, Input};
+use crate::shells::AppHolder;
 use crate::shells::FRAME;
 use crate::shells::client::Client;
 use crate::shells::host::{Host, HostOptions};
@@ -156,40 +157,26 @@ impl AppHolder for PlainApp {
         &self.app
     }
 
-    fn input(&mut self, input: &Input) {
-        if !self.quit {
-            let effects = self.app.update(input);
-            self.carry_out(&effects);
-        }
+    fn app_mut(&mut self) -> &mut App {
+        &mut self.app
     }
 
-    fn pass(&mut self, time: Duration) {
-        let mut left = time;
-        while !self.quit && !left.is_zero() {
-            let Some(wake) = self.app.wake() else {
-                return;
-            };
-            let step = wake.max(FRAME).min(left);
-            let effects = self.app.advance(step);
-            self.carry_out(&effects);
-            left -= step;
-        }
+    fn has_quit(&self) -> bool {
+        self.quit
     }
-}
 
-impl PlainApp {
-    fn carry_out(&mut self, effects: &[Effect]) {
+    fn carry_out(&mut self, effects: Vec<Effect>) {
         for effect in effects {
             match effect {
                 Effect::Quit => self.quit = true,
                 Effect::Keep(call) => {
-                    let answer = self.store.answer(call);
+                    let answer = self.store.answer(&call);
                     self.input(&Input::Kept(Box::new(answer)));
                 }
-                Effect::Host(call) => self.host.call(call),
-                Effect::Join(call) => self.client.call(call),
+                Effect::Host(call) => self.host.call(&call),
+                Effect::Join(call) => self.client.call(&call),
                 Effect::Export { name, content } => {
-                    let exported = Input::Exported(terminal::export(name, content));
+                    let exported = Input::Exported(terminal::export(&name, &content));
                     drop(self.sender.send(Heard::Input(exported)));
                 }
             }

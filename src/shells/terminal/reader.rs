@@ -19,7 +19,7 @@ pub(super) fn start(inbox: Inbox) -> io::Result<()> {
     #[cfg(unix)]
     let mut next = move || source.next();
     #[cfg(not(unix))]
-    let mut next = crossterm::event::read;
+    let next = crossterm::event::read;
     let read = move || {
         loop {
             let message = match next() {

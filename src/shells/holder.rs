@@ -1,0 +1,44 @@
+//! How a shell without threads drives the app it holds.
+
+use std::time::Duration;
+
+use super::FRAME;
+use crate::app::App;
+use crate::messages::{Effect, Input};
+
+/// A shell that holds an app and carries out each effect before the next input.
+pub trait AppHolder {
+    /// The app.
+    fn app(&self) -> &App;
+
+    /// The app, to be driven.
+    fn app_mut(&mut self) -> &mut App;
+
+    /// Whether the player has left: nothing reaches the app any more.
+    fn has_quit(&self) -> bool;
+
+    /// Carries out what the app asks of the world.
+    fn carry_out(&mut self, effects: Vec<Effect>);
+
+    /// Hands one input over.
+    fn input(&mut self, input: &Input) {
+        if !self.has_quit() {
+            let effects = self.app_mut().update(input);
+            self.carry_out(effects);
+        }
+    }
+
+    /// Lets time pass, in the steps the app asks for.
+    fn pass(&mut self, time: Duration) {
+        let mut left = time;
+        while !self.has_quit() && !left.is_zero() {
+            let Some(wake) = self.app().wake() else {
+                return;
+            };
+            let step = wake.max(FRAME).min(left);
+            let effects = self.app_mut().advance(step);
+            self.carry_out(effects);
+            left -= step;
+        }
+    }
+}
