@@ -265,6 +265,57 @@ fn a_round_that_was_being_written_opens_without_its_last_line() {
     assert_eq!(read.voted(0, Vote::First), 1);
 }
 
+/// A file holds a round as the changes that lead to it, whatever others have led there.
+#[test]
+fn a_round_of_any_history_is_read_as_it_was_written() {
+    let names = ["Ada", "ada", "Bo", "Bo 2", "Zo\u{eb}", "'\"\\", "=1+1"];
+    let mut state = 7_u64;
+    let mut below = |most: usize| {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        (state >> 33) as usize % most
+    };
+    let mut done = 0;
+    for _ in 0..40 {
+        let mut round = ClassRound::with_devices(Code::parse("mixed3-7").unwrap());
+        round.open(DoorCode::of(7), None);
+        for seat in 0..60 {
+            let person = below(6);
+            let name = names[below(names.len())].to_owned();
+            let change = match below(9) {
+                0 | 1 => ClassChange::Join {
+                    seat: (below(3) > 0).then(|| SeatToken::of(seat)),
+                    name: round.name_for(&name).unwrap(),
+                },
+                2 => ClassChange::Rename { person, name },
+                3 => ClassChange::Remove { person },
+                4 => ClassChange::Readmit { removed: below(3) },
+                5 => ClassChange::Vacate { person },
+                6 => ClassChange::Merge {
+                    from: person,
+                    into: below(6),
+                },
+                _ => {
+                    let question = below(3);
+                    let truth = round.questions()[question].form.truth();
+                    ClassChange::Vote {
+                        question,
+                        vote: Vote::BOTH[below(2)],
+                        person,
+                        said: (below(4) > 0).then(|| truth.into()),
+                    }
+                }
+            };
+            done += usize::from(round.change(&change).is_ok());
+            let text = round.text().unwrap();
+            let again = ClassRound::read("again", text.as_bytes(), &Arc::default());
+            assert_eq!(again.as_ref(), Ok(&round), "{text}");
+        }
+    }
+    assert!(done > 1000, "{done} changes");
+}
+
 /// Names without a visible letter once were names; a file that holds some opens, and they can be
 /// told apart.
 #[test]
