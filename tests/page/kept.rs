@@ -521,7 +521,7 @@ fn a_talk_in_lines_tells_once_that_nothing_can_be_kept_and_keeps_it_later() {
     assert_eq!(times(&mut chromium, "Question 3 of"), 1);
     chromium.run("window.faulty = false", &[]);
     wait_for_told(&mut chromium, 1);
-    assert_eq!(times(&mut chromium, "is kept now"), 1);
+    assert_eq!(times(&mut chromium, "is saved now"), 1);
     assert_eq!(kept_answers(&mut chromium, &page), 2);
 }
 

@@ -23,7 +23,7 @@ const OFFERED: [&str; 2] = ["ray.stays-still", "shot.impacts"];
 pub(super) const ON: &str = "quiz.go-on";
 
 /// What stands where nothing has been typed yet.
-const OPEN: char = '_';
+pub(super) const OPEN: char = '_';
 
 /// A screen, or what lies over it, in lines.
 #[derive(Debug, Default, PartialEq)]
@@ -241,7 +241,12 @@ impl PlainOption {
         })
     }
 
-    /// How it is told.
+    /// Whether it has a value to set.
+    pub(super) fn is_field(&self) -> bool {
+        matches!(self.kind, OptionKind::Field(_) | OptionKind::Text(_))
+    }
+
+    /// The line that describes it.
     pub(super) fn line(&self) -> String {
         let words = match &self.kind {
             OptionKind::Field(value) => format!("{}: {}", self.words, value_words(value)),

@@ -7,7 +7,7 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 
 use super::number::number;
-use super::page::{Asked, ON, OptionKind, PlainOption, PlainPage, read, unit};
+use super::page::{Asked, ON, OPEN, OptionKind, PlainOption, PlainPage, read, unit};
 use super::spoken::sentence;
 use crate::app::App;
 use crate::messages::{Input, Key, Mouse, MouseKind};
@@ -31,15 +31,22 @@ const LONGEST: usize = 1000;
 /// Longest time that passes at once while something moves.
 const LONGEST_MOTION: Duration = Duration::from_secs(300);
 
-/// How often it is listened to what moves.
+/// Steps of time between two looks at what moves.
 const LISTENED: u32 = 12;
 
-/// How many lines are remembered, and letters of those that nobody hears twice gladly.
+/// How many recent lines are remembered, and from which length on none is repeated.
 const RECENT: usize = 60;
 const LONG: usize = 60;
 
 /// Most steps from one value of a field to another.
 const MOST_STEPS: usize = 60;
+
+/// The range of numbers that can be typed in [`SIGNS`] signs.
+const LEAST: f64 = -99_999_999.0;
+const MOST: f64 = 999_999_999.0;
+
+/// Most signs of a number as it is typed.
+const SIGNS: usize = 9;
 
 /// The key of a disc that stays where it is.
 const STILL: Key = Key::Char('x');
@@ -124,7 +131,10 @@ impl PlainReader {
         if let (Some(option), false) = (&labelled, self.is_text()) {
             return self.choose(&option.clone(), holder);
         }
+        // One letter may be the text that is asked for, such as somebody's name.
+        let is_text = self.is_text();
         match lower.as_str() {
+            "q" | "h" | "r" if is_text => {}
             "quit" | "exit" | "q" => {
                 holder.input(&Key::Ctrl('c').into());
                 return Ok(Vec::new());
@@ -137,7 +147,9 @@ impl PlainReader {
             }
             _ => {}
         }
-        if let Some((name, value)) = assignment(line) {
+        if let Some((name, value)) = assignment(line)
+            && !(is_text && self.field(name).is_none())
+        {
             return self.set(name, value, holder);
         }
         if let Some(words) = lower.strip_prefix("choose ") {
@@ -145,7 +157,7 @@ impl PlainReader {
             let option = option.ok_or_else(|| self.expected())?;
             return self.choose(&option, holder);
         }
-        if self.is_text() {
+        if is_text {
             return self.type_text(line, holder);
         }
         // A letter alone is none.
@@ -305,8 +317,11 @@ impl PlainReader {
         if option.kind == OptionKind::Entry && self.look(holder.app()).options.iter().any(is_same) {
             self.enter(holder, &["answer.enter", "list.open"]);
         }
-        let is_field = matches!(option.kind, OptionKind::Field(_) | OptionKind::Text(_));
-        Ok(is_field.then(|| option.line()).into_iter().collect())
+        Ok(option
+            .is_field()
+            .then(|| option.line())
+            .into_iter()
+            .collect())
     }
 
     /// Presses Enter where it stands for one of these.
@@ -341,7 +356,7 @@ impl PlainReader {
         }
         let value = match &self.page.asked {
             Asked::Angle(_) => number(line, "°", -180.0, 180.0).map_err(|_| angle.to_owned())?,
-            Asked::Number(_, unit) => number(line, unit, -1e9, 1e9)?,
+            Asked::Number(_, unit) => number(line, unit, LEAST, MOST)?,
             _ => return Err(self.expected()),
         };
         for digit in digits(value).chars() {
@@ -372,6 +387,12 @@ impl PlainReader {
         Ok(Vec::new())
     }
 
+    /// What can be set by this name.
+    fn field(&self, name: &str) -> Option<PlainOption> {
+        let named = self.named(&name.to_lowercase());
+        named.filter(PlainOption::is_field)
+    }
+
     /// Sets what is called so.
     fn set(
         &mut self,
@@ -379,15 +400,12 @@ impl PlainReader {
         value: &str,
         holder: &mut dyn AppHolder,
     ) -> Result<Vec<String>, String> {
-        let is_field =
-            |it: &PlainOption| matches!(it.kind, OptionKind::Field(_) | OptionKind::Text(_));
-        let option = self.named(&name.to_lowercase()).filter(is_field);
-        let Some(option) = option else {
+        let Some(option) = self.field(name) else {
             let names: Vec<_> = self
                 .page
                 .options
                 .iter()
-                .filter(|it| is_field(it))
+                .filter(|it| it.is_field())
                 .map(|it| read(&it.words))
                 .collect();
             return Err(match names.is_empty() {
@@ -400,7 +418,7 @@ impl PlainReader {
         }
         match &option.kind {
             OptionKind::Text(_) => self.type_text(value, holder),
-            OptionKind::Field(shown) if number(value, &unit(shown), -1e9, 1e9).is_ok() => {
+            OptionKind::Field(shown) if is_number(shown) => {
                 self.page.asked = Asked::Number(option.words, unit(shown));
                 self.type_number(value, holder)
             }
@@ -458,12 +476,13 @@ impl PlainReader {
                 holder.input(&Key::Escape.into());
             }
         }
-        lines.push("Type the label or the words of what you choose; Enter alone goes on.".into());
         lines.push(
-            "What can be set is set by its name: speed = 3, or choose it and say more or less."
-                .into(),
+            "To choose something, type its label or its words. Enter alone continues.".into(),
         );
-        lines.push("At any time: repeat says all again, back goes back, quit leaves and keeps what was answered.".into());
+        lines.push(
+            "To set a value, type its name: speed = 3. Or choose it and type more or less.".into(),
+        );
+        lines.push("At any time: repeat reads the page again, back goes back, quit leaves and saves your answers.".into());
         lines.extend(self.page.deeds());
         lines
     }
@@ -575,7 +594,7 @@ fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> 
     }
     let is_unkept = |page: &PlainPage| page.status.iter().any(|it| it.starts_with(NOT_KEPT));
     if is_unkept(before) && !is_unkept(now) {
-        lines.push("All that was not kept is kept now.".into());
+        lines.push("Everything is saved now.".into());
     }
     let known: Vec<_> = before.lines().collect();
     for section in &now.sections {
@@ -627,11 +646,16 @@ fn assignment(line: &str) -> Option<(&str, &str)> {
     Some((name.trim(), value.trim()))
 }
 
-/// A number as it is typed, in at most nine signs.
+/// Whether the value of a field is a number, or will be once it is typed.
+fn is_number(shown: &str) -> bool {
+    shown.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '−' | OPEN))
+}
+
+/// A number as it is typed, in at most [`SIGNS`] signs.
 fn digits(value: f64) -> String {
     let places = (0..=6).rev().map(|places| format!("{value:.places$}"));
     let mut exact = std::iter::once(format!("{value}")).chain(places);
     exact
-        .find(|text| text.len() <= 9)
+        .find(|text| text.len() <= SIGNS)
         .unwrap_or_else(|| "0".into())
 }

@@ -3,9 +3,10 @@
 use super::by_words::by_words;
 use super::formula::aloud;
 use super::page::read;
-use super::{assert_spoken, spoken};
+use super::{PlainReader, assert_spoken, spoken};
 use crate::lessons::{ChapterLibrary, CheckpointKind, Inline, TextBlock};
 use crate::quiz::{Answer, Confidence, Course, CourseKind, Family, Form, Round, concepts, explain};
+use crate::shells::Headless;
 
 #[test]
 fn every_question_is_spoken_whole() {
@@ -72,4 +73,38 @@ fn no_formula_of_the_chapters_is_spoken_with_a_unit() {
         }
     }
     assert!(formulas > 100, "{formulas}");
+}
+
+/// A pupil may be called by one letter, or by what looks like a setting.
+#[test]
+fn a_text_that_is_asked_for_is_taken_as_it_is() {
+    for text in ["q", "h", "r", "a=b", "class = 1"] {
+        let mut app = crate::cli::open("join").unwrap();
+        let mut reader = PlainReader::new(&mut app);
+        let mut held = Headless::from(app);
+        reader.begin(&mut held);
+        reader.hear(text, &mut held);
+        assert!(!held.has_quit(), "{text}");
+        let said = reader.hear("repeat", &mut held).join("\n");
+        let spoken = read(text);
+        assert!(said.contains(&format!(": {spoken}")), "{text}:\n{said}");
+    }
+}
+
+/// A number is taken as it is or refused, never as another one, and no list of values is read.
+#[test]
+fn a_number_that_cannot_be_typed_is_refused_in_a_line() {
+    let mut app = crate::cli::open("lab").unwrap();
+    let mut reader = PlainReader::new(&mut app);
+    let mut held = Headless::from(app);
+    reader.begin(&mut held);
+    for speed in ["1000000000", "-100000000", "fast"] {
+        let said = reader.hear(&format!("speed = {speed}"), &mut held);
+        assert!(said[0].starts_with("Please type a number"), "{said:?}");
+        let now = reader.hear("repeat", &mut held).join("\n");
+        assert!(now.contains("speed: 4.00 metres per second"), "{now}");
+    }
+    reader.hear("speed = 7.25", &mut held);
+    let now = reader.hear("repeat", &mut held).join("\n");
+    assert!(now.contains("speed: 7.25 metres per second"), "{now}");
 }
