@@ -12,9 +12,9 @@
 //!   main.rs        parse the command line, run, print the error
 //!   cli/           one file a subcommand
 //!   ─────────────────────────────────────────────────────────────
-//!   shells/        what drives the app: terminal (crossterm), tape (headless script); plain
-//!                  lines in place of it, for screen readers; a class on its own devices: the
-//!                  server (host), the way to it (client), and all in one process (classroom).
+//!   shells/        what drives the app: terminal (crossterm), tape (headless script), plain
+//!                  lines for screen readers (plain); a class on its own devices: the server
+//!                  (host), the connection to it (client), and all in one process (classroom).
 //!                  (The browser's shell is web/ beside src, a package of its own.)
 //!   ─────────────────────────────────────────────────────────────
 //!   store/         what is kept on disk: saved games, every answer (SQLite); the only
