@@ -113,6 +113,14 @@ fn a_screen_reader_has_every_question_and_answer_as_text() {
             for question in 1..=10 {
                 assert_eq!(has(&format!("Question {question} of 10")), 1, "{texts:?}");
             }
+            let is_answer = |text: &&&(String, String)| {
+                text.1.contains("you said ") && text.1.contains("truth ")
+            };
+            let answers = texts.iter().filter(is_answer).count();
+            assert!(
+                answers >= 10,
+                "{answers} answers with their truths: {texts:?}"
+            );
             println!("a round of {said} lines by the accessibility tree");
             return;
         }

@@ -326,6 +326,19 @@ fn what_is_no_number_is_asked_again_and_not_kept() {
 }
 
 #[test]
+fn the_names_of_files_are_read_as_they_are() {
+    let folder = Folder::new("plain");
+    let lessons = folder.path().join("a_2*x-1=b");
+    std::fs::create_dir_all(&lessons).unwrap();
+    let file = lessons.join("01-bad.md");
+    std::fs::write(&file, "---\n").unwrap();
+    let arguments = format!("learn --plain --lessons {}", lessons.display());
+    let said = talk(&arguments, folder.path(), b"quit\n");
+    assert!(said.contains("left out:"), "{said}");
+    assert!(said.contains(&file.display().to_string()), "{said}");
+}
+
+#[test]
 fn a_chapter_gives_nothing_away_that_it_asks_later() {
     let folder = Folder::new("plain");
     let said = talk(

@@ -503,15 +503,27 @@ fn text(words: &Words, is_help: bool) -> Option<String> {
     })
 }
 
-/// A text as it is read aloud, without signs that are drawn.
+/// A text as it is read aloud, without signs that are drawn. The name of a file stays as it is.
 pub(super) fn read(text: &str) -> String {
-    let is_path = text.starts_with('/') && !text.contains(' ');
-    if is_path {
-        return spoken(&verbatim(text));
-    }
+    let word = |word: &str| match is_path(word) {
+        true => verbatim(word),
+        false => word.replace('_', " "),
+    };
+    let words: Vec<_> = text.split(' ').map(word).collect();
     let is_read = |c: char| c.is_ascii() || c.is_alphanumeric();
-    let read = spoken(&text.replace('_', " "));
-    tidied(&read.replace(|c| !is_read(c), " "))
+    tidied(&spoken(&words.join(" ")).replace(|c| !is_read(c), " "))
+}
+
+/// Whether a word is the name of a file or a folder; a line's number may stand behind it.
+fn is_path(word: &str) -> bool {
+    const ENDINGS: [&str; 8] = [
+        ".md", ".toml", ".db", ".html", ".csv", ".json", ".tape", ".svg",
+    ];
+    let name = word.trim_end_matches(|c: char| c.is_ascii_digit() || ":,.)".contains(c));
+    let is_below_root = word
+        .strip_prefix('/')
+        .is_some_and(|rest| rest.contains('/'));
+    is_below_root || ENDINGS.iter().any(|ending| name.ends_with(ending))
 }
 
 /// A text whose names of keys are marked.

@@ -108,3 +108,18 @@ fn a_number_that_cannot_be_typed_is_refused_in_a_line() {
     let now = reader.hear("repeat", &mut held).join("\n");
     assert!(now.contains("speed: 7.25 metres per second"), "{now}");
 }
+
+#[test]
+fn the_names_of_files_are_read_as_they_are() {
+    for (text, expected) in [
+        (
+            "left out: a_2*x-1=b/01-bad.md:1: expected +++, found v = 2 m/s",
+            "left out: a_2*x-1=b/01-bad.md:1: expected plus plus plus, found v equals 2 metres per second",
+        ),
+        ("kept in /home/p_1/x=2.", "kept in /home/p_1/x=2."),
+        ("slip/stick", "slip/stick"),
+        ("b/(r_1 + r_2)", "b over (r 1 plus r 2)"),
+    ] {
+        assert_eq!(read(text), expected);
+    }
+}
