@@ -155,7 +155,11 @@ fn what_cannot_be_understood_is_asked_again_kindly() {
 #[test]
 fn noise_neither_breaks_nor_fills_it() {
     let folder = Folder::new("plain");
-    let noise: Vec<u8> = (0..20_000_u64).map(|i| (i * i % 251) as u8).collect();
+    let one_line: Vec<u8> = (0..10_000_000_u64).map(|i| (i * i % 251) as u8).collect();
+    // Some 200 lines, with every byte in them.
+    let scattered = |i: u64| i.wrapping_mul(0x9e37_79b9_7f4a_7c15).to_be_bytes()[1];
+    let lines: Vec<u8> = (0..50_000).map(scattered).collect();
+    assert!(lines.iter().filter(|byte| **byte == b'\n').count() > 150);
     for arguments in [
         "quiz --plain",
         "quiz --plain --seed 1",
@@ -163,7 +167,8 @@ fn noise_neither_breaks_nor_fills_it() {
         "table --plain",
         "solve --plain",
     ] {
-        talk(arguments, folder.path(), &noise);
+        talk(arguments, folder.path(), &one_line);
+        talk(arguments, folder.path(), &lines);
         talk(arguments, folder.path(), &vec![b'x'; 10_000_000]);
     }
 }

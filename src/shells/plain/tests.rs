@@ -4,8 +4,10 @@ use super::by_words::by_words;
 use super::formula::aloud;
 use super::page::read;
 use super::{PlainReader, assert_spoken, spoken};
+use crate::app::App;
 use crate::lessons::{ChapterLibrary, CheckpointKind, Inline, TextBlock};
 use crate::quiz::{Answer, Confidence, Course, CourseKind, Family, Form, Round, concepts, explain};
+use crate::screens::{Place, Settings};
 use crate::shells::Headless;
 
 #[test]
@@ -79,7 +81,12 @@ fn no_formula_of_the_chapters_is_spoken_with_a_unit() {
 #[test]
 fn a_text_that_is_asked_for_is_taken_as_it_is() {
     for text in ["q", "h", "r", "a=b", "class = 1"] {
-        let mut app = crate::cli::open("join").unwrap();
+        let place = Place::Join {
+            address: None,
+            code: None,
+            again: false,
+        };
+        let mut app = App::new(place, Settings::default(), 1);
         let mut reader = PlainReader::new(&mut app);
         let mut held = Headless::from(app);
         reader.begin(&mut held);
@@ -94,7 +101,7 @@ fn a_text_that_is_asked_for_is_taken_as_it_is() {
 /// A number is taken as it is or refused, never as another one, and no list of values is read.
 #[test]
 fn a_number_that_cannot_be_typed_is_refused_in_a_line() {
-    let mut app = crate::cli::open("lab").unwrap();
+    let mut app = App::new(Place::Lab, Settings::default(), 1);
     let mut reader = PlainReader::new(&mut app);
     let mut held = Headless::from(app);
     reader.begin(&mut held);
