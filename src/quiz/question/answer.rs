@@ -1,9 +1,7 @@
 //! What the player says, and how it is kept in databases and files: JSON, with the units in the
 //! names.
 
-use serde_json::{Map, Value, json};
-
-use super::{Confidence, Form, Measure, Rays};
+use super::{Confidence, Rays};
 use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 
 /// What is said to a question, in the way it asks for.
@@ -83,61 +81,6 @@ impl Answer {
     /// An answer.
     pub const fn new(said: Response, confidence: Confidence) -> Self {
         Self { said, confidence }
-    }
-}
-
-/// What is noted of a question or an answer, by names that end in the unit.
-pub type Figures = Map<String, Value>;
-
-/// The figures that stand in a JSON object; none in any other value.
-pub(crate) fn figures(value: Value) -> Figures {
-    match value {
-        Value::Object(figures) => figures,
-        _ => Figures::new(),
-    }
-}
-
-/// Where the words of a choice are kept: its place among the others is the round's alone.
-const CHOICE: &str = "choice";
-const OFFSET: &str = "offset_mm";
-/// Most letters of a choice. Those of questions have at most 90; this also holds those of years
-/// to come.
-const LONGEST_CHOICE: usize = 400;
-
-impl Form {
-    /// An answer to a question of this form as it is kept.
-    pub fn kept(&self, said: &Response) -> Figures {
-        figures(match (self, said) {
-            (_, Response::Rays(rays)) => rays.json(),
-            (Self::Number { quantity, .. }, Response::Number(x)) => json!({ quantity.id(): x }),
-            (_, Response::Shot(offset)) => json!({ OFFSET: mm_from_m(*offset) }),
-            _ => json!({ CHOICE: self.words(said) }),
-        })
-    }
-
-    /// Whether an answer that was kept can have been given to a question of some form: it is of
-    /// one kind and in the range of that kind, as for [`Form::accepts`].
-    pub fn could_be_kept(answer: &Figures) -> bool {
-        let number = |(name, value): (&String, &Value)| {
-            let x = value.as_f64()?;
-            match Measure::with_id(name) {
-                Some(measure) => Some(measure.allows(x)),
-                None => Some(name == OFFSET && x.abs() <= Measure::Length.largest()),
-            }
-        };
-        if let Some(rays) = Rays::of_figures(answer) {
-            return answer.len() == 2 && rays.are_in_range();
-        }
-        let mut fields = answer.iter();
-        let (Some(field), None) = (fields.next(), fields.next()) else {
-            return false;
-        };
-        match field {
-            (name, Value::String(words)) => {
-                name == CHOICE && (1..=LONGEST_CHOICE).contains(&words.chars().count())
-            }
-            field => number(field).unwrap_or(false),
-        }
     }
 }
 

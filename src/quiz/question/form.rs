@@ -3,6 +3,7 @@
 use crate::physics::units::{deg_from_rad, mm_from_m};
 use crate::physics::{Collision, CollisionOutcome};
 
+use super::tolerance::{NUMBER_BY_CHANCE, RAYS_BY_CHANCE, RIGHT_DEG, is_within};
 use super::{Measure, Ray, Rays, Response};
 use crate::numbers::millimetres;
 
@@ -81,22 +82,6 @@ impl AimTask {
     }
 }
 
-/// The chance that two guessed rays fit two given ones: about 8° in 90°, twice.
-pub(super) const RAYS_BY_CHANCE: f64 = 0.01;
-/// The chance that a guessed number, or one guessed ray, fits a given one: about 8° in 90°,
-/// or a tenth of a scale on which one guesses within a factor of two.
-pub(super) const NUMBER_BY_CHANCE: f64 = 0.08;
-
-/// What rounding between two units adds to a number, as a share of it.
-pub(super) const ROUNDING: f64 = 1e-9;
-
-/// Whether a number lies within a range, or beyond one of its ends by no more than rounding
-/// between two units adds.
-pub(super) fn is_within(x: f64, least: f64, most: f64) -> bool {
-    let spare = ROUNDING * most;
-    (least - spare..=most + spare).contains(&x)
-}
-
 impl Form {
     /// Whether this form can be answered so: the answer is of the form's kind and in its range.
     ///
@@ -149,7 +134,7 @@ impl Form {
     /// How far apart two answers are, counted in the widest that can count as right: see
     /// [`Measure::spacing`].
     pub fn spacing(&self, a: &Response, b: &Response) -> f64 {
-        let angle = |angle: f64| deg_from_rad(angle) / super::grade::RIGHT_DEG;
+        let angle = |angle: f64| deg_from_rad(angle) / RIGHT_DEG;
         match (self, a, b) {
             (Self::Rays { .. }, Response::Rays(a), Response::Rays(b)) => angle(a.gap(b)),
             (Self::Number { quantity, .. }, Response::Number(a), Response::Number(b)) => {

@@ -5,11 +5,8 @@ use std::f64::consts::FRAC_PI_2;
 use crate::numbers::points;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
-use super::measure::apart_deg;
+use super::tolerance::{RIGHT_DEG, apart_deg};
 use super::{Answer, Confidence, Form, Measure, Question, Ray, Rays, Response};
-
-/// Up to this error an angle counts as right, in degrees.
-pub const RIGHT_DEG: f64 = 4.0;
 
 /// Up to this share of what counts as right an answer earns full credit: for an angle
 /// 2°, about what can be read off the picture.

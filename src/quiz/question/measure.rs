@@ -1,7 +1,6 @@
 //! What a number that is asked for measures.
 
-use super::form::{ROUNDING, is_within};
-use super::grade::RIGHT_DEG;
+use super::tolerance::{RIGHT_DEG, ROUNDING, apart_deg, is_within};
 use crate::numbers;
 
 /// The furthest off that a share can be right, in percentage points.
@@ -169,12 +168,6 @@ impl Measure {
     pub fn allows(&self, x: f64) -> bool {
         is_within(x, self.smallest(), self.largest())
     }
-}
-
-/// The angle between two directions in degrees, 0 to 180.
-pub(in crate::quiz) fn apart_deg(a: f64, b: f64) -> f64 {
-    let turn = (a - b).rem_euclid(360.0);
-    turn.min(360.0 - turn)
 }
 
 #[cfg(test)]

@@ -159,7 +159,7 @@ impl Question {
     pub fn by_chance(&self, fit: Fit) -> f64 {
         match fit {
             Fit::Whole => self.form.by_chance(),
-            Fit::OneRay(_) => super::form::NUMBER_BY_CHANCE,
+            Fit::OneRay(_) => super::tolerance::NUMBER_BY_CHANCE,
         }
     }
 
@@ -175,7 +175,7 @@ impl Question {
         else {
             return None;
         };
-        let near = super::RIGHT_DEG.to_radians();
+        let near = super::tolerance::RIGHT_DEG.to_radians();
         let gap = said.apart(held, ray)?;
         let from_truth = said.apart(truth, ray).unwrap_or(f64::INFINITY);
         let fits = gap <= near && from_truth > near;

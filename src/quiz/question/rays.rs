@@ -8,7 +8,7 @@ use crate::physics::CollisionOutcome;
 use crate::physics::units::{deg_from_rad, rad_from_deg};
 
 use super::Figures;
-use super::form::is_within;
+use super::tolerance::is_within;
 use crate::numbers;
 
 /// One of the two rays.
