@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use carrom::class::ClassRound;
+use carrom::files::FileLibrary;
 use carrom::game::SavedGame;
 use carrom::gradebook::{Gradebook, HandIn, beliefs_csv, items_csv, pupils_csv};
 use carrom::lessons::Chapter;

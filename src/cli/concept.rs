@@ -24,12 +24,7 @@ pub(super) enum Command {
 
 pub(super) fn run(command: &Command, options: &GlobalOptions) -> Result<(), Failure> {
     let Command::Check { paths } = command;
-    let library = given::library(
-        paths,
-        Library::embedded,
-        Library::add_file,
-        Library::add_dir,
-    );
+    let library: Library = given::library(paths);
     let mut faults = library.problems.clone();
     let found = check(&library.concepts);
     let mut report = String::new();

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::{Failure, GlobalOptions, print_text};
-use crate::files::{self, FileError, FileErrors};
+use crate::files::{self, FileError, FileErrors, FileLibrary};
 
 /// What `read` makes of a file's name for messages and its bytes, up to one more than the
 /// `most` that may be read; `-` is standard input.
@@ -26,22 +26,12 @@ pub(super) fn read<T>(
     read(&name, &bytes.map_err(Failure::input)?).map_err(Failure::input)
 }
 
-/// What is in these files and folders, or without any what is in the program.
-pub(super) fn library<L: Default>(
-    paths: &[PathBuf],
-    embedded: fn() -> L,
-    add_file: fn(&mut L, &Path),
-    add_dir: fn(&mut L, &Path),
-) -> L {
-    if paths.is_empty() {
-        return embedded();
+/// A library of the files and folders given, or of what comes with the program if there are none.
+pub(super) fn library<L: FileLibrary>(paths: &[PathBuf]) -> L {
+    match paths {
+        [] => L::embedded(),
+        paths => L::default().with(paths),
     }
-    let mut library = L::default();
-    for path in paths {
-        let add = if path.is_dir() { add_dir } else { add_file };
-        add(&mut library, path);
-    }
-    library
 }
 
 /// Prints the report of a check, and refuses files that have errors, all of which it

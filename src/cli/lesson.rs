@@ -22,12 +22,7 @@ pub(super) enum Command {
 
 pub(super) fn run(command: &Command, options: &GlobalOptions) -> Result<(), Failure> {
     let Command::Check { paths } = command;
-    let library = given::library(
-        paths,
-        ChapterLibrary::embedded,
-        ChapterLibrary::add_file,
-        ChapterLibrary::add_dir,
-    );
+    let library: ChapterLibrary = given::library(paths);
     let mut report = String::new();
     let mut faults = library.problems.clone();
     for chapter in &library.chapters {

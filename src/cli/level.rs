@@ -31,12 +31,7 @@ pub(super) enum Command {
 
 pub(super) fn run(command: &Command, options: &GlobalOptions) -> Result<(), Failure> {
     let Command::Check { paths, verbose } = command;
-    let library = given::library(
-        paths,
-        LevelLibrary::embedded,
-        LevelLibrary::add_file,
-        LevelLibrary::add_dir,
-    );
+    let library: LevelLibrary = given::library(paths);
     let mut report = String::new();
     let mut lost = 0;
     for pack in &library.packs {

@@ -11,7 +11,7 @@ use etcetera::BaseStrategy;
 use strum::VariantNames;
 
 use super::settings;
-use crate::files::{FileError, tidy_name};
+use crate::files::{FileError, FileLibrary, tidy_name};
 use crate::game::is_player_name;
 use crate::lessons::{Book, ChapterLibrary};
 use crate::levels::{LevelLibrary, Shelf};
@@ -167,11 +167,7 @@ impl GlobalOptions {
     pub(super) fn shelf(&self) -> Shelf {
         match self.levels.as_slice() {
             [] => Shelf::default(),
-            dirs => Shelf::new(with_dirs(
-                LevelLibrary::embedded(),
-                dirs,
-                LevelLibrary::add_dir,
-            )),
+            dirs => Shelf::new(LevelLibrary::embedded().with(dirs)),
         }
     }
 
@@ -180,18 +176,14 @@ impl GlobalOptions {
     pub(super) fn book(&self) -> Book {
         match self.lessons.as_slice() {
             [] => Book::default(),
-            dirs => {
-                let chapters = ChapterLibrary::embedded();
-                Book::new(with_dirs(chapters, dirs, ChapterLibrary::add_dir))
-            }
+            dirs => Book::new(ChapterLibrary::embedded().with(dirs)),
         }
     }
 
     /// The written questions of the folders given. Files that are no good are left out
     /// and listed where a round of them is chosen.
     pub(super) fn own(&self) -> Arc<Library> {
-        let own = with_dirs(Library::default(), &self.concepts, Library::add_dir);
-        Arc::new(own)
+        Arc::new(Library::default().with(&self.concepts))
     }
 
     /// The folders given with levels, chapters and written questions.
@@ -228,12 +220,6 @@ impl GlobalOptions {
         let folder = self.data_dir();
         folder.map_or_else(Store::nowhere, |folder| Store::in_folder(&folder))
     }
-}
-
-/// A library with what is in these folders.
-fn with_dirs<L>(mut library: L, dirs: &[PathBuf], add_dir: fn(&mut L, &Path)) -> L {
-    dirs.iter().for_each(|dir| add_dir(&mut library, dir));
-    library
 }
 
 /// A folder that is there.

@@ -33,9 +33,10 @@ pub fn list(folder: &Path, ending: &str, most: usize) -> Result<List, FileError>
     });
     let mut paths = paths.map_err(|error| fault(format!("cannot be read: {error}")))?;
     paths.sort();
-    let (folders, mut files): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_dir());
-    files.retain(|path| has_ending(path, ending));
-    let (files, odd): (Vec<_>, Vec<_>) = files.into_iter().partition(|path| path.is_file());
+    let (named, mut folders): (Vec<_>, Vec<_>) =
+        paths.into_iter().partition(|path| has_ending(path, ending));
+    folders.retain(|path| path.is_dir());
+    let (files, odd): (Vec<_>, Vec<_>) = named.into_iter().partition(|path| path.is_file());
     let odd = odd.iter().map(|path| not_a_file(path)).collect();
     if files.len() > most {
         let found = files.len();

@@ -1,19 +1,14 @@
 //! The chapters there are: those in the program, and a teacher's own.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
 use super::Chapter;
-use crate::files::{self, FileError};
+use crate::files::{self, FileError, FileLibrary};
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/lessons");
-
-/// How the names of chapters end.
-const ENDING: &str = "md";
-/// The most chapters that are read from one folder.
-const MOST_FILES: usize = 200;
 
 /// All chapters there are to read, in the order of their numbers; the program's own
 /// first.
@@ -31,39 +26,6 @@ impl ChapterLibrary {
     pub fn embedded_once() -> &'static Self {
         static READ: LazyLock<ChapterLibrary> = LazyLock::new(ChapterLibrary::embedded);
         &READ
-    }
-
-    /// The chapters that come with the program.
-    pub fn embedded() -> Self {
-        let mut library = Self::default();
-        for file in files::embedded(&EMBEDDED, ENDING) {
-            library.add(&file.path().display().to_string(), file.contents());
-        }
-        library
-    }
-
-    /// Adds the chapters of a folder. A file that is no good is left out and reported
-    /// in [`ChapterLibrary::problems`].
-    pub fn add_dir(&mut self, dir: &Path) {
-        match files::list(dir, ENDING, MOST_FILES) {
-            Ok(list) => {
-                list.files.iter().for_each(|file| self.add_file(file));
-                self.problems.extend(list.odd);
-                let named = |path: &&PathBuf| path.extension().is_some_and(|it| it == ENDING);
-                let folders = list.folders.iter().filter(named);
-                self.problems
-                    .extend(folders.map(|path| files::not_a_file(path)));
-            }
-            Err(fault) => self.problems.push(fault),
-        }
-    }
-
-    /// Adds one chapter.
-    pub fn add_file(&mut self, path: &Path) {
-        match files::read(path, files::LARGEST) {
-            Ok(bytes) => self.add(&path.display().to_string(), &bytes),
-            Err(fault) => self.problems.push(fault),
-        }
     }
 
     /// The place of the chapter called `name`: its id or its number.
@@ -91,5 +53,26 @@ impl ChapterLibrary {
                 self.problems.push(FileError::of_file(file, message));
             }
         }
+    }
+}
+
+impl FileLibrary for ChapterLibrary {
+    const ENDING: &'static str = "md";
+    const MOST_FILES: usize = 200;
+
+    fn embedded() -> Self {
+        let mut library = Self::default();
+        for file in files::embedded(&EMBEDDED, Self::ENDING) {
+            library.add_bytes(file.path(), file.contents());
+        }
+        library
+    }
+
+    fn problems_mut(&mut self) -> &mut Vec<FileError> {
+        &mut self.problems
+    }
+
+    fn add_bytes(&mut self, path: &Path, bytes: &[u8]) {
+        self.add(&path.display().to_string(), bytes);
     }
 }

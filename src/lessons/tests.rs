@@ -1,4 +1,5 @@
 use super::*;
+use crate::files::FileLibrary;
 use crate::quiz::concepts;
 use crate::quiz::{Misconception, Topic};
 

@@ -1,20 +1,15 @@
 //! Packs of levels: those in the program, and a teacher's own from a folder.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 
 use super::level::Level;
-use crate::files::{self, FileError, List};
+use crate::files::{self, FileError, FileLibrary};
 use crate::numbers::capital;
 
 static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
-
-/// How the names of level files end.
-const ENDING: &str = "toml";
-/// The most level files that are read from one folder.
-const MOST_FILES: usize = 500;
 
 /// Levels that belong together, in the order of their file names.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,51 +45,6 @@ impl LevelLibrary {
         &READ
     }
 
-    /// The packs that come with the program.
-    pub fn embedded() -> Self {
-        let mut library = Self::default();
-        let mut dirs: Vec<_> = EMBEDDED.dirs().collect();
-        dirs.sort_by_key(|dir| order(dir.path()));
-        for dir in dirs {
-            let (_, name) = order(dir.path());
-            for file in files::embedded(dir, ENDING) {
-                library.add(&name, &file.path().display().to_string(), file.contents());
-            }
-        }
-        library
-    }
-
-    /// Adds the level files of a folder as a pack, and those of each folder in it as
-    /// a pack of its own. A file that is no good is left out and reported in
-    /// [`LevelLibrary::problems`].
-    pub fn add_dir(&mut self, dir: &Path) {
-        let mut folders = self.add_files_of(dir);
-        folders.sort_by_key(|folder| order(folder));
-        for inner in folders {
-            self.add_files_of(&inner);
-        }
-    }
-
-    /// Adds the level files of a folder, and gives the folders in it.
-    fn add_files_of(&mut self, dir: &Path) -> Vec<PathBuf> {
-        let list = files::list(dir, ENDING, MOST_FILES).unwrap_or_else(|fault| {
-            self.problems.push(fault);
-            List::default()
-        });
-        list.files.iter().for_each(|file| self.add_file(file));
-        self.problems.extend(list.odd);
-        list.folders
-    }
-
-    /// Adds one level file to the pack named after its folder.
-    pub fn add_file(&mut self, path: &Path) {
-        let (_, name) = path.parent().map(order).unwrap_or_default();
-        match files::read(path, files::LARGEST) {
-            Ok(bytes) => self.add(&name, &path.display().to_string(), &bytes),
-            Err(fault) => self.problems.push(fault),
-        }
-    }
-
     /// Adds the level in the bytes of a file to a pack.
     pub fn add(&mut self, pack: &str, file: &str, bytes: &[u8]) {
         let known = self.packs.iter_mut().find(|known| known.name == pack);
@@ -106,6 +56,44 @@ impl LevelLibrary {
                 name: pack.into(),
                 levels: vec![level],
             }),
+        }
+    }
+}
+
+impl FileLibrary for LevelLibrary {
+    const ENDING: &'static str = "toml";
+    const MOST_FILES: usize = 500;
+
+    fn embedded() -> Self {
+        let mut library = Self::default();
+        let mut dirs: Vec<_> = EMBEDDED.dirs().collect();
+        dirs.sort_by_key(|dir| order(dir.path()));
+        for file in dirs
+            .into_iter()
+            .flat_map(|dir| files::embedded(dir, Self::ENDING))
+        {
+            library.add_bytes(file.path(), file.contents());
+        }
+        library
+    }
+
+    fn problems_mut(&mut self) -> &mut Vec<FileError> {
+        &mut self.problems
+    }
+
+    /// Adds a level to the pack named after its folder.
+    fn add_bytes(&mut self, path: &Path, bytes: &[u8]) {
+        let (_, pack) = path.parent().map(order).unwrap_or_default();
+        self.add(&pack, &path.display().to_string(), bytes);
+    }
+
+    /// Adds the level files of a folder as a pack, and those of each folder in it as
+    /// a pack of its own.
+    fn add_dir(&mut self, folder: &Path) {
+        let mut folders = self.add_files_of(folder);
+        folders.sort_by_key(|folder| order(folder));
+        for inner in folders {
+            self.add_files_of(&inner);
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::process::Command;
 
+use carrom::files::FileLibrary;
 use carrom::levels::{Level, LevelLibrary, Trial, winning_share};
 
 fn levels() -> Vec<Level> {

@@ -4,6 +4,7 @@
 //! `tests/bad-lessons/NAME.expected` is the message for `NAME.md`.
 
 use carrom::cli;
+use carrom::files::FileLibrary;
 use carrom::lessons::{Chapter, ChapterLibrary};
 use carrom::screens::learn::check;
 use carrom::shells::Headless;

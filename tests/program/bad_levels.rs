@@ -4,6 +4,7 @@
 //! `tests/bad-levels/NAME.expected` is the message for `NAME.toml`, or for the
 //! folder `NAME`.
 
+use carrom::files::FileLibrary;
 use carrom::levels::{Level, LevelLibrary, Patience, Scene, judge};
 use proptest::prelude::*;
 

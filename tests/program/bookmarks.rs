@@ -6,6 +6,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use carrom::app::{App, Data};
+use carrom::files::FileLibrary;
 use carrom::lessons::{Book, ChapterLibrary};
 use carrom::messages::{Effect, Input, Key, StoreCall, StoreReply, StoreRequest};
 use carrom::screens::{Place, Settings};

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use carrom::app::Data;
+use carrom::files::FileLibrary;
 use carrom::lessons::{Book, ChapterLibrary};
 use carrom::levels::{LevelLibrary, Shelf};
 use carrom::quiz::concepts::Library;

@@ -3,12 +3,8 @@
 use std::path::Path;
 
 use super::{Concept, read, with_id};
-use crate::files::{self, FileError, FileErrors, escape_control};
+use crate::files::{FileError, FileErrors, FileLibrary, escape_control};
 
-/// How the names of files of questions end.
-const ENDING: &str = "toml";
-/// The most files that are read from one folder.
-const MOST_FILES: usize = 200;
 /// Most letters of a subject, which is the name of a file.
 const LONGEST_SUBJECT: usize = 40;
 
@@ -21,9 +17,11 @@ pub struct Library {
     pub problems: Vec<FileError>,
 }
 
-impl Library {
-    /// The questions in the program.
-    pub fn embedded() -> Self {
+impl FileLibrary for Library {
+    const ENDING: &'static str = "toml";
+    const MOST_FILES: usize = 200;
+
+    fn embedded() -> Self {
         let (concepts, problems) = match super::embedded() {
             Ok(concepts) => (concepts, Vec::new()),
             Err(errors) => (Vec::new(), errors.into_iter().collect()),
@@ -31,28 +29,17 @@ impl Library {
         Self { concepts, problems }
     }
 
-    /// Adds the questions of a folder. A file that is no good is left out and reported
-    /// in [`Library::problems`].
-    pub fn add_dir(&mut self, dir: &Path) {
-        match files::list(dir, ENDING, MOST_FILES) {
-            Ok(list) => list.files.iter().for_each(|file| self.add_file(file)),
-            Err(fault) => self.problems.push(fault),
-        }
+    fn problems_mut(&mut self) -> &mut Vec<FileError> {
+        &mut self.problems
     }
 
-    /// Adds the questions of a file, whose name is their subject.
-    pub fn add_file(&mut self, path: &Path) {
-        let subject = path.file_stem().map(|stem| stem.to_string_lossy());
-        match files::read(path, files::LARGEST) {
-            Ok(bytes) => self.add(
-                &subject.unwrap_or_default(),
-                &path.display().to_string(),
-                &bytes,
-            ),
-            Err(error) => self.problems.push(error),
-        }
+    fn add_bytes(&mut self, path: &Path, bytes: &[u8]) {
+        let subject = path.file_stem().unwrap_or_default().to_string_lossy();
+        self.add(&subject, &path.display().to_string(), bytes);
     }
+}
 
+impl Library {
     /// Adds the questions in the bytes of a file of that subject.
     pub fn add(&mut self, subject: &str, name: &str, bytes: &[u8]) {
         let subject = escape_control(subject, LONGEST_SUBJECT);

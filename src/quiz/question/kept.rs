@@ -48,3 +48,48 @@ impl Form {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn could_be(text: &str) -> bool {
+        serde_json::from_str(text).is_ok_and(|answer| Form::could_be_kept(&answer))
+    }
+
+    #[test]
+    fn answers_in_range_can_be_kept_and_others_cannot() {
+        for answer in [
+            r#"{"theta1_deg": 60.0, "theta2_deg": null}"#,
+            r#"{"theta1_deg": -180, "theta2_deg": 180.00000000000003}"#,
+            r#"{"choice": "less than 90°"}"#,
+            r#"{"angle_deg": -12}"#,
+            r#"{"share_percent": 100}"#,
+            r#"{"offset_mm": -21.5}"#,
+        ] {
+            assert!(could_be(answer), "{answer}");
+        }
+        let long = format!(r#"{{"choice": "{}"}}"#, "x".repeat(500));
+        for answer in [
+            "{}",
+            r#"{"theta1_deg": 200, "theta2_deg": 0}"#,
+            r#"{"theta1_deg": 20}"#,
+            r#"{"theta1_deg": 20, "theta2_deg": 0, "choice": "a"}"#,
+            r#"{"theta1_deg": "=1", "theta2_deg": 0}"#,
+            r#"{"choice": 99}"#,
+            r#"{"choice": ""}"#,
+            &long,
+            r#"{"angle_deg": 1e999}"#,
+            r#"{"angle_deg": NaN}"#,
+            r#"{"angle_deg": 181}"#,
+            r#"{"share_percent": -1}"#,
+            r#"{"speed": 1e300}"#,
+            r#"{"offset_mm": 1e300}"#,
+            r#"{"offset_mm": true}"#,
+            r#"{"unheard_of": 1}"#,
+            r#"{"unheard_of": "x"}"#,
+        ] {
+            assert!(!could_be(answer), "{answer}");
+        }
+    }
+}

@@ -243,6 +243,7 @@ fn said(picture: &mut Picture, level: &Level, made: &MadeShot) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::files::FileLibrary;
     use crate::levels::LevelLibrary;
     use crate::widgets::svg::Svg;
     use crate::widgets::{Charset, Look, Theme};

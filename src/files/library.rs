@@ -1,0 +1,58 @@
+//! What is read from many files: chapters, packs of levels, questions.
+
+use std::path::{Path, PathBuf};
+
+use super::{FileError, LARGEST, List, list, read};
+
+/// A collection that is read from files. A file that is no good is left out and reported.
+pub trait FileLibrary: Default {
+    /// How the names of its files end.
+    const ENDING: &'static str;
+    /// The most files that are read from one folder.
+    const MOST_FILES: usize;
+
+    /// What comes with the program.
+    fn embedded() -> Self;
+
+    /// Where what is wrong with files is reported.
+    fn problems_mut(&mut self) -> &mut Vec<FileError>;
+
+    /// Adds what the bytes of a file hold.
+    fn add_bytes(&mut self, path: &Path, bytes: &[u8]);
+
+    /// Adds one file.
+    fn add_file(&mut self, path: &Path) {
+        match read(path, LARGEST) {
+            Ok(bytes) => self.add_bytes(path, &bytes),
+            Err(fault) => self.problems_mut().push(fault),
+        }
+    }
+
+    /// Adds the files of a folder, and gives the folders in it.
+    fn add_files_of(&mut self, folder: &Path) -> Vec<PathBuf> {
+        let list = list(folder, Self::ENDING, Self::MOST_FILES).unwrap_or_else(|fault| {
+            self.problems_mut().push(fault);
+            List::default()
+        });
+        list.files.iter().for_each(|file| self.add_file(file));
+        self.problems_mut().extend(list.odd);
+        list.folders
+    }
+
+    /// Adds a folder.
+    fn add_dir(&mut self, folder: &Path) {
+        self.add_files_of(folder);
+    }
+
+    /// The same with these folders and files.
+    #[must_use]
+    fn with(mut self, paths: &[PathBuf]) -> Self {
+        for path in paths {
+            match path.is_dir() {
+                true => self.add_dir(path),
+                false => self.add_file(path),
+            }
+        }
+        self
+    }
+}
