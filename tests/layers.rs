@@ -305,10 +305,6 @@ impl Files {
 /// Most files that may use each other in a circle.
 const LARGEST_CIRCLE: usize = 3;
 
-/// Circles that are larger still, by one of their files, with how many files they may have.
-/// They are to be opened by moving shared types down: this list only ever shrinks.
-const KNOWN_CIRCLES: [(&str, usize); 1] = [("screens/table/active_game", 10)];
-
 #[test]
 fn files_that_use_each_other_in_a_circle_are_few() {
     let mut sources = Vec::new();
@@ -320,14 +316,8 @@ fn files_that_use_each_other_in_a_circle_are_few() {
     });
     let sources = sources.iter();
     let files = Files::new(sources.map(|(path, source)| (path.as_str(), source.clone())));
-    let may_have = |circle: &BTreeSet<String>| {
-        let mut known = KNOWN_CIRCLES
-            .iter()
-            .filter(|(file, _)| circle.contains(*file));
-        known.next().map_or(LARGEST_CIRCLE, |(_, files)| *files)
-    };
     let circles = files.circles().into_iter();
-    let large = circles.filter(|circle| circle.len() > may_have(circle));
+    let large = circles.filter(|circle| circle.len() > LARGEST_CIRCLE);
     let told: Vec<_> = large
         .map(|circle| format!("{} files in a circle: {circle:?}", circle.len()))
         .collect();

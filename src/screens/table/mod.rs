@@ -12,7 +12,6 @@ mod pointer;
 mod preview;
 mod saved_games;
 mod tale;
-mod trays;
 mod words;
 
 use std::time::Duration;

@@ -6,6 +6,7 @@ mod arranging;
 mod calling;
 mod keeping;
 mod over;
+mod pictures;
 mod playing;
 mod pulling;
 mod score;
@@ -13,7 +14,10 @@ mod showing;
 #[cfg(test)]
 mod tests;
 mod thinking;
+mod trays;
 mod watching;
+
+use strum::{EnumMessage, IntoStaticStr};
 
 use super::aim::Aim;
 use super::game_history::GameHistory;
@@ -32,12 +36,12 @@ pub(super) use arranging::ArrangeAction;
 use calling::Calling;
 use keeping::GameKeeping;
 pub(super) use over::OverAction;
-pub(super) use playing::GameAction;
 pub(super) use playing::Playing;
-pub(super) use pulling::Grip;
+use pulling::Grip;
 pub(super) use showing::ShowAction;
-pub(super) use showing::ShownStroke;
-pub(super) use watching::{FALL, StrokeAction, StrokeReplay};
+use showing::ShownStroke;
+pub(super) use watching::StrokeAction;
+use watching::StrokeReplay;
 
 /// A game in progress, and the stroke that is being set up.
 #[derive(Debug, Clone)]
@@ -54,7 +58,7 @@ pub(super) struct ActiveGame {
     /// Help with the next stroke.
     pub(super) hint: Option<Hinted>,
     /// What the mouse holds while its button is down.
-    pub(super) grip: Grip,
+    grip: Grip,
     /// What has to be said just now: why something cannot be done.
     notice: Option<String>,
     keeping: GameKeeping,
@@ -62,7 +66,7 @@ pub(super) struct ActiveGame {
 
 /// What is being done at the table.
 #[derive(Debug, Clone)]
-pub(super) enum GamePhase {
+enum GamePhase {
     /// Aiming the next stroke.
     Aim,
     /// Seeing the computer's stroke before it is struck.
@@ -74,6 +78,20 @@ pub(super) enum GamePhase {
     Arrange(Arrange),
     /// The board has ended.
     Over,
+}
+
+/// What keys do in more than one phase of a game.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub enum GameAction {
+    /// the last stroke again, with its impacts
+    LookBack,
+    /// watch the whole game again, stroke by stroke
+    WatchAll,
+    /// export: write the game to a file of its own
+    Export,
+    /// back
+    Back,
 }
 
 /// What follows from something that was done.

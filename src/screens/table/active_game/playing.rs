@@ -3,12 +3,11 @@
 use std::time::Duration;
 
 use ratatui::layout::Rect;
-use strum::{EnumMessage, IntoStaticStr};
 
-use super::{ActiveGame, After, GamePhase};
+use super::{ActiveGame, After, GameAction, GamePhase, pictures, trays};
 use crate::game::{GameStage, Rules};
 use crate::messages::{Key, Mouse, StoreRequest};
-use crate::screens::table::{TableAction, picture, trays, words};
+use crate::screens::table::{TableAction, picture, words};
 use crate::screens::{Confirmation, Context, Next, View};
 use crate::widgets::hit::HitPace;
 use crate::widgets::input::KeyTable;
@@ -21,20 +20,6 @@ use crate::widgets::{Charset, Role, board};
 pub(in crate::screens::table) struct Playing {
     pub(in crate::screens::table) game: ActiveGame,
     pub(super) phase: GamePhase,
-}
-
-/// What keys do in more than one phase of a game.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
-#[strum(serialize_all = "kebab-case")]
-pub enum GameAction {
-    /// the last stroke again, with its impacts
-    LookBack,
-    /// watch the whole game again, stroke by stroke
-    WatchAll,
-    /// export: write the game to a file of its own
-    Export,
-    /// back
-    Back,
 }
 
 impl From<ActiveGame> for Playing {
@@ -272,12 +257,12 @@ impl GamePhase {
 
     fn picture(&self, game: &ActiveGame, area: Rect) -> Picture {
         match self {
-            Self::Aim => picture::of_aim(game, area),
-            Self::Show(shown) => picture::of_show(game, shown, area),
+            Self::Aim => pictures::of_aim(game, area),
+            Self::Show(shown) => pictures::of_show(game, shown, area),
             Self::Call(calling) => calling.picture(area),
             Self::Watch(replay) => match replay.player.zoom() {
                 Some(watch) => watch.picture(area),
-                None => picture::of_replay(game, replay, area),
+                None => pictures::of_replay(game, replay, area),
             },
             Self::Arrange(hand) => hand.picture(game, area),
             Self::Over => picture::of_pack(game.game().coins(), game.set(), area),

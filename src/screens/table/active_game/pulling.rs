@@ -23,7 +23,7 @@ const BACKWARDS: f64 = 0.79;
 
 /// What the mouse holds while its button is down.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(in crate::screens::table) enum Grip {
+pub(super) enum Grip {
     /// Nothing.
     #[default]
     Free,
@@ -42,12 +42,12 @@ pub(in crate::screens::table) enum Grip {
 
 impl ActiveGame {
     /// Whether the striker is pulled back.
-    pub(in crate::screens::table) fn is_pulling(&self) -> bool {
+    pub(super) fn is_pulling(&self) -> bool {
         matches!(self.grip, Grip::Pull { .. })
     }
 
     /// Whether it is pulled far enough to be struck when it is let go.
-    pub(in crate::screens::table) fn is_drawn(&self) -> bool {
+    pub(super) fn is_drawn(&self) -> bool {
         matches!(self.grip, Grip::Pull { to, .. } if self.pull(to) > 0.0)
     }
 

@@ -28,10 +28,10 @@ const PARTS: [Duration; 3] = [
 
 /// A stroke that is about to be struck.
 #[derive(Debug, Clone)]
-pub(in crate::screens::table) struct ShownStroke {
-    pub(in crate::screens::table) stroke: ComputerStroke,
+pub(super) struct ShownStroke {
+    pub(super) stroke: ComputerStroke,
     /// How many of its parts are seen: the place, the direction, the strength.
-    pub(in crate::screens::table) parts: usize,
+    pub(super) parts: usize,
     /// Until the next part, or the stroke; `None` where it waits for a key.
     left: Option<Duration>,
 }

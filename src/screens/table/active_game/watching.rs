@@ -25,36 +25,36 @@ use crate::widgets::replay::{ShotAction, ShotClock, ShotPlayer, WatchRate};
 use crate::widgets::{Charset, Role};
 
 /// Seconds for which a piece that has fallen is seen on its way to its tray.
-pub(in crate::screens::table) const FALL: f64 = 0.6;
+pub(super) const FALL: f64 = 0.6;
 
 /// Seconds for which the end of a stroke is seen, at real speed, before computers play on.
 const END_SEEN: f64 = 4.0;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::screens::table) struct FallingPiece {
-    pub(in crate::screens::table) piece: Piece,
+pub(super) struct FallingPiece {
+    pub(super) piece: Piece,
     /// When, in seconds since the start of the stroke.
-    pub(in crate::screens::table) time: f64,
+    pub(super) time: f64,
     /// Into which corner, as the engine counts them.
-    pub(in crate::screens::table) corner: usize,
+    pub(super) corner: usize,
 }
 
 /// A stroke being watched.
 #[derive(Debug, Clone)]
-pub(in crate::screens::table) struct StrokeReplay {
+pub(super) struct StrokeReplay {
     /// The number of the move it was.
-    pub(in crate::screens::table) number: usize,
+    pub(super) number: usize,
     /// Whether it was made just now: then the game waits, and there is nothing to go back
     /// to but the question whether to leave it.
     pub(super) live: bool,
     /// How long its end has been seen while nobody had to press a key.
     end_seen: Duration,
     /// What each disc of the shot is.
-    pub(in crate::screens::table) pieces: Vec<Piece>,
+    pub(super) pieces: Vec<Piece>,
     /// What falls in it, in order.
-    pub(in crate::screens::table) falls: Vec<FallingPiece>,
+    pub(super) falls: Vec<FallingPiece>,
     /// Its shot, its clock and its impacts.
-    pub(in crate::screens::table) player: ShotPlayer,
+    pub(super) player: ShotPlayer,
 }
 
 /// What keys do while a stroke is watched.
@@ -112,7 +112,7 @@ impl StrokeReplay {
     }
 
     /// The discs on the board now, with where they are.
-    pub(in crate::screens::table) fn discs(&self) -> impl Iterator<Item = (Piece, DVec2)> {
+    pub(super) fn discs(&self) -> impl Iterator<Item = (Piece, DVec2)> {
         let discs = self.player.discs();
         discs.filter_map(|(disc, at)| Some((*self.pieces.get(disc)?, at)))
     }

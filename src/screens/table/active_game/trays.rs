@@ -7,9 +7,10 @@ use glam::{DVec2, dvec2};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::active_game::{ActiveGame, FALL, StrokeReplay};
-use super::words;
+use super::ActiveGame;
+use super::watching::{FALL, StrokeReplay};
 use crate::game::{ByTeam, Game, Piece, Rules, Team};
+use crate::screens::table::words;
 use crate::widgets::flow::Run;
 use crate::widgets::ink::token;
 use crate::widgets::{Item, Look, Role, Words, sheet, text};

@@ -1,0 +1,263 @@
+//! The board of a game in progress: the aim, the computer's aim, a stroke that is watched.
+
+use glam::DVec2;
+use ratatui::layout::Rect;
+
+use super::ActiveGame;
+use super::pulling::Grip;
+use super::showing::ShownStroke;
+use super::watching::{FALL, StrokeReplay};
+use crate::game::{Piece, Seat};
+use crate::physics::{Board, DiscState, stopping_distance};
+use crate::screens::table::computer_stroke::ComputerStroke;
+use crate::screens::table::picture::{bodies, body, ground};
+use crate::screens::table::pointer::Pointer;
+use crate::screens::table::preview::{FirstHit, Preview};
+use crate::screens::table::words;
+use crate::widgets::picture::{DrawLayer, LabelSide, Pen, Picture};
+use crate::widgets::{Role, board, sheet};
+
+/// Seconds after which a trail has faded.
+const FADE: f64 = 0.9;
+/// Shades of a trail, each fainter than the one after it.
+const SHADES: usize = 4;
+/// Longest that a departure is drawn, in metres.
+const LONGEST_RAY: f64 = 0.16;
+/// Length of the arrow that shows the aim where the whole line is not drawn.
+const STUB: f64 = 0.09;
+/// Length of the arrow that shows the strength, in metres for each m/s.
+const ARROW: f64 = 0.03;
+
+/// The board with the striker, its aim and what helps to aim.
+pub(super) fn of_aim(active: &ActiveGame, area: Rect) -> Picture {
+    let mut picture = ground(area);
+    let seat = active.seat();
+    let aim = active.aimed();
+    let place = aim.place;
+    let radius = active.set().striker_radius();
+    let heading = aim.heading(seat);
+    let aids = active.options.aids;
+    let hit = active.first_hit();
+    if !active.is_practice() {
+        own_side(&mut picture, seat);
+    }
+    let pointer = active.hint.as_ref().and_then(|it| it.pointer.as_ref());
+    if let Some(pointer) = pointer {
+        point_out(&mut picture, pointer);
+    }
+    if let Grip::Pull { to, .. } = active.grip {
+        pulled(&mut picture, active, to);
+    }
+    if let Some(preview) = active.preview.as_ref().filter(|_| aids.line) {
+        picture.curve(preview.way.iter().copied(), Pen::new(Role::Aim).dotted());
+    } else {
+        let from = place + radius * heading;
+        picture.arrow(from, from + STUB * heading, Role::Aim);
+    }
+    let striker = body(active.set(), Piece::Striker, place);
+    let mut discs: Vec<_> = bodies(active.set(), active.game().coins()).collect();
+    if let Some(coin) = pointer.and_then(|pointer| discs.get_mut(pointer.coin)) {
+        coin.pointed_out = true;
+    }
+    discs.push(striker);
+    picture.discs(discs);
+    sheet::next_picture_shows(|| {
+        let coins = active
+            .game()
+            .coins()
+            .iter()
+            .map(|coin| (coin.piece, coin.at));
+        let discs = coins.chain([(Piece::Striker, place)]);
+        board::places_in_words(discs.map(|(piece, at)| (piece.to_string(), at)))
+    });
+    if let Some(hit) = &hit {
+        let ghost = hit.ghost();
+        if aids.ghost {
+            board::ghost(&mut picture, ghost, radius, Role::Predicted);
+        }
+        if aids.rays && !active.options.call {
+            departures(&mut picture, hit, ghost);
+        }
+    }
+    picture
+}
+
+/// The striker pulled back, and how hard it would be struck.
+fn pulled(picture: &mut Picture, active: &ActiveGame, to: DVec2) {
+    let place = active.aim.place;
+    let pen = Pen::new(Role::Key).on(DrawLayer::Trail);
+    picture.line(place, to, pen.dashed());
+    let says = match active.is_drawn() {
+        true => format!("{:.1} m/s", active.aim.speed),
+        false => "no stroke".into(),
+    };
+    // Beside the striker, for the mouse may be beyond the picture.
+    let sides = LabelSide::towards(place - to);
+    picture.label(says, place, &sides, Role::Key);
+}
+
+/// The board with a stroke that the computer is about to make, as much of it as is seen.
+pub(super) fn of_show(active: &ActiveGame, shown: &ShownStroke, area: Rect) -> Picture {
+    let mut picture = ground(area);
+    let seat = active.seat();
+    own_side(&mut picture, seat);
+    let (aim, radius) = (&shown.stroke.aim, active.set().striker_radius());
+    if shown.parts > 1 {
+        meant(&mut picture, &shown.stroke, Role::Aim);
+        let preview = shown.stroke.preview.as_ref();
+        if let Some(ghost) = preview.and_then(Preview::first_hit).map(|hit| hit.ghost()) {
+            board::ghost(&mut picture, ghost, radius, Role::Predicted);
+        }
+    }
+    let striker = body(active.set(), Piece::Striker, aim.place);
+    picture.discs(bodies(active.set(), active.game().coins()).chain([striker]));
+    if shown.parts > 2 {
+        let heading = aim.heading(seat);
+        let from = aim.place + radius * heading;
+        picture.arrow(from, from + ARROW * aim.speed * heading, Role::Incoming);
+    }
+    picture
+}
+
+/// The way of the striker as the computer meant it.
+fn meant(picture: &mut Picture, stroke: &ComputerStroke, role: Role) {
+    let way = stroke.preview.iter().flat_map(|preview| &preview.way);
+    let pen = Pen::new(role).on(DrawLayer::Trail);
+    picture.curve(way.copied(), pen.dotted());
+}
+
+/// The stroke as the computer meant it, beside the one that was played: its way, by how
+/// much it was off, and the pocket it was meant for.
+fn beside(picture: &mut Picture, stroke: &ComputerStroke) {
+    if let Some(pointer) = &stroke.pointer {
+        point_out(picture, pointer);
+    }
+    meant(picture, stroke, Role::Predicted);
+    let way = stroke.preview.as_ref().map_or(&[][..], |it| &it.way);
+    if let (&[from, to, ..], Some(off)) = (way, stroke.off()) {
+        let out = (to - from).perp().normalize_or_zero();
+        let sides = LabelSide::towards(out * stroke.decision.slip.turn.signum() * -1.0);
+        let label = picture.label(
+            format!("meant: {off}"),
+            from.lerp(to, 0.6),
+            &sides,
+            Role::Predicted,
+        );
+        label.or(to, &LabelSide::ALL);
+    }
+}
+
+/// Draws the coin's way into the pocket that is spoken of, and the pocket.
+fn point_out(picture: &mut Picture, pointer: &Pointer) {
+    let pen = Pen::new(Role::Good).on(DrawLayer::Trail);
+    picture.curve(pointer.way.iter().copied(), pen.dotted());
+    if let Some(pocket) = pointer.pocket {
+        picture.circle(pocket, Board::default().pocket_radius(), pen);
+    }
+}
+
+/// Where both leave the first hit: as far as each would slide if it met nothing.
+fn departures(picture: &mut Picture, hit: &FirstHit, ghost: DVec2) {
+    let outcome = hit.impact.collision.outcome();
+    let deceleration = Board::default().deceleration();
+    let bodies = [
+        (ghost, outcome.v1, Role::StrikerOut),
+        (hit.at, outcome.v2, Role::CoinOut),
+    ];
+    for (from, v, role) in bodies {
+        let way = stopping_distance(v.length(), deceleration).min(LONGEST_RAY);
+        if way > 1.5 * picture.view().per_column() {
+            // Discs run over it: none may be hidden by what is to come.
+            let pen = Pen::new(role).on(DrawLayer::Trail);
+            picture.arrow(from, from + way * v.normalize_or_zero(), pen);
+        }
+    }
+}
+
+/// Marks the side whose turn it is, between its base line and the frame.
+fn own_side(picture: &mut Picture, seat: Seat) {
+    let half = Board::default().side / 2.0;
+    let end = |along: f64| seat.turn(DVec2::new(along, -half));
+    let pen = Pen::new(Role::Striker).on(DrawLayer::Trail);
+    picture.line(end(-0.2), end(0.2), pen);
+}
+
+/// A stroke at the time its clock shows.
+pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) -> Picture {
+    let mut picture = ground(area);
+    for disc in 0..replay.pieces.len() {
+        trail(&mut picture, replay, disc);
+    }
+    let (clock, zoomed) = (replay.player.clock(), replay.player.chosen().is_some());
+    let past = active.history.past(replay.number);
+    let meant = past.and_then(|past| past.meant.as_deref());
+    if let Some(stroke) = meant.filter(|_| clock.is_over() && !zoomed) {
+        beside(&mut picture, stroke);
+    }
+    for fall in &replay.falls {
+        answer(&mut picture, (clock.time() - fall.time) / FALL, fall.corner);
+    }
+    let discs = replay.discs();
+    picture.discs(discs.map(|(piece, at)| body(active.set(), piece, at)));
+    if let Some((number, impact)) = replay.player.chosen() {
+        let [a, b] = impact
+            .discs
+            .map(|disc| replay.player.shot().at(disc, impact.time).position);
+        let number = number + 1;
+        let share = impact.collision.striker.radius / impact.collision.contact_distance();
+        let contact = a.lerp(b, share);
+        picture.label(format!("{number}"), contact, &LabelSide::ALL, Role::Contact);
+    }
+    picture
+}
+
+/// The pocket answers a disc that has fallen into it: a ring runs out of it. `share` is how
+/// much of its moment has gone by.
+fn answer(picture: &mut Picture, share: f64, corner: usize) {
+    let board = Board::default();
+    if let Some(pocket) = board::pocket(&board, corner).filter(|_| (0.0..1.0).contains(&share)) {
+        let pen = Pen::new(Role::Good).bold().aged(share);
+        let radius = board.pocket_radius();
+        picture.circle(pocket, radius * (0.4 + share), pen);
+        picture.circle(pocket, radius, pen);
+    }
+}
+
+/// Where a disc has been: fading while time runs; at the end the whole way of the
+/// striker, of the coin it met first and of what fell.
+fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
+    let (player, shot) = (&replay.player, replay.player.shot());
+    let (now, told) = (player.clock().time(), player.clock().is_over());
+    let first = player.impacts().first().map(|impact| impact.discs[1]);
+    let fell = || shot.at(disc, now).state == DiscState::Pocketed;
+    if told && disc != 0 && first != Some(disc) && !fell() {
+        return;
+    }
+
+    let piece = replay.pieces.get(disc);
+    let role = piece.map_or(Role::Trail, |piece| words::role(*piece));
+    let pen = Pen::new(role).on(DrawLayer::Trail);
+    for leg in shot.path(disc).filter(|leg| leg.start < now) {
+        if told {
+            picture.line(leg.from, leg.to, pen.dotted());
+            continue;
+        }
+        // The way is straight; where on it the disc is, the shot knows.
+        let place = |time: f64| match time {
+            _ if time <= leg.start => leg.from,
+            _ if time >= leg.end => leg.to,
+            _ => shot.at(disc, time).position,
+        };
+        // A shade has its stretch of time behind the disc: from picture to picture only those
+        // cells change where one shade gives way to the next.
+        let stretch = FADE / SHADES as f64;
+        for shade in (0..SHADES).rev() {
+            let since = now - stretch * (shade + 1) as f64;
+            let (start, end) = (leg.start.max(since), leg.end.min(since + stretch));
+            if start < end {
+                let age = shade as f64 / SHADES as f64;
+                picture.line(place(start), place(end), pen.aged(age));
+            }
+        }
+    }
+}
