@@ -122,8 +122,7 @@ impl Lab {
         }
     }
 
-    fn shoot(&mut self, rays: Option<&RayInput>, cx: &mut Context) {
-        let said = rays.and_then(RayInput::said);
+    fn shoot(&mut self, said: Option<Rays>, cx: &mut Context) {
         let collision = self.settings.setup.collision();
         let truth = Rays::from(&collision.outcome());
         if said.is_some_and(|said| RaysGrade::new(&said, &truth).is_right()) {
@@ -131,15 +130,6 @@ impl Lab {
         }
         let watch = Watch::new(collision, said, cx.settings.pace());
         self.phase = LabPhase::Watch(Box::new(watch));
-    }
-
-    fn say(&mut self, action: RayAction, cx: &mut Context) {
-        if let LabPhase::Predict(rays) = &mut self.phase
-            && let Outcome::Done(()) = rays.act(action)
-        {
-            let rays = rays.clone();
-            self.shoot(Some(&rays), cx);
-        }
     }
 }
 
@@ -229,44 +219,46 @@ impl Screen for Lab {
 
     fn act(&mut self, action: LabAction, cx: &mut Context) -> Next {
         let (settings, form) = (&mut self.settings, &mut self.form);
-        match action {
-            LabAction::Go => self.go(cx),
-            LabAction::Set(action) => form.act(action, settings),
-            LabAction::NextSet => {
+        match (&mut self.phase, action) {
+            (_, LabAction::Go) => self.go(cx),
+            (_, LabAction::Set(action)) => form.act(action, settings),
+            (_, LabAction::NextSet) => {
                 form.commit(settings);
                 settings.mystery = None;
                 pieces::put_out_next(&mut settings.setup);
             }
-            LabAction::Contact => form.step_at(CollisionField::Contact as usize, 1.0, settings),
-            LabAction::MysteryCoin => {
+            (_, LabAction::Contact) => {
+                form.step_at(CollisionField::Contact as usize, 1.0, settings);
+            }
+            (_, LabAction::MysteryCoin) => {
                 form.commit(settings);
                 let coin = Mystery::put_out(&mut settings.setup, cx.next_seed());
                 settings.mystery = Some(coin);
             }
-            LabAction::Predict => cx.settings.predict = !cx.settings.predict,
-            LabAction::Live => self.live = !self.live,
-            LabAction::Reset => {
+            (_, LabAction::Predict) => cx.settings.predict ^= true,
+            (_, LabAction::Live) => self.live ^= true,
+            (_, LabAction::Reset) => {
                 form.give_up();
                 *settings = LabSettings::default();
             }
-            LabAction::Say(action) => self.say(action, cx),
-            LabAction::Weigh(action) => {
-                if let Some(coin) = &mut settings.mystery {
-                    coin.act(action);
+            (LabPhase::Predict(rays), LabAction::Say(action)) => {
+                if rays.act(action) == Outcome::Done(()) {
+                    let said = rays.said();
+                    self.shoot(said, cx);
                 }
             }
-            LabAction::Watch(action) => {
-                if let LabPhase::Watch(watch) = &mut self.phase {
-                    watch.act(action);
-                }
+            (LabPhase::Watch(watch), LabAction::Watch(action)) => watch.act(action),
+            (LabPhase::Watch(_), LabAction::Weigh(action)) => {
+                settings.mystery.iter_mut().for_each(|it| it.act(action));
             }
-            LabAction::SetUp => self.phase = LabPhase::Aim,
-            LabAction::Back => {
+            (_, LabAction::SetUp) => self.phase = LabPhase::Aim,
+            (_, LabAction::Back) => {
                 if !self.lent {
                     cx.lab = Some(settings.clone());
                 }
                 return Next::Back;
             }
+            _ => return Next::Ignored,
         }
         Next::Stay
     }

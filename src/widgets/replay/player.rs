@@ -6,7 +6,7 @@ use glam::DVec2;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{ShotClock, ShotImpact, WatchRate, impacts};
-use crate::messages::{Key, Mouse, MouseKind};
+use crate::messages::Key;
 use crate::physics::{DiscState, Shot};
 use crate::quiz::Rays;
 use crate::widgets::hit::{FRAME, Face, HitPace, Watch, WatchAction};
@@ -196,31 +196,6 @@ impl ShotPlayer {
         }
     }
 
-    /// What the mouse stands for: the wheel steps, a click on the picture does what Space
-    /// does. In the list of impacts the wheel and a click on its lines choose, `line`
-    /// being the one that is pointed at.
-    pub(crate) fn pointed(
-        &self,
-        mouse: &Mouse,
-        on_picture: bool,
-        line: Option<usize>,
-    ) -> Option<ShotAction> {
-        if let Showing::Impacts = self.showing {
-            let mut list = self.list;
-            return match list.mouse(mouse, self.impacts.len(), line) {
-                Outcome::Ignored => None,
-                Outcome::Used => Some(ShotAction::Point(list.chosen(self.impacts.len()))),
-                Outcome::Done(_) => Some(ShotAction::List(ListAction::Open)),
-            };
-        }
-        self.keys().exact(match mouse.kind {
-            MouseKind::ScrollUp => Key::Char('.'),
-            MouseKind::ScrollDown => Key::Char(','),
-            MouseKind::Down if on_picture => Key::Char(' '),
-            _ => return None,
-        })
-    }
-
     /// What a click on the picture stands for: what Space does, but not in the list of impacts.
     pub(crate) fn clicked(&self) -> Option<ShotAction> {
         match self.showing {
@@ -400,14 +375,10 @@ mod tests {
     #[test]
     fn the_wheel_steps_and_a_click_goes_on_while_there_is_something_to_go_on_to() {
         let mut player = player(false);
-        let mouse = |kind| Mouse::over(kind, (0, 0));
-        let step = player.pointed(&mouse(MouseKind::ScrollUp), false, None);
-        assert_eq!(step, Some(ShotAction::Step(1)));
-        let click = mouse(MouseKind::Down);
-        assert_eq!(player.pointed(&click, false, None), None);
-        assert_eq!(player.pointed(&click, true, None), Some(ShotAction::GoOn));
+        assert_eq!(player.wheel(-1), Some(ShotAction::Step(1)));
+        assert_eq!(player.clicked(), Some(ShotAction::GoOn));
         press(&mut player, Key::End);
-        assert_eq!(player.pointed(&click, true, None), None);
+        assert_eq!(player.clicked(), None);
     }
 
     #[test]

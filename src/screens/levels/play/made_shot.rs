@@ -3,9 +3,10 @@
 use crate::levels::{Judgement, Level, Win, judge};
 use crate::physics::{Event, EventKind, Shot};
 use crate::quiz::{Ray, RayGrade, Rays};
+use crate::screens::Context;
 use crate::screens::levels::words::face_of;
 use crate::widgets::RayInput;
-use crate::widgets::replay::{ShotClock, ShotImpact, ShotPlayer, WatchRate};
+use crate::widgets::replay::{ShotAction, ShotClock, ShotImpact, ShotPlayer, WatchRate};
 
 /// Until when a shot is seen. Where nothing counts but the first hit, that is to the next
 /// cushion after it.
@@ -88,8 +89,33 @@ impl MadeShot {
         }
     }
 
-    /// Notes whether all has been seen.
-    pub(super) fn note_end(&mut self) {
+    /// Works the clock, or an impact.
+    pub(super) fn watch(&mut self, action: ShotAction, level: usize, cx: &mut Context) {
+        let pace = cx.settings.pace();
+        self.player.act(action, &mut cx.settings.watch_rate, pace);
+        self.keep_if_told(level, cx);
+    }
+
+    /// Notes whether all has been seen, and then keeps a win in the level of this number.
+    pub(super) fn keep_if_told(&mut self, level: usize, cx: &mut Context) {
         self.told |= self.player.zoom().is_none() && self.player.clock().is_over();
+        if self.told {
+            self.keep(level, cx);
+        }
+    }
+
+    /// Keeps a win; one that was not watched to its end counts all the same.
+    pub(super) fn keep(&self, level: usize, cx: &mut Context) {
+        if let Some(win) = self.win {
+            cx.won(level, win);
+        }
+    }
+
+    /// What came about: of the goals the first that was missed.
+    pub(super) fn in_short(&self) -> Option<String> {
+        let findings = &self.verdict.findings;
+        let unmet = findings.iter().find(|finding| !finding.met);
+        let finding = unmet.or(findings.first())?;
+        Some(finding.told.clone())
     }
 }

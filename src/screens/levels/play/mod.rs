@@ -169,44 +169,9 @@ impl LevelPlay {
         let settings = &cx.settings;
         let watched = (settings.watch_rate, settings.reduced_motion);
         let count = (self.shots, self.hints);
-        let made = MadeShot::new(self.level(), shot, count, to_say, said, watched);
+        let mut made = MadeShot::new(self.level(), shot, count, to_say, said, watched);
+        made.keep_if_told(self.number, cx);
         self.phase = LevelPhase::Watch(Box::new(made));
-        self.keep_if_told(cx);
-    }
-
-    /// Keeps a win once it has been told.
-    fn keep_if_told(&mut self, cx: &mut Context) {
-        if let LevelPhase::Watch(made) = &mut self.phase {
-            made.note_end();
-            if made.told {
-                self.keep(cx);
-            }
-        }
-    }
-
-    fn keep(&self, cx: &mut Context) {
-        if let LevelPhase::Watch(made) = &self.phase
-            && let Some(win) = made.win
-        {
-            cx.won(self.number, win);
-        }
-    }
-
-    /// Back to the aim. A win that was not watched to its end counts all the same.
-    fn leave_shot(&mut self, cx: &mut Context) {
-        self.keep(cx);
-        if let LevelPhase::Watch(made) = &self.phase {
-            let findings = &made.verdict.findings;
-            let unmet = findings.iter().find(|finding| !finding.met);
-            if let Some(finding) = unmet.or(findings.first()) {
-                self.earlier.push(EarlierShot {
-                    number: self.shots,
-                    set: self.dials.setting(),
-                    told: finding.told.clone(),
-                });
-            }
-        }
-        self.phase = LevelPhase::Aim;
     }
 
     fn next_level(&self, cx: &Context) -> Next {
@@ -216,26 +181,6 @@ impl LevelPlay {
         } else {
             Next::Back
         }
-    }
-
-    /// Makes the shot of which all has been said.
-    fn say(&mut self, action: RayAction, cx: &mut Context) {
-        if let LevelPhase::Predict(pending) = &mut self.phase
-            && let Outcome::Done(()) = pending.rays.act(action)
-        {
-            let said = pending.rays.clone();
-            let shot = std::mem::take(&mut pending.shot);
-            self.shoot(shot, true, Some(said), cx);
-        }
-    }
-
-    fn watch(&mut self, action: ShotAction, cx: &mut Context) {
-        if let LevelPhase::Watch(made) = &mut self.phase {
-            let settings = &mut cx.settings;
-            let pace = settings.pace();
-            made.player.act(action, &mut settings.watch_rate, pace);
-        }
-        self.keep_if_told(cx);
     }
 }
 
@@ -315,58 +260,75 @@ impl Screen for LevelPlay {
     }
 
     fn act(&mut self, action: LevelAction, cx: &mut Context) -> Next {
-        match action {
-            LevelAction::Go => self.go(cx),
-            LevelAction::Set(action) => self.form.act(action, &mut self.dials),
-            LevelAction::Reset => {
+        match (&mut self.phase, action) {
+            (_, LevelAction::Go) => self.go(cx),
+            (_, LevelAction::Set(action)) => self.form.act(action, &mut self.dials),
+            (_, LevelAction::Reset) => {
                 self.form.give_up();
                 self.dials.reset();
             }
-            LevelAction::Hint => {
+            (_, LevelAction::Hint) => {
                 self.hints = (self.hints + 1).min(self.level().hints.len());
                 return Next::Shared(SharedAction::Scroll(i16::MAX));
             }
-            LevelAction::Predict => cx.settings.predict = !cx.settings.predict,
-            LevelAction::Say(action) => self.say(action, cx),
-            LevelAction::Watch(action) => self.watch(action, cx),
-            LevelAction::NextLevel => return self.next_level(cx),
-            LevelAction::AimAgain => self.leave_shot(cx),
-            LevelAction::Back => return Next::Back,
+            (_, LevelAction::Predict) => cx.settings.predict ^= true,
+            (LevelPhase::Predict(pending), LevelAction::Say(action)) => {
+                if pending.rays.act(action) == Outcome::Done(()) {
+                    let PendingShot { rays, shot, .. } = (**pending).clone();
+                    self.shoot(shot, true, Some(rays), cx);
+                }
+            }
+            (LevelPhase::Watch(made), LevelAction::Watch(action)) => {
+                made.watch(action, self.number, cx);
+            }
+            (_, LevelAction::NextLevel) => return self.next_level(cx),
+            (phase, LevelAction::AimAgain) => {
+                if let LevelPhase::Watch(made) = std::mem::replace(phase, LevelPhase::Aim) {
+                    made.keep(self.number, cx);
+                    let told = made.in_short().map(|told| EarlierShot {
+                        number: self.shots,
+                        set: self.dials.setting(),
+                        told,
+                    });
+                    self.earlier.extend(told);
+                }
+            }
+            (_, LevelAction::Back) => return Next::Back,
+            _ => return Next::Ignored,
         }
         Next::Stay
     }
 
     fn point(&mut self, mouse: &Mouse, picture: Rect, cx: &mut Context) -> Next {
         let pressed = mouse.kind == MouseKind::Down;
-        let on_picture = picture.contains(mouse.cell().into());
-        let is_drawing = mouse.is_held() && on_picture;
+        if !mouse.is_held() || !picture.contains(mouse.cell().into()) {
+            return Next::Ignored;
+        }
         match &mut self.phase {
-            LevelPhase::Aim if is_drawing => {
+            LevelPhase::Aim => {
                 let view = board::view(&self.dials.level, picture);
                 let (at, near) = (view.to_world(mouse.place()), view.per_row());
                 self.dials.drag(&mut self.form, at, near, pressed);
             }
-            LevelPhase::Predict(pending) if is_drawing => {
+            LevelPhase::Predict(pending) => {
                 let (collision, rays) = (&pending.impact.collision, &mut pending.rays);
                 point_at(picture, collision, rays, mouse.place(), pressed);
             }
-            LevelPhase::Watch(made) => match made.player.pointed(mouse, on_picture, None) {
-                Some(action) => self.watch(action, cx),
+            LevelPhase::Watch(made) => match made.player.clicked().filter(|_| pressed) {
+                Some(action) => made.watch(action, self.number, cx),
                 None => return Next::Ignored,
             },
-            _ => return Next::Ignored,
         }
         Next::Stay
     }
 
     fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
-        match &self.phase {
+        match &mut self.phase {
             LevelPhase::Aim => self.dials.wheel(&mut self.form, f64::from(-by)),
             LevelPhase::Predict(_) => return Next::Ignored,
             LevelPhase::Watch(made) => {
-                let key = Key::Char(if by < 0 { '.' } else { ',' });
-                if let Some(action) = made.player.keys().exact(key) {
-                    self.watch(action, cx);
+                if let Some(action) = made.player.wheel(by) {
+                    made.watch(action, self.number, cx);
                 }
             }
         }
@@ -376,8 +338,8 @@ impl Screen for LevelPlay {
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
         if let LevelPhase::Watch(made) = &mut self.phase {
             made.player.advance(passed, cx.settings.pace());
+            made.keep_if_told(self.number, cx);
         }
-        self.keep_if_told(cx);
     }
 
     fn wake(&self, cx: &Context) -> Option<Duration> {
