@@ -70,16 +70,23 @@ pub(crate) struct FoilScreen {
     page: FoilPage,
     /// The setting that keys change.
     form: SettingsForm,
-    /// What is said of the beam, while that is asked for.
-    guess: Option<AnswerInput>,
-    /// The beam, since the setting last changed.
-    run: Option<BeamRun>,
+    beam: BeamPhase,
     /// Beams thrown before it.
     runs: u64,
     /// Whether counts are on the scale that is not the usual one for their law.
     other_scale: bool,
     /// Whether the counts of 1913 are shown as shares of the law.
     levelled: bool,
+}
+
+/// How far the beam of this setting is.
+#[derive(Debug, Clone, Default)]
+enum BeamPhase {
+    #[default]
+    NotThrown,
+    /// It is said what it will do.
+    Guess(AnswerInput),
+    Thrown(BeamRun),
 }
 
 impl FoilScreen {
@@ -105,12 +112,19 @@ impl FoilScreen {
     }
 
     fn is_running(&self) -> bool {
-        self.page == FoilPage::Counts && self.run.as_ref().is_some_and(BeamRun::is_running)
+        self.page == FoilPage::Counts && self.run().is_some_and(BeamRun::is_running)
+    }
+
+    fn run(&self) -> Option<&BeamRun> {
+        match &self.beam {
+            BeamPhase::Thrown(run) => Some(run),
+            _ => None,
+        }
     }
 
     /// Stops the beam, or lets it go on.
     fn halt(&mut self, halted: bool) {
-        if let Some(run) = &mut self.run {
+        if let BeamPhase::Thrown(run) = &mut self.beam {
             run.halted = halted;
         }
     }
@@ -123,7 +137,7 @@ impl FoilScreen {
         if self.setup.law() != before.law()
             || self.setup.particles_exponent != before.particles_exponent
         {
-            self.run = None;
+            self.beam = BeamPhase::NotThrown;
         }
     }
 
@@ -143,7 +157,13 @@ impl FoilScreen {
         let mut others = self.fields().rows().into_iter();
         let place = others.position(|row| Some(row.name) == chosen);
         self.form = SettingsForm::at(place.unwrap_or(0));
-        self.guess = None;
+        self.leave_guess();
+    }
+
+    fn leave_guess(&mut self) {
+        if let BeamPhase::Guess(_) = self.beam {
+            self.beam = BeamPhase::NotThrown;
+        }
     }
 
     fn turn_by(&mut self, pages: isize) {
@@ -156,37 +176,33 @@ impl FoilScreen {
     /// wanted.
     fn throw(&mut self, cx: &Context) {
         self.commit();
-        match &self.run {
-            Some(run) if !run.is_over() => self.halt(false),
-            Some(_) => self.begin(None, cx.seed()),
-            None if cx.settings.predict => {
-                self.guess = Some(AnswerInput::Choice {
+        match &self.beam {
+            BeamPhase::Thrown(run) if !run.is_over() => self.halt(false),
+            BeamPhase::NotThrown if cx.settings.predict => {
+                self.beam = BeamPhase::Guess(AnswerInput::Choice {
                     chosen: None,
                     count: guess::CHOICES.len(),
                 });
             }
-            None => self.begin(None, cx.seed()),
+            _ => self.begin(None, cx.seed()),
         }
     }
 
     /// Begins a beam of new particles; what was said of the last one of its kind still
     /// stands.
     fn begin(&mut self, said: Option<f64>, seed: u64) {
-        let said = said.or_else(|| self.run.as_ref().and_then(|run| run.said));
+        let said = said.or_else(|| self.run().and_then(|run| run.said));
         let seed = seed.wrapping_add(self.runs);
         self.runs = self.runs.wrapping_add(1);
         let (law, particles) = (self.setup.law(), self.setup.particles());
-        self.run = Some(BeamRun::new(law, seed, particles, said));
+        self.beam = BeamPhase::Thrown(BeamRun::new(law, seed, particles, said));
     }
 
-    fn say(&mut self, action: AnswerAction, cx: &Context) {
-        if let Some(guess) = &mut self.guess
-            && guess.act(action) == Outcome::Done(())
-            && let Some(Response::Choice(chosen)) = guess.said()
-        {
-            self.guess = None;
-            let said = guess::CHOICES.get(chosen).map(|(_, share)| *share);
-            self.begin(said, cx.seed());
+    /// Throws the particles between two pictures: as many whatever time has passed, so that a
+    /// beam is never in the way of the next picture.
+    fn throw_on(&mut self) {
+        if let BeamPhase::Thrown(run) = &mut self.beam {
+            run.advance();
         }
     }
 
@@ -254,11 +270,7 @@ impl Screen for FoilScreen {
     }
 
     fn advance(&mut self, _passed: Duration, _cx: &mut Context) {
-        // As many particles a picture whatever time it took, so that a beam is never in
-        // the way of the next picture.
-        if let Some(run) = &mut self.run {
-            run.advance();
-        }
+        self.throw_on();
     }
 
     fn wake(&self, _cx: &Context) -> Option<Duration> {
@@ -273,7 +285,9 @@ impl Screen for FoilScreen {
         match self.page {
             FoilPage::Tracks => return Next::after(self.move_particle(mouse, picture)),
             FoilPage::Counts if pressed && self.is_running() => self.halt(true),
-            FoilPage::Counts if pressed && self.guess.is_none() => self.throw(cx),
+            FoilPage::Counts if pressed && !matches!(self.beam, BeamPhase::Guess(_)) => {
+                self.throw(cx);
+            }
             FoilPage::Measured if pressed => self.levelled = !self.levelled,
             _ => return Next::Ignored,
         }
@@ -307,7 +321,7 @@ impl Screen for FoilScreen {
         let typing = self.form.is_typing();
         // Here these keys turn the page and scroll.
         let own = [Key::Tab, Key::BackTab, Key::PageUp, Key::PageDown];
-        if let Some(guess) = &self.guess {
+        if let BeamPhase::Guess(guess) = &self.beam {
             let keys = guess.keys().without_keys(&own);
             let keys = keys.renamed("say it, and throw", |action| action == AnswerAction::Enter);
             let keys = keys.renamed("", |action| matches!(action, AnswerAction::Choose(_)));
@@ -318,7 +332,7 @@ impl Screen for FoilScreen {
                 .or([(Key::BackTab, TurnPage(-1))]);
         }
         let form = || self.form.keys(&self.fields()).without_keys(&own);
-        let throw = match &self.run {
+        let throw = match self.run() {
             _ if self.page == FoilPage::Tracks => "a whole beam",
             None => "throw the beam",
             Some(run) if run.is_over() => "another beam",
@@ -367,24 +381,32 @@ impl Screen for FoilScreen {
     }
 
     fn act(&mut self, action: FoilAction, cx: &mut Context) -> Next {
-        match action {
-            FoilAction::TurnPage(by) => self.turn_by(by),
-            FoilAction::Open(page) => self.turn_to(page),
-            FoilAction::Set(action) => self.edit(|form, fields| form.act(action, fields)),
-            FoilAction::WholeBeam => self.turn_to(FoilPage::Counts),
-            FoilAction::Throw => self.throw(cx),
-            FoilAction::Stop => self.halt(true),
-            FoilAction::Guess(action) => self.say(action, cx),
-            FoilAction::LeaveGuess => self.guess = None,
-            FoilAction::Scale => self.other_scale = !self.other_scale,
-            FoilAction::OtherPlot => self.levelled = !self.levelled,
-            FoilAction::Export => self.export(cx),
-            FoilAction::Predict => cx.settings.predict = !cx.settings.predict,
-            FoilAction::Reset => self.edit(|form, fields| {
+        match (&mut self.beam, action) {
+            (_, FoilAction::TurnPage(by)) => self.turn_by(by),
+            (_, FoilAction::Open(page)) => self.turn_to(page),
+            (_, FoilAction::Set(action)) => self.edit(|form, fields| form.act(action, fields)),
+            (_, FoilAction::WholeBeam) => self.turn_to(FoilPage::Counts),
+            (_, FoilAction::Throw) => self.throw(cx),
+            (_, FoilAction::Stop) => self.halt(true),
+            (BeamPhase::Guess(guess), FoilAction::Guess(action)) => {
+                if let (Outcome::Done(()), Some(Response::Choice(chosen))) =
+                    (guess.act(action), guess.said())
+                {
+                    let said = guess::CHOICES.get(chosen).map(|(_, share)| *share);
+                    self.begin(said, cx.seed());
+                }
+            }
+            (_, FoilAction::LeaveGuess) => self.leave_guess(),
+            (_, FoilAction::Scale) => self.other_scale ^= true,
+            (_, FoilAction::OtherPlot) => self.levelled ^= true,
+            (_, FoilAction::Export) => self.export(cx),
+            (_, FoilAction::Predict) => cx.settings.predict ^= true,
+            (_, FoilAction::Reset) => self.edit(|form, fields| {
                 form.give_up();
                 fields.setup = FoilSetup::default();
             }),
-            FoilAction::Back => return Next::Back,
+            (_, FoilAction::Back) => return Next::Back,
+            _ => return Next::Ignored,
         }
         Next::Stay
     }

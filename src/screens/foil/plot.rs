@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::field::shown_counts;
-use super::{BeamRun, FoilScreen, FoilSetup, view};
+use super::{FoilScreen, FoilSetup, view};
 use crate::beams::CountedFor;
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::rutherford::FM;
@@ -114,7 +114,7 @@ impl FoilFigure {
         match action {
             FoilFigureAction::Offset(by) => foil.step_offset(by),
             FoilFigureAction::Beam if foil.is_running() => foil.halt(true),
-            FoilFigureAction::Beam => match &foil.run {
+            FoilFigureAction::Beam => match foil.run() {
                 Some(run) if !run.is_over() => foil.halt(false),
                 _ => foil.begin(None, SEED),
             },
@@ -143,7 +143,7 @@ impl FoilFigure {
 
     /// Throws the particles between two pictures.
     pub(crate) fn advance(&mut self) {
-        self.0.run.iter_mut().for_each(BeamRun::advance);
+        self.0.throw_on();
     }
 
     /// When it next needs time.
@@ -167,7 +167,7 @@ mod tests {
     fn on_a_small_screen_the_counts_fall_as_the_texts_say() {
         let figure = FoilFigure::new(FoilPage::Counts, false, false);
         assert_eq!(figure.0.setup.counted_for(), Some(CountedFor::Steradian));
-        let run = figure.0.run.as_ref().unwrap();
+        let run = figure.0.run().unwrap();
         let at =
             |degrees| expected_at(&run.law, CountedFor::Steradian, run.thrown(), degrees).unwrap();
         assert_eq!((at(15.0) / at(150.0)).round(), 2999.0);
@@ -197,7 +197,7 @@ mod tests {
             pictures += 1;
         }
         assert!(pictures > 60, "{pictures}");
-        let counts = |plot: &FoilFigure| plot.0.run.as_ref().unwrap().counts;
+        let counts = |plot: &FoilFigure| plot.0.run().unwrap().counts;
         assert_eq!(counts(&watched), counts(&whole));
         assert!(watched.update(Key::Char(' ')) && watched.wake().is_some());
         assert!(watched.update(Key::Escape) && watched.wake().is_none());
