@@ -374,7 +374,7 @@ impl App {
     /// The cells beside the picture that do something when they are clicked, from the top.
     pub fn targets(&self) -> Vec<Rect> {
         match (self.layers.last(), self.stack.last()) {
-            (None, Some(screen)) => screen.targets(&self.context),
+            (None, Some(screen)) if !self.too_small() => screen.targets(&self.context),
             _ => Vec::new(),
         }
     }

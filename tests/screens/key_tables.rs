@@ -21,12 +21,17 @@ use crate::tour::TOUR;
 pub(crate) struct Moment {
     pub(crate) name: &'static str,
     takes_any: bool,
-    game: Box<dyn Fn() -> Headless>,
+    game: Box<dyn Fn(Settings) -> Headless>,
 }
 
 impl Moment {
     pub(crate) fn game(&self) -> Headless {
-        (self.game)()
+        self.with(Settings::default())
+    }
+
+    /// The game of somebody with these settings.
+    pub(crate) fn with(&self, settings: Settings) -> Headless {
+        (self.game)(settings)
     }
 }
 
@@ -35,7 +40,7 @@ pub(crate) fn moments() -> impl Iterator<Item = Moment> {
     let tour = TOUR.iter().map(|stop| Moment {
         name: stop.name,
         takes_any: stop.takes_any,
-        game: Box::new(|| stop.game(Settings::default())),
+        game: Box::new(|settings| stop.game(settings)),
     });
     let more = Moment {
         name: "table, the end of a board",
@@ -53,13 +58,13 @@ fn a_hint_told() -> Headless {
 }
 
 /// A kept game of two computers whose last stroke is played.
-fn end_of_a_board() -> Headless {
+fn end_of_a_board(settings: Settings) -> Headless {
     let bytes = include_bytes!("../saves/board-over-1.toml");
     let (saved, _) = SavedGame::read("board-over-1.toml", bytes).unwrap();
     let mut store = Store::in_memory().timeless();
     let wish = StoreRequest::Save(Box::new(saved));
     store.answer(&StoreCall { ticket: 99, wish });
-    let app = App::new(Place::Table, Settings::default(), 7);
+    let app = App::new(Place::Table, settings, 7);
     let mut game = Headless::keeping(app, 80, 24, store);
     game.press("s<Enter>");
     game

@@ -1,29 +1,97 @@
-//! What is clicked beside a picture is what stands there.
+//! What is clicked beside a picture is what stands there, on a screen of any size.
 
-use crate::key_tables::{moments, seen};
+use std::cell::Cell;
+
+use carrom::screens::Settings;
+use carrom::widgets::Charset;
+use proptest::prelude::*;
+use proptest::sample::{Index, select};
+use proptest::test_runner::{RngSeed, TestRunner};
+
+use crate::key_tables::{Moment, moments, seen};
+
+/// Screens of each moment, of any size, and a target on each.
+const SCREENS: u32 = 12;
+
+/// A screen, and a cell of one of its targets.
+#[derive(Debug, Clone)]
+struct Clicked {
+    size: (u16, u16),
+    charset: Charset,
+    target: Index,
+    cell: [Index; 2],
+}
+
+fn clicked() -> impl Strategy<Value = Clicked> {
+    let charsets = select(vec![Charset::Ascii, Charset::Unicode]);
+    let sizes = (40_u16..200, 16_u16..70);
+    let parts = (sizes, charsets, any::<Index>(), any::<[Index; 2]>());
+    parts.prop_map(|(size, charset, target, cell)| Clicked {
+        size,
+        charset,
+        target,
+        cell,
+    })
+}
+
+/// Clicks on a target, and elsewhere does what it stands for; says whether there was one, and
+/// whether that changed anything.
+fn click(moment: &Moment, clicked: &Clicked) -> Result<Option<bool>, TestCaseError> {
+    let game = || {
+        let mut game = moment.with(Settings {
+            charset: clicked.charset,
+            ..Settings::default()
+        });
+        game.resize(clicked.size.0, clicked.size.1);
+        game
+    };
+    let mut by_click = game();
+    let targets = by_click.app().targets();
+    if targets.is_empty() {
+        return Ok(None);
+    }
+    let number = clicked.target.index(targets.len());
+    let cells = targets[number];
+    let [across, down] = &clicked.cell;
+    let before = seen(&mut by_click);
+    by_click.click((
+        cells.x + across.index(cells.width.into()) as u16,
+        cells.y + down.index(cells.height.into()) as u16,
+    ));
+    let mut by_choice = game();
+    by_choice.choose(number);
+    let after = seen(&mut by_choice);
+    prop_assert!(
+        seen(&mut by_click) == after,
+        "{}: target {number} at {cells:?}",
+        moment.name
+    );
+    Ok(Some(after != before))
+}
 
 #[test]
-fn a_click_in_the_middle_of_a_target_does_what_the_target_does() {
-    let mut targets = 0;
-    for size in [(80, 24), (120, 40), (60, 20), (61, 50)] {
-        for moment in moments() {
-            let game = || {
-                let mut game = moment.game();
-                game.resize(size.0, size.1);
-                game
-            };
-            for (number, cells) in game().app().targets().into_iter().enumerate() {
-                let (mut clicked, mut chosen) = (game(), game());
-                clicked.click((cells.x + cells.width / 2, cells.y + cells.height / 2));
-                chosen.choose(number);
-                assert!(
-                    seen(&mut clicked) == seen(&mut chosen),
-                    "{} at {size:?}: target {number} at {cells:?}",
-                    moment.name
-                );
-                targets += 1;
+fn a_click_on_a_target_does_what_the_target_does() {
+    let (clicks, changes) = (Cell::new(0), Cell::new(0));
+    for (number, moment) in (0..).zip(moments()) {
+        let mut runner = TestRunner::new(ProptestConfig {
+            cases: SCREENS,
+            failure_persistence: None,
+            rng_seed: RngSeed::Fixed(number),
+            ..ProptestConfig::default()
+        });
+        let outcome = runner.run(&clicked(), |clicked| {
+            if let Some(changed) = click(&moment, &clicked)? {
+                clicks.set(clicks.get() + 1);
+                changes.set(changes.get() + u32::from(changed));
             }
-        }
+            Ok(())
+        });
+        outcome.unwrap();
     }
-    assert!(targets > 100, "{targets}");
+    let (clicks, changes) = (clicks.get(), changes.get());
+    // What is chosen already stays as it is.
+    assert!(
+        clicks > 400 && 5 * changes > 4 * clicks,
+        "{changes} of {clicks}"
+    );
 }

@@ -34,7 +34,7 @@ use setup::Obstacle::{Hard, Nucleus};
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum FoilAction {
-    /// next page; Shift+Tab the one before
+    /// next page, or the page before
     TurnPage(isize),
     /// open a page by its name
     Open(FoilPage),

@@ -209,11 +209,11 @@ impl Screen for Lab {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "One striker, one coin. Set how far off-centre they meet (the offset b), say where both will go, then watch: time slows at the contact and stops there, and the picture explains itself step by step. Each step stands for as long as it takes to read; , and . go back and forth.",
+            "One striker, one coin. Set how far off-centre they meet (the offset b), say where both will go, then watch: time slows at the contact and stops there, and the picture explains itself step by step. Each step stands for as long as it takes to read, and you can go back to it.",
             "The line of impact n joins the two centres at the contact. Along it the discs push each other; across it, along t, nothing pushes, so nothing changes. Everything else follows from that.",
             "Angles count from the striker's direction: for the striker to the side away from the coin, for the coin to its own side.",
             "The coin can be moved by the mouse, the rays too; the wheel changes the speed.",
-            "Once you have said three times correctly where both will go, v switches on the live picture: arrows, angles and curves follow the offset as you change it. What you have set up is still there when you come back.",
+            "Once you have said three times correctly where both will go, the picture can be live: arrows, angles and curves follow the offset as you change it. What you have set up is still there when you come back.",
         ]
     }
 

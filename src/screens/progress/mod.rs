@@ -30,7 +30,7 @@ use page::ProgressPage;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ProgressAction {
-    /// next page; Left for the page before
+    /// next page, or the page before
     Turn(isize),
     /// over time, topics, how sure, that over time, beliefs
     TurnTo(usize),
@@ -309,7 +309,7 @@ impl Screen for Progress {
             "Every answer you give is kept on this computer, and nowhere else. Here is what it adds up to.",
             "Over time: each mark is an answer, the higher the further off; the line is the mean of the last five. Topics: how often you were right, and how it stands lately; then the chapters you have opened, as Learn has them. How sure: the honest range is the one in which that confidence brings most points; its page over time shows whether you come to judge yourself better. Beliefs: what your wrong answers had in common, of how many questions could have shown it, before the middle of all answers and since.",
             "What you know may rest for 1, 2, 4 … 32 days before it is asked again; what you missed is due at once. It feels harder to come back to something half forgotten, and that is just why it works.",
-            "Several people on one computer: carrom --player NAME. For a table: carrom progress --csv, or --json. For a page to print: --report FILE.html. h writes one small file with every answer, for a teacher who puts those of a class together (carrom gather).",
+            "Several people on one computer: carrom --player NAME. For a table: carrom progress --csv, or --json. For a page to print: --report FILE.html. Hand in writes one small file with every answer, for a teacher who puts those of a class together (carrom gather).",
         ]
     }
 }

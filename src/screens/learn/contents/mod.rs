@@ -122,8 +122,8 @@ impl Screen for Contents {
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
             "Everything about glancing collisions, as things to do: short texts beside figures that obey you, and questions to which you first say what you think.",
-            "The chapters build on each other, but all of them are open. Beside each stands how many of its pages you have read, and at its end how many of your answers are right. A + stands before those with every answer right, a ~ before those read to the end with answers still to get right: r asks a page's question again. Your place is kept, until the next time too.",
-            "R forgets your place and your answers in the chosen chapter, A those in all of them, once you have said yes. What you have answered still counts in your progress.",
+            "The chapters build on each other, but all of them are open. Beside each stands how many of its pages you have read, and at its end how many of your answers are right: with a tick where all of them are, with a ~ where some are still to get right. Any page's question can be asked again. Your place is kept, until the next time too.",
+            "Your place and your answers can be forgotten, in the chosen chapter or in all of them, so that you can start over. What you have answered still counts in your progress.",
             "Chapters of your own: carrom learn --lessons DIR. A file that cannot be read is listed at the end with what is wrong with it.",
         ]
     }

@@ -18,9 +18,9 @@ pub(super) fn view<'s>(cx: &Context) -> View<'s, ContentsAction> {
     for (i, line) in lines(book).into_iter().enumerate() {
         let (text, side, role) = match line {
             ContentsLine::Chapter(chapter) => chapter_line(book, chapter),
-            ContentsLine::Summary => ("    How far you have come".into(), String::new(), Role::Dim),
+            ContentsLine::Summary => ("How far you have come".into(), String::new(), Role::Dim),
             ContentsLine::Problem(fault) => {
-                let text = format!(" !  left out: {}", fault.file);
+                let text = format!("left out: {}", fault.file);
                 (text, String::new(), Role::Warn)
             }
         };
@@ -41,14 +41,8 @@ pub(super) fn view<'s>(cx: &Context) -> View<'s, ContentsAction> {
 
 fn chapter_line(book: &Book, chapter: &Chapter) -> (String, String, Role) {
     let mark = book.mark(&chapter.id);
-    let done = match mark {
-        Some(mark) if mark.is_done(chapter) && mark.is_right(chapter) => "✓",
-        Some(mark) if mark.is_done(chapter) => "~",
-        _ => " ",
-    };
-    let text = format!("{done}{:>2} {}", chapter.number, chapter.title);
     (
-        text,
+        format!("{} {}", chapter.number, chapter.title),
         mark.map(|mark| standing(mark, chapter)).unwrap_or_default(),
         Role::Text,
     )
@@ -57,10 +51,15 @@ fn chapter_line(book: &Book, chapter: &Chapter) -> (String, String, Role) {
 /// How far a chapter is: its page while it is being read, then how many answers are right.
 fn standing(mark: &Bookmark, chapter: &Chapter) -> String {
     let (seen, pages) = (mark.seen(chapter), chapter.pages.len());
+    let sign = match (mark.is_done(chapter), mark.is_right(chapter)) {
+        (true, true) => "✓ ",
+        (true, false) => "~ ",
+        (false, _) => "",
+    };
     match chapter.checkpoints() {
-        _ if seen < pages => format!("read {seen} of {pages}"),
-        0 => "read".into(),
-        asked => format!("right {} of {asked}", mark.right(chapter)),
+        _ if seen < pages => format!("{sign}read {seen} of {pages}"),
+        0 => format!("{sign}read"),
+        asked => format!("{sign}right {} of {asked}", mark.right(chapter)),
     }
 }
 

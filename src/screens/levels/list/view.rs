@@ -82,13 +82,13 @@ fn choice(shelf: &Shelf, at: usize, panel: &mut Panel<LevelsAction>) {
         let file = file.escape_debug().to_string();
         return panel.row((file, Role::Warn), ("", Role::Warn), chosen, action);
     };
-    let stars = match shelf.stars(at) {
-        0 => "   ".to_owned(),
+    let side = match shelf.stars(at) {
+        0 if shelf.next() == Some(at) => NEXT.to_owned(),
+        0 => String::new(),
         stars => words::stars(stars),
     };
-    let name = format!("{:2} {stars} {}", at + 1, level.title);
-    let next = if shelf.next() == Some(at) { NEXT } else { "" };
-    panel.row((name, Role::Text), (next, Role::Key), chosen, action);
+    let name = format!("{} {}", at + 1, level.title);
+    panel.row((name, Role::Text), (side, Role::Key), chosen, action);
 }
 
 /// What a level is about.

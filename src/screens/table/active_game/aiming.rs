@@ -32,17 +32,17 @@ const DIRECTION_STEP: f64 = 1.0 / STEPS_PER_DEGREE;
 pub enum AimAction {
     /// strike
     Strike,
-    /// turn the aim: Left and Right by 1°, Up and Down by 0.1°
+    /// turn the aim by 0.1° or by 1°
     Turn(i16),
     /// turn the aim by 10°
     TurnFar(i16),
     /// strength; the wheel too
     Strength(i8),
-    /// move the striker: square brackets by 2 mm, braces by 20 mm
+    /// move the striker by 2 mm or by 20 mm
     Place(i8),
     /// practice: striker up or down
     PlaceUp(i8),
-    /// a number typed: Enter takes it as the angle, + as the strength, a square bracket as millimetres left or right
+    /// a number typed: the angle, or by the key after it the strength or the place in millimetres
     Number(EntryAction),
     /// aim line, ghost, departures on or off
     Aid(AimAid),

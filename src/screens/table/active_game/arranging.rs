@@ -34,7 +34,7 @@ pub(in crate::screens::table) struct Arrange {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ArrangeAction {
-    /// move the hand: arrows by 20 mm, letters by 2 mm
+    /// move the hand by 20 mm or by 2 mm
     Hand(i8, i8),
     /// take the coin under the hand, or lay it down
     TakeOrLay,
