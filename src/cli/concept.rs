@@ -1,4 +1,4 @@
-//! `carrom concept`: what can be done with written questions outside the game.
+//! `carrom concept`: work with written questions outside the game.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -6,17 +6,17 @@ use std::path::PathBuf;
 use super::{Failure, GlobalOptions, given};
 use crate::quiz::concepts::{Library, check};
 
-/// Check written questions: every field, every figure, and that no right choice gives
+/// Check questions in words: every field, every figure, and that no right choice gives
 /// itself away
 #[derive(Debug, clap::Subcommand)]
 pub(super) enum Command {
-    /// Check written questions: that every field and every misconception is known, that every
-    /// figure is what the engine computes, and that no right choice gives itself away by its
-    /// length, its place or a word
+    /// Check questions in words: every field and misconception is known, every figure is what
+    /// the engine computes, and no right choice gives itself away by its length, its position
+    /// or a word
     ///
-    /// One line a question. Exit status: 0 all is well, 2 something is not.
+    /// Prints one line per question. Exit status: 0 all questions are good, 2 there are faults.
     Check {
-        /// Files of questions and folders of them; without any, the questions in the program
+        /// Files and folders of questions (default: the built-in questions)
         #[arg(value_name = "FILE|DIR")]
         paths: Vec<PathBuf>,
     },

@@ -1,4 +1,4 @@
-//! `carrom examples`: files to start from, which every program carries with it.
+//! `carrom examples`: files to start from, built into the program.
 
 use std::path::PathBuf;
 
@@ -7,16 +7,16 @@ use include_dir::{Dir, include_dir};
 use super::{Failure, print_names, written};
 use crate::files::Document;
 
-/// Each of them is checked by the tests as carrom checks it for a user.
+/// The tests check each of them as carrom checks it for a user.
 static EXAMPLES: Dir = include_dir!("$CARGO_MANIFEST_DIR/assets/examples");
 
-/// Write examples of a level, a chapter, written questions and a scene
+/// Write examples of a level, a chapter, questions in words and a scene
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The folder to write into; made where it is not there
+    /// The folder to write to; created if it does not exist
     #[arg(long, value_name = "DIR", default_value = "examples")]
     out: PathBuf,
-    /// Replace examples that are there already
+    /// Replace existing examples
     #[arg(long)]
     force: bool,
 }

@@ -4,7 +4,7 @@ use std::fmt::{Debug, Display};
 
 use anyhow::Error;
 
-/// Why a command did not do its work, and what that means for the exit status.
+/// Why a command failed, which determines the exit status.
 #[derive(Debug)]
 pub enum Failure {
     /// The work failed: exit status 1.
@@ -27,7 +27,7 @@ impl Failure {
         }
     }
 
-    /// What to say.
+    /// The error to print.
     pub fn error(&self) -> &Error {
         match self {
             Self::Work(error) | Self::Input(error) => error,
@@ -35,7 +35,7 @@ impl Failure {
     }
 }
 
-/// Where nothing else is said, it is the work that failed.
+/// Any other error means that the work failed.
 impl<E: Into<Error>> From<E> for Failure {
     fn from(error: E) -> Self {
         Self::Work(error.into())

@@ -14,7 +14,7 @@ use crate::widgets::{Charset, Depth, Palette};
 #[command(
     after_help = "Figures: lab, split, triangle, frames, curves, angles, energy, worked, solve, foil,\n\
                   shots.\n\
-                  After the name come fields that change the worked shot:\n  \
+                  Fields after the name change the worked shot:\n  \
                   carrom figure curves alpha_deg=45 --svg curves.svg\n  \
                   carrom figure lab m1_g=20 m2_g=40 speed=3 alpha_deg=45 --svg marbles.svg\n\
                   docs/lessons.md lists them all."
@@ -26,7 +26,7 @@ pub(super) struct Args {
     /// The file to write (default: standard output)
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
-    /// Replace a file of this name that is there already
+    /// Replace an existing file
     #[arg(long, requires = "svg")]
     force: bool,
     /// Dark on light, for paper and slides

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use super::{Failure, GlobalOptions, print_text};
 use crate::files::{self, FileError, FileErrors, FileLibrary};
 
-/// What `read` makes of a file's name for messages and its bytes, up to one more than the
-/// `most` that may be read; `-` is standard input.
+/// Reads a file with `read`, which gets its name for messages and its bytes, up to one more
+/// than the `most` that may be read; `-` is standard input.
 pub(super) fn read<T>(
     path: &Path,
     most: usize,
@@ -34,8 +34,8 @@ pub(super) fn library<L: FileLibrary>(paths: &[PathBuf]) -> L {
     }
 }
 
-/// Prints the report of a check, and refuses files that have errors, all of which it
-/// tells, or among which no `what` were found.
+/// Prints the report of a check. Fails with all errors of the files, or if no `what` were
+/// found among them.
 pub(super) fn conclude(
     report: &str,
     errors: &[FileError],

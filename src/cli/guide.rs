@@ -1,4 +1,4 @@
-//! `carrom guide`: the guides for teachers, from the program itself.
+//! `carrom guide`: the guides for teachers, built into the program.
 
 use std::path::{Path, PathBuf};
 
@@ -10,18 +10,18 @@ use crate::paper::guide_page;
 /// Read the guides: how to run a class, write levels and chapters, and what is simulated
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// A guide to print; without one, what guides there are
+    /// The guide to print (default: a list of all guides)
     #[arg(value_name = "NAME", value_parser = find)]
     name: Option<&'static Guide>,
-    /// Write all of them as HTML into this folder; made where it is not there
+    /// Write all guides as HTML to this folder; created if it does not exist
     #[arg(long, value_name = "DIR", conflicts_with = "name")]
     out: Option<PathBuf>,
-    /// Replace guides that are there already
+    /// Replace existing guides
     #[arg(long, requires = "out")]
     force: bool,
 }
 
-/// A guide: the name by which it is asked for, what it is about, and its text.
+/// A guide with its name on the command line.
 #[derive(Debug)]
 struct Guide {
     name: &'static str,
@@ -29,7 +29,7 @@ struct Guide {
     markdown: &'static str,
 }
 
-/// All of them, in the order in which a teacher meets them.
+/// In the order in which a teacher needs them.
 static GUIDES: [Guide; 8] = [
     Guide {
         name: "start",
@@ -88,21 +88,21 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     Ok(print_text(text.trim_end(), options)?)
 }
 
-/// Which guides there are, and how to read them.
+/// The list of guides, and how to read them.
 fn list() -> String {
     let line = |guide: &Guide| format!("  carrom guide {:<12}{}\n", guide.name, guide.about);
     let lines: String = GUIDES.iter().map(line).collect();
     format!("{lines}\nAll of them for a browser: carrom guide --out DIR")
 }
 
-/// The pages, and one that leads to them.
+/// The pages, and an index that links to them.
 fn documents(folder: &Path) -> Vec<Document> {
     let link = |guide: &Guide| format!("- [{}]({}.md)\n", capital(guide.about), guide.name);
     let links: String = GUIDES.iter().map(link).collect();
     let contents = format!("# Guides to carrom\n\n{links}");
     let page = |name: &str, text: &str| (folder.join(format!("{name}.html")), guide_page(text));
     let guides = GUIDES.iter().map(|guide| {
-        // Links as they are among the sources.
+        // In the sources this link leads out of the folder.
         let text = guide.markdown.replace("../levels/README.md", "levels.md");
         page(guide.name, &text)
     });

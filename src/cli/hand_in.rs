@@ -13,10 +13,10 @@ use crate::numbers::counted;
 use crate::paper;
 use crate::quiz::Code;
 
-/// How the names of files that are handed in end.
+/// The extension of files that are handed in.
 const ENDING: &str = "json";
 
-/// Write your answers into one small file for your teacher
+/// Write your answers to one small file for your teacher
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -25,24 +25,24 @@ Examples:
   carrom hand-in --code mixed-7 --out ada.json
                                 the answers of one round
 
-The file holds the name, the class, and each answer with what was asked, what is true and the
-points. The teacher puts all files into one folder: carrom gather FOLDER --out class.html")]
+The file contains your name, your class, and each answer with its question, the true answer and
+the points. The teacher puts all files into one folder: carrom gather FOLDER --out class.html")]
 pub(super) struct HandInArgs {
-    /// The class, as your teacher calls it
+    /// The name of your class, as your teacher writes it
     #[arg(long, value_name = "NAME")]
     class: Option<String>,
-    /// Only the answers of this round; may be given several times
+    /// Only the answers of this round; can be repeated
     #[arg(long, value_name = "CODE", value_parser = Code::read)]
     code: Vec<Code>,
     /// The file [default: hand-in-NAME.json]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Replace a file that is there already
+    /// Replace an existing file
     #[arg(long)]
     force: bool,
 }
 
-/// Put the files of a class together: a gradebook
+/// Combine the files of a class in a gradebook
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -54,28 +54,28 @@ Examples:
   carrom gather ~/.local/share/carrom/handed-in --class 10b --out class.html
                                 what 10b has handed in on devices (carrom class --host)
 
-Every .json file of the folder is read. Who hands in twice, or the same answer twice, is counted
-once; two pupils of one name are told apart by their answers. What cannot be read is named, and
-the rest goes on. Exit status: 0 done, 2 if there is nothing that can be read.")]
+carrom reads every .json file in the folder. A pupil or an answer that occurs twice is counted
+once; pupils with the same name are distinguished by their answers. carrom reports files that it
+cannot read and continues with the others. Exit status: 0 success, 2 if no file can be read.")]
 pub(super) struct GatherArgs {
     /// The folder with the files
     #[arg(value_name = "DIR")]
     folder: PathBuf,
-    /// A name that ends in .html or .csv
+    /// The file to write, .html or .csv
     #[arg(long, value_name = "FILE", value_parser = gathered)]
     out: Gathered,
-    /// Only what was handed in by this class, as it is called in the files
+    /// Only the files of this class, by its name in the files
     #[arg(long, value_name = "NAME")]
     class: Option<String>,
-    /// The names of the class, one a line, to say who has handed in nothing
+    /// A list of the pupils, one name per line, to report who has handed in nothing
     #[arg(long, value_name = "FILE")]
     class_list: Option<PathBuf>,
-    /// Replace files that are there already
+    /// Replace existing files
     #[arg(long)]
     force: bool,
 }
 
-/// Where a gradebook is written; its ending says what it is written as.
+/// Where a gradebook is written; the extension determines the format.
 #[derive(Debug, Clone)]
 struct Gathered {
     path: PathBuf,
@@ -87,7 +87,7 @@ fn gathered(path: &str) -> Result<Gathered, String> {
     let is_table = match lower_ending(&path).as_deref() {
         Some("csv") => true,
         Some("html") => false,
-        _ => return Err("expected a name that ends in .html or .csv".into()),
+        _ => return Err("expected a file name that ends in .html or .csv".into()),
     };
     Ok(Gathered { path, is_table })
 }
@@ -110,7 +110,7 @@ pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), 
     let left_out = answered - hand_in.attempts.len();
     if left_out > 0 {
         let answers = counted(left_out, "answer");
-        eprintln!("carrom: left out {answers} that no question of this carrom can have got");
+        eprintln!("carrom: left out {answers} that fit no question of this version");
     }
     if hand_in.attempts.is_empty() {
         let of = if args.code.is_empty() {
@@ -118,7 +118,8 @@ pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), 
         } else {
             " in this round"
         };
-        let message = format!("{player} has no answer{of} to hand in; --player gives another name");
+        let message =
+            format!("{player} has no answers{of} to hand in; use --player for another name");
         return Err(Failure::input(message));
     }
     let path = args
@@ -172,7 +173,7 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
             Some(name) => format!(" for the class {name}"),
             None => String::new(),
         };
-        let message = format!("{shown} has no file in it that carrom hand-in has written{of}");
+        let message = format!("{shown} contains no file from carrom hand-in{of}");
         return Err(Failure::input(message));
     }
     let documents = documents(&book, &args.out).map_err(|reason| anyhow!(reason))?;
@@ -182,7 +183,7 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
     )?)
 }
 
-/// The gradebook in its file; as tables in three.
+/// The gradebook in one file, or as three tables.
 fn documents(book: &Gradebook, out: &Gathered) -> Result<Vec<Document>, String> {
     let (path, results) = (&out.path, book.results());
     if !out.is_table {

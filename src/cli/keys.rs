@@ -1,4 +1,4 @@
-//! `carrom keys`: all keys, as a file in which they can be changed.
+//! `carrom keys`: all keys, as a file the player can edit.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,12 +8,12 @@ use crate::files::{self, Fields, FileErrors, Source};
 use crate::messages::Key;
 use crate::widgets::input::Rebound;
 
-/// Name of the file in the folder for data.
+/// Name of the file in the data folder.
 pub(super) const FILE: &str = "keys.toml";
 /// Format of the file.
 const FORMAT: u32 = 1;
-/// The keys that do something unless they are rebound, and what. The tests of the screens compare it
-/// with the tables of all screens, and write it when snapshots are accepted.
+/// The default keys and what they do. The tests of the screens compare it with the tables of
+/// all screens, and write it when snapshots are accepted.
 const USUAL: &str = include_str!("../../assets/keys.toml");
 /// Largest file that is read, in bytes.
 const LARGEST: usize = 64 * 1024;
@@ -22,20 +22,20 @@ pub(super) fn run(options: &GlobalOptions) -> Result<(), Failure> {
     let place = options.data_dir().map(|folder| folder.join(FILE));
     let place = place.map_or(FILE.into(), |place| place.display().to_string());
     let text = format!(
-        "# Keys of carrom. To change some, put their lines, with the two below, into\n\
+        "# The keys of carrom. To change keys, copy their lines and the two lines below to\n\
          # {place}\n\
          # A key is a character, or one of Up Down Left Right Enter Escape Tab Shift+Tab\n\
-         # Backspace Delete Space PageUp PageDown Home End F1 to F12 Ctrl+A to Ctrl+Z. Give as\n\
-         # many as the line has, in the same order.\n\
+         # Backspace Delete Space PageUp PageDown Home End F1 to F12 Ctrl+A to Ctrl+Z. Write as\n\
+         # many keys as the line has here, in the same order.\n\
          format = {FORMAT}\n\n[keys]\n{USUAL}"
     );
     Ok(super::print(text.as_bytes())?)
 }
 
-/// The keys that the player has chosen in a file; none where there is no such file.
+/// The keys that the player has rebound in a file; none if there is no such file.
 ///
 /// # Errors
-/// All that is wrong with the file.
+/// All errors in the file.
 pub(super) fn read(path: &Path) -> Result<Rebound, FileErrors> {
     if !path.exists() {
         return Ok(Rebound::new());
@@ -54,7 +54,7 @@ pub(super) fn read(path: &Path) -> Result<Rebound, FileErrors> {
     })
 }
 
-/// What an action is called now that once had this name.
+/// The present name of an action that once had this one.
 fn present(id: &str) -> &str {
     match id {
         "lab.scroll" | "table.scroll" => "everywhere.scroll",
@@ -62,10 +62,10 @@ fn present(id: &str) -> &str {
     }
 }
 
-/// The keys that a line of the file gives.
+/// The keys in a line of the file.
 fn row(table: &Fields, id: &str, all: &BTreeMap<String, Vec<String>>) -> Option<Vec<Key>> {
     let Some(usual) = all.get(present(id)) else {
-        return table.refuse(id, "there is no such action; carrom keys lists them all");
+        return table.refuse(id, "unknown action; carrom keys lists all of them");
     };
     let keys = table.texts(id, 1..=usual.len(), 9)?;
     let key = |(item, text): (usize, &String)| {

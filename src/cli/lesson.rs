@@ -1,4 +1,4 @@
-//! `carrom lesson`: what can be done with chapters outside the game.
+//! `carrom lesson`: work with chapters outside the game.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -9,12 +9,12 @@ use crate::lessons::ChapterLibrary;
 /// Check chapters: every directive, every number, every page
 #[derive(Debug, clap::Subcommand)]
 pub(super) enum Command {
-    /// Check chapters: that every directive is known, that every number in the text is what
-    /// the engine computes, and that every page fits an 80x24 screen in both charsets
+    /// Check chapters: every directive is known, every number in the text is what the engine
+    /// computes, and every page fits an 80x24 screen in both charsets
     ///
-    /// One line a chapter. Exit status: 0 all is well, 2 something is not.
+    /// Prints one line per chapter. Exit status: 0 all chapters are good, 2 there are faults.
     Check {
-        /// Chapters and folders of them; without any, the chapters in the program
+        /// Files and folders of chapters (default: the built-in chapters)
         #[arg(value_name = "FILE|DIR")]
         paths: Vec<PathBuf>,
     },

@@ -1,4 +1,4 @@
-//! `carrom level`: what can be done with levels outside the game.
+//! `carrom level`: work with levels outside the game.
 
 use std::fmt::{self, Write};
 use std::path::PathBuf;
@@ -16,14 +16,13 @@ const TRIES: u32 = 4000;
 pub(super) enum Command {
     /// Play the stored solution of each level to prove that it can be won
     ///
-    /// One line a level says what came about. Exit status: 0 all can be won, 1 one
-    /// cannot, 2 a file is no level.
+    /// Prints one line per level with the result. Exit status: 0 all can be won, 1 one
+    /// cannot, 2 a file is not a level.
     Check {
-        /// Level files and folders of them; without any, the levels in the program
+        /// Files and folders of levels (default: the built-in levels)
         #[arg(value_name = "FILE|DIR")]
         paths: Vec<PathBuf>,
-        /// Show each goal too, and what share of aims spread evenly over all a player may
-        /// set would win
+        /// Show each goal too, and the share of all possible aims that win
         #[arg(long, short)]
         verbose: bool,
     },
@@ -44,14 +43,16 @@ pub(super) fn run(command: &Command, options: &GlobalOptions) -> Result<(), Fail
     given::conclude(&report, &library.problems, packs, options)?;
     match lost {
         0 => Ok(()),
-        1 => Err(Failure::Work(anyhow!("1 level is not won by its solution"))),
+        1 => Err(Failure::Work(anyhow!(
+            "the solution of 1 level does not win it"
+        ))),
         n => Err(Failure::Work(anyhow!(
-            "{n} levels are not won by their solutions"
+            "the solutions of {n} levels do not win them"
         ))),
     }
 }
 
-/// Prints what becomes of a level and returns whether it can be won.
+/// Reports the trial of a level and returns whether it can be won.
 fn check(pack: &str, level: &Level, verbose: bool, out: &mut String) -> Result<bool, fmt::Error> {
     let name = if pack.is_empty() {
         level.id.clone()
@@ -70,7 +71,7 @@ fn check(pack: &str, level: &Level, verbose: bool, out: &mut String) -> Result<b
     let findings = &trial.verdict.findings;
     writeln!(out, "{name}: {outcome}: {}", summary(findings))?;
     if trial.opens_won {
-        writeln!(out, "  note: the aim it opens with wins already")?;
+        writeln!(out, "  note: the initial aim already wins")?;
     }
     if verbose {
         for (goal, finding) in level.goals.iter().zip(findings) {
@@ -84,7 +85,7 @@ fn check(pack: &str, level: &Level, verbose: bool, out: &mut String) -> Result<b
     Ok(won)
 }
 
-/// What happened, the goals that are not met first.
+/// What happened, unmet goals first.
 fn summary(findings: &[Finding]) -> String {
     let told = |met| {
         let findings = findings.iter().filter(move |finding| finding.met == met);

@@ -5,11 +5,11 @@ use std::fmt::Write;
 use super::{Failure, GlobalOptions, print_text};
 use crate::quiz::Misconception;
 
-/// Print all misconceptions, with what to try against each
+/// Print all misconceptions, with a remedy for each
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
-The first word is the name that files with questions of your own use, and the code of a round:
-carrom quiz --code copied-angle-7 asks what can show that one.")]
+The first word is the misconception's name in your own question files and in the code of a round:
+carrom quiz --code copied-angle-7 asks questions that can show that one.")]
 pub(super) struct Args {}
 
 pub(super) fn run(_args: &Args, options: &GlobalOptions) -> Result<(), Failure> {

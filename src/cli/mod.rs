@@ -49,16 +49,16 @@ use options::Auto;
 
 /// A terminal game that teaches glancing collisions.
 ///
-/// Aim a striker at a coin, set how far off-centre it hits, say first where both
-/// will go, then watch the exact collision explain itself. Without a command the
-/// game opens at its first screen; `?` explains every screen.
+/// Aim a striker at a coin, set how far off-centre it hits, predict where both will go,
+/// then watch the exact collision and its explanation. Without a command, carrom opens
+/// the home screen; `?` explains every screen.
 #[derive(Debug, Parser)]
 #[command(name = "carrom", version, after_help = EXAMPLES)]
 pub struct Cli {
     #[command(flatten)]
     options: GlobalOptions,
-    /// Open the screen in plain lines, with no screen control: for screen readers, Braille
-    /// displays and scripts
+    /// Write plain lines without any screen control, for screen readers, Braille displays
+    /// and scripts
     #[arg(long, global = true)]
     plain: bool,
     #[command(subcommand)]
@@ -70,39 +70,39 @@ Examples:
   carrom                       open the game
   carrom learn 2               read the second chapter
   carrom lab                   go straight to the lab
-  carrom quiz --code mixed-7   a round of the quiz that everyone with this code gets
+  carrom quiz --code mixed-7   a round of the quiz, the same for everyone with this code
   carrom class --teams Ants,Bees --palette light
                                a round for a class, on a projector
   carrom class --host --class 10b
-                               the same, with everyone on a phone or a laptop of their own
+                               the same, with everyone on their own phone or laptop
   carrom join 192.168.43.117   join such a class
-  carrom levels --levels mine  levels of your own, in the folder mine, with the others
+  carrom levels --levels mine  the levels, with your own from the folder mine
   carrom worksheet --seed 7 --count 12 --out sheets
-                               a round on paper, with a key for the teacher
+                               a round on paper, with an answer key for the teacher
   carrom progress --csv        every answer you gave, for a spreadsheet
   carrom progress --report me.html
-                               a page of it, for a portfolio or a teacher
+                               a report on your progress, for a portfolio or a teacher
   carrom hand-in --class 10b   every answer in one small file, for a teacher
   carrom gather handed-in --out class.html
-                               the files of a class, put together as a gradebook
+                               a gradebook from the files of a class
   carrom misconceptions        every misconception that the program knows
-  carrom --charset ascii       for terminals and fonts that know nothing else
-  carrom solve --alpha-deg 30  a worked solution, step by step
-  carrom level check mine.toml see whether a level of your own can be won
-  carrom replay game.toml      play an exported game again, to the last bit
-  carrom lesson check mine     see whether chapters of your own are good
-  carrom concept check mine    see whether written questions of your own are good
+  carrom --charset ascii       for terminals and fonts without Unicode
+  carrom solve --alpha-deg 30  solve a collision, step by step
+  carrom level check mine.toml check whether your own level can be won
+  carrom replay game.toml      replay an exported game, bit for bit
+  carrom lesson check mine     check your own chapters
+  carrom concept check mine    check your own questions in words
   carrom class --concepts mine ask them in a class round
   carrom figure curves --svg curves.svg
                                a figure of the lessons as a picture
-  carrom new level our-level   a level of your own to begin with (or a chapter, or questions)
+  carrom new level our-level   start your own level (or chapter, or questions)
   carrom guide                 the guides for teachers, to read here or in a browser
   carrom page --levels mine --out our-class.html
                                all of carrom in one file for a browser, with your levels
-  carrom keys                  every key, as a file in which to change some
-  carrom tape hit.tape --svg   play a script without a terminal, keep its pictures
+  carrom keys                  every key, as a file you can edit
+  carrom tape hit.tape --svg   play a script without a terminal, save its pictures
 
-Exit status: 0 done, 1 the work failed, 2 unusable arguments or input.";
+Exit status: 0 success, 1 failure, 2 invalid arguments or input.";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -127,7 +127,7 @@ enum Command {
     New(new::Args),
     Examples(examples::Args),
     Guide(guide::Args),
-    /// Print all keys, as a file in which some can be changed
+    /// Print all keys, as a file you can edit
     Keys,
     Completions(completions::Args),
     /// Print the manual page (carrom man | man -l -)
@@ -139,60 +139,60 @@ enum Command {
 enum OpenCommand {
     /// Open the lessons: glancing collisions, chapter by chapter
     Learn {
-        /// A chapter to read at once: its number or its name
+        /// The chapter to open, by its number or name
         chapter: Option<String>,
     },
-    /// Open the lab: set up a glancing hit, say where both will go, watch why
+    /// Open the lab: set up a glancing collision, predict where both discs will go, see why
     Lab,
     /// Open the foil: beams of particles, from the carrom board to the atom
     Foil,
-    /// Open the quiz and choose a round (with --seed N at once the ten hits of that seed)
+    /// Open the quiz and choose a round (--seed N starts the ten hits of that seed at once)
     Quiz {
-        /// A round to play at once: its code, such as mixed-7, speeds6-7, or 7 for ten hits
+        /// The round to play, by its code: mixed-7, speeds6-7, or 7 for ten hits
         #[arg(long, value_name = "CODE", value_parser = Code::read)]
         code: Option<Code>,
     },
-    /// Open a round for a class: teams at one keyboard, or everyone on a device of their own
+    /// Open a round for a class: teams at one keyboard, or everyone on their own device
     Class {
-        /// Let everyone vote on a phone or a laptop of their own, in the local network
+        /// Let everyone vote on their own phone or laptop, in the local network
         #[arg(long)]
         host: bool,
-        /// The port at which they come in (default: that of the round that is taken up, or the
-        /// first free one from 8090 on)
+        /// The port for their devices (default: the port of the round you continue, or the first
+        /// free one from 8090 on)
         #[arg(long, value_name = "PORT")]
         port: Option<u16>,
         /// The page for their browsers (default: the one in this program, or carrom.html
         /// beside it)
         #[arg(long, value_name = "FILE")]
         page: Option<PathBuf>,
-        /// The round to play: its code, such as mixed-7
+        /// The round to play, by its code, such as mixed-7
         #[arg(long, value_name = "CODE", value_parser = Code::read)]
         code: Option<Code>,
-        /// The names of 1 to 8 teams, with commas between them
+        /// The names of 1 to 8 teams, separated by commas
         #[arg(long, value_name = "A,B,C", conflicts_with = "host")]
         #[arg(value_parser = |names: &str| team_names(names.split(',')))]
         teams: Option<Teams>,
-        /// What the class is called: it stands in the tables, and in what pupils hand in
+        /// The name of the class, for the tables and the pupils' hand-ins
         #[arg(long, value_name = "NAME")]
         class: Option<String>,
     },
-    /// Join a class that plays on devices of its own
+    /// Join a class that plays on its own devices
     Join {
-        /// Where it is, as it stands on the board: 192.168.43.117:8090
+        /// The address of the class, as shown on the board: 192.168.43.117:8090
         #[arg(value_parser = |address: &str| read_host(address))]
         address: Option<String>,
-        /// The code of the class, as it stands on the board: BCDFGH
+        /// The code of the class, as shown on the board: BCDFGH
         #[arg(long, value_name = "CODE")]
         code: Option<DoorCode>,
     },
     /// Open the table: carrom itself, the whole board
     Table,
     Progress(progress::Args),
-    /// Open the settings: looks, motion, the player
+    /// Open the settings: appearance, motion, the player
     Settings,
     /// Open the levels: small puzzles on the board, solved by aiming
     Levels {
-        /// A level to play at once: its id, or PACK/ID
+        /// The level to play, by its ID or PACK/ID
         name: Option<String>,
     },
 }
@@ -206,7 +206,7 @@ fn read_host(address: &str) -> Result<String, String> {
 }
 
 impl OpenCommand {
-    /// How a class is served, should one be.
+    /// The options for serving a class, if one is hosted.
     fn host_options(&self) -> anyhow::Result<HostOptions> {
         match self {
             Self::Class { port, page, .. } => play::host_options(*port, page.as_deref()),
@@ -214,7 +214,7 @@ impl OpenCommand {
         }
     }
 
-    /// Whether it really opens a screen, rather than printing.
+    /// Whether it opens a screen rather than printing.
     fn opens(&self) -> bool {
         match self {
             Self::Progress(args) => !args.prints(),
@@ -222,10 +222,10 @@ impl OpenCommand {
         }
     }
 
-    /// Where that is, with these levels, chapters, questions and options.
+    /// The screen to open, with these levels, chapters, questions and options.
     ///
     /// # Errors
-    /// If there is no level or chapter of that name, or no question for a code, in words.
+    /// If there is no level or chapter of that name, or no question for a code.
     fn place(&self, data: &Data, options: &GlobalOptions) -> Result<Place, String> {
         Ok(match self {
             Self::Learn { chapter } => named(data, "learn", chapter.as_deref())?,
@@ -270,10 +270,10 @@ impl OpenCommand {
 /// The names of the teams of a class.
 type Teams = Vec<String>;
 
-/// The round that is asked for: by its code, or ten hits by a seed alone.
+/// The requested round: by its code, or ten hits by a seed alone.
 ///
 /// # Errors
-/// If it is of own questions and there are none, in words.
+/// If it asks a teacher's own questions and there are none.
 fn round(
     code: Option<&Code>,
     options: &GlobalOptions,
@@ -282,25 +282,25 @@ fn round(
     Ok(filled(code, own)?.or_else(|| options.seed.map(Code::hits)))
 }
 
-/// A code with the questions of the teacher's own, where it asks for them.
+/// A code, with the teacher's own questions if it needs them.
 fn filled(code: Option<&Code>, own: &Arc<concepts::Library>) -> Result<Option<Code>, String> {
     code.cloned().map(|code| code.with_own(own)).transpose()
 }
 
-/// The place of this name that shows something; all of it where nothing is said.
+/// The place of this name that shows `value`, or the whole place without one.
 ///
 /// # Errors
-/// If there is no such thing, in words.
+/// If there is no such value.
 fn named(data: &Data, name: &str, value: Option<&str>) -> Result<Place, String> {
     let value = value.unwrap_or_default();
     let place = data.place(name, value);
     place.map_err(|expected| format!("expected {expected}, found {}", quoted(value)))
 }
 
-/// The app as the options have it, at a screen (`None`: the first one).
+/// The app with these options, at a screen (`None`: the home screen).
 ///
 /// # Errors
-/// What is wrong with the arguments, in words.
+/// What is wrong with the arguments.
 fn app(
     screen: Option<&OpenCommand>,
     options: &GlobalOptions,
@@ -325,19 +325,19 @@ fn app(
     app.set_kept(kept);
     if let Some(errors) = unread {
         app.tell(format!(
-            "Settings are as at first, and what you set is not kept: the file stays as it is. {errors}"
+            "carrom uses the default settings and does not save your changes; the file is unchanged. {errors}"
         ));
     }
     match folder.map(|folder| keys::read(&folder.join(keys::FILE))) {
         None => {}
         Some(Ok(rebound)) => app.settings_mut().keys = rebound,
-        Some(Err(errors)) => app.tell(format!("The usual keys hold. {errors}")),
+        Some(Err(errors)) => app.tell(format!("carrom uses the default keys. {errors}")),
     }
     Ok(app)
 }
 
 impl Cli {
-    /// Checks what options say together.
+    /// Checks combinations of options that clap cannot check.
     ///
     /// # Errors
     /// What was expected.
@@ -356,30 +356,30 @@ impl Cli {
             )
         {
             return Err(
-                "expected --plain with a screen, such as carrom quiz --plain, or with \
-                        carrom solve"
+                "--plain works only with a screen, such as carrom quiz --plain, and with \
+                 carrom solve"
                     .into(),
             );
         }
         match self.options.seed {
             Some(_) if has_code => {
-                Err("expected --seed or --code, not both: a code has its seed in it".into())
+                Err("use either --seed or --code, not both: a code contains its seed".into())
             }
             _ => Ok(()),
         }
     }
 }
 
-/// Does what the arguments (the first is the program's name) ask for.
+/// Runs the command in the arguments (the first is the program's name).
 ///
 /// # Errors
-/// What went wrong, with the exit status it stands for.
+/// What went wrong, with its exit status.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Failure> {
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(message) => {
-            // Help asked for goes to standard output, anything else to standard
-            // error; if neither can be written there is nobody to tell.
+            // Help goes to standard output, errors to standard error. If neither can be
+            // written, there is no way to report that.
             let _ = say(&message);
             return Ok(match message.exit_code() {
                 0 => ExitCode::SUCCESS,
@@ -418,8 +418,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
     done.map(|()| ExitCode::SUCCESS)
 }
 
-/// Says what is wrong with the arguments, or the help that was asked for. It is coloured
-/// unless it quotes what would play tricks on the terminal.
+/// Prints an error in the arguments, or help. It is coloured unless it quotes characters
+/// that would control the terminal.
 fn say(message: &clap::Error) -> io::Result<()> {
     let words = env::args_os().map(|word| word.to_string_lossy().into_owned());
     let odd: Vec<_> = words.filter(is_odd).collect();
@@ -430,15 +430,15 @@ fn say(message: &clap::Error) -> io::Result<()> {
     writeln!(io::stderr(), "{}", escape_control_lines(&plain))
 }
 
-/// Whether a word is too long to be quoted whole, or would play tricks on a terminal.
+/// Whether a word is too long to be quoted whole, or would control a terminal.
 fn is_odd(word: &String) -> bool {
     escape_control(word, LONGEST_QUOTE) != *word
 }
 
-/// What is wrong with arguments, with the odd ones among them quoted in part.
+/// The message with odd arguments shortened.
 fn quoting_briefly(mut message: String, odd: &[String]) -> String {
     for word in odd {
-        // What stands behind a `=` is quoted alone.
+        // clap quotes the value after a `=` alone.
         let value = word
             .split_once('=')
             .map_or(word.as_str(), |(_, value)| value);
@@ -461,7 +461,7 @@ pub fn open(arguments: &str) -> Result<App, String> {
     open_within(arguments, &GlobalOptions::default()).map(|(app, _)| app)
 }
 
-/// As [`open`], with `outer` where the arguments leave an option open; gives the
+/// As [`open`], with `outer` for options that the arguments leave open; returns the
 /// options too.
 fn open_within(arguments: &str, outer: &GlobalOptions) -> Result<(App, GlobalOptions), String> {
     let words = shlex::split(arguments).ok_or("expected a closing quote in the arguments")?;
@@ -491,7 +491,7 @@ fn open_within(arguments: &str, outer: &GlobalOptions) -> Result<(App, GlobalOpt
     Ok((app, options))
 }
 
-/// Writes words to standard output, in glyphs that it shows. They may quote anything.
+/// Writes a text, which may quote anything, to standard output in the charset of the options.
 fn print_text(text: &str, options: &GlobalOptions) -> io::Result<()> {
     let mut text = escape_control_lines(&options.printed().text(text));
     if !text.is_empty() {
@@ -516,14 +516,14 @@ fn print_report(json: Option<&impl Serialize>, words: impl FnOnce() -> String) -
     print(&report)
 }
 
-/// Prints the names of files that were written, one a line.
+/// Prints the names of written files, one per line.
 fn print_names<'a>(paths: impl Iterator<Item = &'a Path>) -> io::Result<()> {
     let names: String = paths.map(|path| format!("{}\n", path.display())).collect();
     print(names.as_bytes())
 }
 
-/// Writes to standard output. A reader who has seen enough (`carrom man | head`) is
-/// no error.
+/// Writes to standard output. A reader that stops early (`carrom man | head`) is not an
+/// error.
 fn print(bytes: &[u8]) -> io::Result<()> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {

@@ -1,4 +1,4 @@
-//! `carrom new`: a file of one's own to begin with, which passes its check as it is.
+//! `carrom new`: a new file that passes its check unchanged.
 
 use std::path::PathBuf;
 
@@ -8,7 +8,7 @@ use super::{Failure, examples, print, written};
 use crate::files::is_id;
 use crate::numbers::capital;
 
-/// Start a level, a chapter or written questions of your own
+/// Start your own level, chapter or questions in words
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -16,8 +16,8 @@ Examples:
   carrom new chapter friction           writes 01-friction.md
   carrom new questions our-marbles      writes our-marbles.toml
 
-The file is a whole one and passes its check; change it bit by bit and check it again. What may
-stand in it: carrom guide levels, carrom guide lessons, carrom guide concepts.")]
+The file is complete and passes its check; change it step by step and check it again. The formats:
+carrom guide levels, carrom guide lessons, carrom guide concepts.")]
 pub(super) struct Args {
     /// What to start
     #[arg(value_name = "KIND")]
@@ -25,10 +25,10 @@ pub(super) struct Args {
     /// Its name: lower-case letters, digits and hyphens
     #[arg(value_name = "NAME", value_parser = name)]
     name: String,
-    /// The folder to write into; made where it is not there
+    /// The folder to write to; created if it does not exist
     #[arg(long, value_name = "DIR", default_value = ".")]
     out: PathBuf,
-    /// Replace a file of this name that is there already
+    /// Replace an existing file
     #[arg(long)]
     force: bool,
 }
@@ -44,7 +44,7 @@ enum Kind {
 }
 
 impl Kind {
-    /// The example it begins as, and the name that stands there.
+    /// The example to copy, and the name in it.
     fn example(self) -> (&'static str, &'static str) {
         match self {
             Self::Level => ("levels/our-pack/a-glance.toml", "a-glance"),
@@ -53,7 +53,7 @@ impl Kind {
         }
     }
 
-    /// The file's name. A chapter's begins with its place in the book.
+    /// The file's name. A chapter's begins with its number in the book.
     fn file(self, name: &str) -> String {
         match self {
             Self::Chapter => format!("01-{name}.md"),
@@ -61,7 +61,7 @@ impl Kind {
         }
     }
 
-    /// How it is checked.
+    /// The command that checks it.
     fn check(self) -> &'static str {
         match self {
             Self::Level => "carrom level check",
@@ -70,7 +70,7 @@ impl Kind {
         }
     }
 
-    /// The file's text: the example's under the new name.
+    /// The file's text: the example with the new name.
     fn text(self, name: &str) -> String {
         let (path, old) = self.example();
         let text = examples::text(path).replace(&format!("\"{old}"), &format!("\"{name}"));
@@ -89,7 +89,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     )?)
 }
 
-/// Letters of a name: as many as a chapter's title has room for.
+/// The longest name: a chapter's title has no more room.
 const LONGEST: usize = 32;
 
 fn name(text: &str) -> Result<String, String> {
@@ -97,7 +97,7 @@ fn name(text: &str) -> Result<String, String> {
         Ok(text.to_owned())
     } else {
         Err(format!(
-            "expected lower-case letters, digits and hyphens, {LONGEST} at most, such as our-marbles"
+            "expected lower-case letters, digits and hyphens, at most {LONGEST}, such as our-marbles"
         ))
     }
 }

@@ -29,39 +29,36 @@ pub struct GlobalOptions {
     #[arg(long, global = true, value_name = "SET", default_value = "auto",
           value_parser = choice::<Charset>())]
     charset: Choice<Charset>,
-    /// Colours to draw with; auto: what the terminal shows, and none with NO_COLOR
+    /// Colours to draw with; auto: what the terminal supports, and none with NO_COLOR
     #[arg(long, global = true, value_name = "DEPTH", default_value = "auto",
           value_parser = choice::<Depth>())]
     color: Choice<Depth>,
-    /// Dark for a desk, light for a projector in a bright room
+    /// Colour palette: dark for a desk, light for a projector in a bright room
     #[arg(long, global = true, value_name = "PALETTE", value_parser = palette())]
     palette: Option<Palette>,
-    /// Fix everything that is left to chance, such as the questions of a quiz
+    /// Seed for everything random, such as the questions of a quiz
     #[arg(long, global = true, value_name = "N", value_parser = seed,
           allow_negative_numbers = true)]
     pub(super) seed: Option<u64>,
     /// Name of the player
     #[arg(long, global = true, value_name = "NAME", value_parser = player)]
     player: Option<String>,
-    /// Folder with levels of your own, added to those of the program; may be given
-    /// several times
+    /// Folder with your own levels, added to the built-in ones; can be repeated
     #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
     levels: Vec<PathBuf>,
-    /// Folder with chapters of your own, added to those of the program; may be given
-    /// several times
+    /// Folder with your own chapters, added to the built-in ones; can be repeated
     #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
     lessons: Vec<PathBuf>,
-    /// Folder with written questions of your own, asked in rounds of their own; may be
-    /// given several times
+    /// Folder with your own questions in words, asked in separate rounds; can be repeated
     #[arg(long, global = true, value_name = "DIR", value_parser = folder)]
     concepts: Vec<PathBuf>,
-    /// Folder for what carrom keeps, such as saved games and every answer (default: the
-    /// system's place for a program's data)
+    /// Folder for carrom's data, such as saved games and every answer (default: the
+    /// system's folder for application data)
     #[arg(long, global = true, value_name = "DIR")]
     data_dir: Option<PathBuf>,
 }
 
-/// One of the names of something; nothing is said by `auto`.
+/// One of several names, or `None` for `auto`.
 type Choice<T> = Option<T>;
 
 /// Reads a [`Choice`].
@@ -87,7 +84,7 @@ pub(super) struct Auto {
 }
 
 impl Auto {
-    /// What shows anywhere.
+    /// The look that works everywhere.
     pub(super) const PLAINEST: Self = Self {
         charset: Charset::Ascii,
         depth: Depth::None,
@@ -95,7 +92,7 @@ impl Auto {
 }
 
 impl GlobalOptions {
-    /// These options, with the other's where these leave something open.
+    /// These options, with the other's for those left open.
     pub(super) fn or(self, other: &Self) -> Self {
         let other = other.clone();
         let any = |own: Vec<PathBuf>, outer| if own.is_empty() { outer } else { own };
@@ -112,17 +109,17 @@ impl GlobalOptions {
         }
     }
 
-    /// The glyphs to write with, with `auto` standing for the given ones.
+    /// The charset, with `auto` replaced by the given one.
     pub(super) fn charset(&self, auto: Charset) -> Charset {
         self.charset.unwrap_or(auto)
     }
 
-    /// The glyphs to print with.
+    /// The charset to print with.
     pub(super) fn printed(&self) -> Charset {
         self.charset(terminal::charset(|name| env::var(name).ok()))
     }
 
-    /// The folders of own questions, as a shell takes them.
+    /// The folders of the teacher's own questions, quoted for a shell.
     pub(super) fn concepts(&self) -> Vec<String> {
         let folders = self
             .concepts
@@ -135,7 +132,7 @@ impl GlobalOptions {
         folders.map(quoted).collect()
     }
 
-    /// The name of the player: the one given, or else who played last.
+    /// The name of the player: the one given, or else the last player.
     pub(super) fn player_name(&self) -> String {
         let kept = || {
             let file = self.data_dir()?.join(KeptSettings::FILE);
@@ -145,8 +142,8 @@ impl GlobalOptions {
         name.unwrap_or_else(|| Settings::default().player)
     }
 
-    /// What the player has set, with `auto` standing for the given look.
-    /// What they leave open is as it was `kept` from the run before.
+    /// The settings of these options, with `auto` replaced by the given look. Options left
+    /// open keep the settings from earlier runs.
     pub(super) fn settings(&self, auto: Auto, kept: &KeptSettings) -> Settings {
         let found = kept.over(Settings {
             charset: auto.charset,
@@ -162,8 +159,8 @@ impl GlobalOptions {
         }
     }
 
-    /// The levels of the program and those of the folders given. Files that are no
-    /// good are left out and listed on the screen of the levels.
+    /// The built-in levels and those in the given folders. Files with errors are left out and
+    /// listed on the screen of the levels.
     pub(super) fn shelf(&self) -> Shelf {
         match self.levels.as_slice() {
             [] => Shelf::default(),
@@ -171,8 +168,8 @@ impl GlobalOptions {
         }
     }
 
-    /// The chapters of the program and those of the folders given. Files that are no
-    /// good are left out and listed in the contents.
+    /// The built-in chapters and those in the given folders. Files with errors are left out and
+    /// listed in the contents.
     pub(super) fn book(&self) -> Book {
         match self.lessons.as_slice() {
             [] => Book::default(),
@@ -180,18 +177,18 @@ impl GlobalOptions {
         }
     }
 
-    /// The written questions of the folders given. Files that are no good are left out
-    /// and listed where a round of them is chosen.
+    /// The written questions in the given folders. Files with errors are left out and listed
+    /// where a round of them is chosen.
     pub(super) fn own(&self) -> Arc<Library> {
         Arc::new(Library::default().with(&self.concepts))
     }
 
-    /// The folders given with levels, chapters and written questions.
+    /// The given folders with levels, chapters and written questions.
     pub(super) fn own_folders(&self) -> [&[PathBuf]; 3] {
         [&self.levels, &self.lessons, &self.concepts]
     }
 
-    /// What is wrong with files in them.
+    /// The errors in their files.
     pub(super) fn problems(&self) -> Vec<FileError> {
         [
             self.shelf().library().problems.as_slice(),
@@ -201,13 +198,12 @@ impl GlobalOptions {
         .concat()
     }
 
-    /// The folder for what carrom keeps, if one is given.
+    /// The data folder, if one is given.
     pub(super) fn given_data_dir(&self) -> Option<&Path> {
         self.data_dir.as_deref()
     }
 
-    /// The folder for what carrom keeps; `None` if none is given and the system
-    /// knows no home for the user.
+    /// The data folder; `None` if none is given and the system knows no home folder.
     pub(super) fn data_dir(&self) -> Option<PathBuf> {
         self.data_dir.clone().or_else(|| {
             let system = etcetera::choose_base_strategy().ok()?;
@@ -215,28 +211,28 @@ impl GlobalOptions {
         })
     }
 
-    /// Where carrom keeps things; it refuses everything where no folder is known.
+    /// The store; it refuses every request if no folder is known.
     pub(super) fn store(&self) -> Store {
         let folder = self.data_dir();
         folder.map_or_else(Store::nowhere, |folder| Store::in_folder(&folder))
     }
 }
 
-/// A folder that is there.
+/// Reads the path of an existing folder.
 fn folder(path: &str) -> Result<PathBuf, &'static str> {
     let path = Some(PathBuf::from(path)).filter(|path| path.is_dir());
-    path.ok_or("expected a folder that is there")
+    path.ok_or("expected an existing folder")
 }
 
-/// A name that can be shown: not empty, not endless, nothing but visible letters.
+/// Reads a name that can be shown: not empty, not too long, only visible characters.
 fn player(name: &str) -> Result<String, String> {
     if !is_player_name(name.trim()) {
-        return Err("expected a name of 1 to 40 visible letters".into());
+        return Err("expected a name of 1 to 40 visible characters".into());
     }
     Ok(tidy_name(name))
 }
 
-/// A seed. Numbers may be as large as they are anywhere.
+/// Reads a seed.
 fn seed(text: &str) -> Result<u64, String> {
     let expected = || format!("expected a whole number from 0 to {}", u64::MAX);
     text.parse().map_err(|_| expected())

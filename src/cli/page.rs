@@ -11,26 +11,26 @@ use crate::files::{self, FileError, FileErrors};
 
 /// The page that this program was built with, if it was.
 const EMBEDDED: Option<&str> = include!(concat!(env!("OUT_DIR"), "/page.rs"));
-/// The name of the page where it is a file.
+/// The name of the page as a file.
 const NAME: &str = "carrom.html";
-/// Where a page has the files that are added to it.
+/// The element of a page that holds added files.
 const OWN: [&str; 2] = ["<script type=\"application/json\" id=\"own\">", "</script>"];
 /// The most files that are read from one folder.
 const MOST_FILES: usize = 500;
 
 /// Write carrom as one HTML file for any browser
 ///
-/// The levels, chapters and written questions of --levels, --lessons and --concepts are put
-/// into it, so that a class has them by opening the file.
+/// It contains the levels, chapters and questions in words from --levels, --lessons and
+/// --concepts, so a class has them by opening the file.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The file to write
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
-    /// The page to begin with (default: the one in this program, or carrom.html beside it)
+    /// The page to start from (default: the one in this program, or carrom.html beside it)
     #[arg(long, value_name = "FILE")]
     page: Option<PathBuf>,
-    /// Replace a file of this name that is there already
+    /// Replace an existing file
     #[arg(long)]
     force: bool,
 }
@@ -48,7 +48,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     Ok(print_names(std::iter::once(args.out.as_path()))?)
 }
 
-/// The page to begin with.
+/// The page to start from.
 pub(super) fn page(given: Option<&Path>) -> anyhow::Result<String> {
     let beside = || Some(env::current_exe().ok()?.parent()?.join(NAME)).filter(|it| it.is_file());
     let path = match (given, EMBEDDED) {
@@ -56,7 +56,7 @@ pub(super) fn page(given: Option<&Path>) -> anyhow::Result<String> {
         (None, Some(page)) => return Ok(page.to_owned()),
         (None, None) => beside().ok_or_else(|| {
             anyhow!(
-                "this carrom has no page in it. Put {NAME} beside it, or name it with --page; \
+                "this carrom contains no page. Put {NAME} beside it, or give its path with --page; \
                  .ci/page in carrom's sources builds it"
             )
         })?,
@@ -74,13 +74,13 @@ fn with_files(page: &str, own: &[OwnFile]) -> anyhow::Result<String> {
         let (_, after) = rest.split_once(end)?;
         Some((before, after))
     });
-    let (before, after) = parts.ok_or_else(|| anyhow!("this page is not carrom's"))?;
-    // No text may end the element that holds it.
+    let (before, after) = parts.ok_or_else(|| anyhow!("this is not a page of carrom"))?;
+    // No text may close the element that holds it.
     let json = serde_json::to_string(own)?.replace('<', "\\u003c");
     Ok(format!("{before}{begin}{json}{end}{after}"))
 }
 
-/// The files of the folders given, by the folders that a page has for them.
+/// The files in the given folders, under the paths that a page uses for them.
 fn own_files(options: &GlobalOptions) -> Result<Vec<OwnFile>, FileErrors> {
     let [levels, lessons, concepts] = options.own_folders();
     let mut own = Vec::new();
@@ -99,13 +99,13 @@ fn own_files(options: &GlobalOptions) -> Result<Vec<OwnFile>, FileErrors> {
     Ok(own)
 }
 
-/// Where the levels of a folder are in a page.
+/// The path of a folder of levels in a page.
 fn pack(folder: &Path) -> String {
     let name = folder.file_name().unwrap_or_default();
     format!("levels/{}", name.display())
 }
 
-/// Adds the files of a folder, and gives the folders in it.
+/// Adds the files of a folder, and returns the folders in it.
 fn add(
     own: &mut Vec<OwnFile>,
     folder: &Path,
@@ -140,7 +140,7 @@ mod tests {
                 OWN[0], OWN[1]
             )
         );
-        // Made anew from a page that has files already.
+        // Written again into a page that already has files.
         assert_eq!(with_files(&with, &own).unwrap(), with);
         assert!(with_files("<html>", &own).is_err());
     }

@@ -14,7 +14,7 @@ use crate::shells::plain;
 use crate::shells::terminal::{self, Ending};
 use anyhow::anyhow;
 
-/// Opens the game at a screen and plays it until it is left.
+/// Opens the game at a screen and runs it until the player quits.
 pub(super) fn run(
     options: &GlobalOptions,
     screen: Option<&OpenCommand>,
@@ -24,7 +24,7 @@ pub(super) fn run(
     if !plain {
         terminal::check(env).map_err(|error| {
             Failure::input(format!(
-                "{error}; without one, add --plain: carrom then reads and asks in plain lines"
+                "{error}; without a terminal, use --plain: carrom then reads and writes plain lines"
             ))
         })?;
     }
@@ -52,10 +52,10 @@ pub(super) fn run(
     })
 }
 
-/// How a class is served: at this port, with this page or the one that is there.
+/// The options for serving a class: at this port, with this page or the default one.
 ///
 /// # Errors
-/// If a page that was named cannot be read.
+/// If the given page cannot be read.
 pub(super) fn host_options(port: Option<u16>, page: Option<&Path>) -> anyhow::Result<HostOptions> {
     let made = page::page(page).and_then(|page| Ok(Arc::new(ServedPage::new(&page)?)));
     let page = match (made, page) {
@@ -66,7 +66,7 @@ pub(super) fn host_options(port: Option<u16>, page: Option<&Path>) -> anyhow::Re
     Ok(HostOptions { port, page })
 }
 
-/// A seed to play with when none is given, short enough to be told to a friend.
+/// A random seed, short enough to tell a friend.
 pub(super) fn any_seed() -> u64 {
     RandomState::new().hash_one(()) % 1_000_000
 }

@@ -1,4 +1,4 @@
-//! `carrom progress`: opens the screen, or prints what was done.
+//! `carrom progress`: opens the screen, or prints the answers.
 
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
@@ -13,11 +13,11 @@ use crate::paper::report::{Report, Sources};
 use crate::progress::{csv, json};
 use crate::store::Store;
 
-/// Open what you have done so far, or print it.
+/// Open your progress, or print it
 ///
-/// Every answer is kept, of each player by name (--player). With --csv or --json
-/// nothing is opened: the answers are printed, one a row, or with what follows from
-/// them as one JSON object. With --report a page for a portfolio or a teacher is written.
+/// carrom keeps every answer, for each player by name (--player). --csv prints the answers,
+/// one per row; --json prints them with a summary as one JSON object; --report writes a page
+/// for a portfolio or a teacher. None of these opens a screen.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// Print one JSON object: a summary, and every answer
@@ -26,20 +26,20 @@ pub(super) struct Args {
     /// Print every answer as comma-separated values, for a spreadsheet
     #[arg(long)]
     csv: bool,
-    /// The answers of everyone who plays on this computer
+    /// Include everyone who plays on this computer
     #[arg(long)]
     everyone: bool,
-    /// Write a one-page report with pictures, to be printed (.html) or read on (.md); with
-    /// --everyone a page for each player
+    /// Write a one-page report with pictures, to print (.html) or to edit (.md); with
+    /// --everyone one page per player
     #[arg(long, value_name = "FILE", value_parser = report_file,
           conflicts_with_all = ["json", "csv"])]
     report: Option<ReportFile>,
-    /// Replace a report that is there already, with its pictures
+    /// Replace an existing report and its pictures
     #[arg(long, requires = "report")]
     force: bool,
 }
 
-/// Where a report is written; its ending says what it is written as.
+/// Where a report is written; the extension determines the format.
 #[derive(Debug, Clone)]
 struct ReportFile {
     path: PathBuf,
@@ -52,13 +52,13 @@ fn report_file(path: &str) -> Result<ReportFile, String> {
     let is_markdown = match ending.map(str::to_lowercase).as_deref() {
         Some("html") => false,
         Some("md") => true,
-        _ => return Err("expected a name that ends in .html or .md".into()),
+        _ => return Err("expected a file name that ends in .html or .md".into()),
     };
     Ok(ReportFile { path, is_markdown })
 }
 
 impl Args {
-    /// Whether something is to be printed or written rather than opened.
+    /// Whether it prints or writes something rather than opening a screen.
     pub(super) fn prints(&self) -> bool {
         self.json || self.csv || self.report.is_some()
     }
@@ -96,13 +96,13 @@ pub(super) fn recall(store: &mut Store, whose: Option<String>) -> anyhow::Result
     }
 }
 
-/// Everyone who has answered anything, in the order of their names.
+/// Everyone who has answered a question, sorted by name.
 fn players(history: &History) -> Vec<String> {
     let names = history.attempts.iter().map(|it| it.player.clone());
     names.collect::<BTreeSet<_>>().into_iter().collect()
 }
 
-/// A report of each of these players, a page each.
+/// A report for each of these players, one page each.
 fn reports(
     players: &[String],
     history: &History,
@@ -141,7 +141,7 @@ fn reports(
     Ok(documents(&reports.collect::<Vec<_>>(), file))
 }
 
-/// What the store has to say, after what the player should know of it.
+/// Asks the store, and prints its notice if there is one.
 fn ask(store: &mut Store, wish: StoreRequest) -> StoreReply {
     let answer = store.answer(&StoreCall { ticket: 0, wish });
     if let Some(notice) = answer.notice {
@@ -150,8 +150,8 @@ fn ask(store: &mut Store, wish: StoreRequest) -> StoreReply {
     answer.done
 }
 
-/// The reports in one file; the pictures of those in Markdown go into a folder beside it,
-/// which has its name, and where there are several into one each within it.
+/// The reports in one file. Pictures of Markdown reports go into a folder beside it, named
+/// after it; several reports have one subfolder each.
 fn documents(reports: &[Report], file: &ReportFile) -> Vec<Document> {
     let path = &file.path;
     if !file.is_markdown {

@@ -1,4 +1,4 @@
-//! `carrom replay`: plays a saved or exported game again and prints what happens.
+//! `carrom replay`: replays a saved or exported game and prints what happens.
 
 use std::path::PathBuf;
 
@@ -14,15 +14,14 @@ use crate::game::{
 use crate::physics::Shot;
 use crate::physics::units::mm_from_m;
 
-/// Play a saved or exported game again and print what the referee says.
+/// Replay a saved or exported game and print what the referee says
 ///
-/// Every move goes through the engine and the laws once more, and the game has to
-/// end as the file says, to the last bit: the same coins at the same places. If it
-/// does not, or if a move cannot be made, the exit status is 2 and the message names
-/// the line.
+/// carrom plays every move again with the engine and the laws, and the game has to end as
+/// the file states, bit for bit: the same coins in the same positions. If it does not, or if
+/// a move is impossible, the exit status is 2 and the message names the line.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The game, as carrom keeps or exports it; - reads standard input
+    /// The saved or exported game; - reads standard input
     file: PathBuf,
     /// Print one JSON object instead of text
     #[arg(long)]
@@ -37,7 +36,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     Ok(print_report(args.json.then_some(&report), words)?)
 }
 
-/// A move and what came of it.
+/// A move and its result.
 #[derive(Debug, Serialize)]
 struct ReplayedMove {
     r#move: usize,
@@ -65,7 +64,7 @@ struct ReplayReport {
     r#final: ReplayEnd,
 }
 
-/// How the game stands after its last move.
+/// The state of the game after its last move.
 #[derive(Debug, Serialize)]
 struct ReplayEnd {
     stage: &'static str,
@@ -92,7 +91,7 @@ impl From<Ruling> for Announced {
     }
 }
 
-/// All moves, made once more.
+/// All moves, replayed.
 fn happenings(saved: &SavedGame) -> Result<Vec<ReplayedMove>, RecordError> {
     let mut happenings = Vec::new();
     saved.record.play_through(|before, made, shot, rulings| {
@@ -111,7 +110,7 @@ fn happenings(saved: &SavedGame) -> Result<Vec<ReplayedMove>, RecordError> {
     Ok(happenings)
 }
 
-/// What fell, in its order.
+/// The pocketed pieces, in order.
 fn pocketed(shot: &Shot, before: &Game) -> Vec<Piece> {
     let piece = |disc| piece_of(before.coins(), disc);
     shot.fallen().filter_map(piece).collect()
@@ -140,7 +139,7 @@ impl ReplayReport {
         }
     }
 
-    /// It in words, of a game of so many strokes.
+    /// The report in words, for a game of this many strokes.
     fn text(&self, strokes: usize) -> String {
         let mut text = String::new();
         for made in &self.moves {
@@ -150,7 +149,7 @@ impl ReplayReport {
                     let speed = strike.velocity.length();
                     format!("{seat:?} strikes at {speed:.2} m/s")
                 }
-                (None, "no_place") => format!("{seat:?} finds no place for the striker"),
+                (None, "no_place") => format!("{seat:?} has no position for the striker"),
                 (None, "next_board") => "the next board".into(),
                 (None, _) => format!("{seat:?} lays the coins out"),
             };
@@ -171,6 +170,6 @@ impl ReplayReport {
             let [x, y] = at_mm;
             text += &format!("      {:8} {x:9.2} {y:9.2} mm\n", piece.to_string());
         }
-        text + &format!("fingerprint {}, as the file says\n", end.fingerprint)
+        text + &format!("fingerprint {}, the same as in the file\n", end.fingerprint)
     }
 }

@@ -5,10 +5,10 @@ use std::path::Path;
 use crate::files::{self, FileErrors};
 use crate::screens::KeptSettings;
 
-/// What is kept of the settings in a file; nothing where there is no such file.
+/// The settings kept in a file; none if there is no such file.
 ///
 /// # Errors
-/// All that is wrong with the file.
+/// All errors in the file.
 pub(super) fn read(path: &Path) -> Result<KeptSettings, FileErrors> {
     if !path.exists() {
         return Ok(KeptSettings::default());

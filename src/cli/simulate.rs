@@ -78,8 +78,7 @@ impl ShotReport {
     }
 }
 
-/// A time to a tenth of a millisecond, or by a power of ten where nearly nothing holds a disc
-/// back.
+/// A time to a tenth of a millisecond, or as a power of ten if friction is nearly zero.
 fn seconds(time: f64) -> String {
     match time < 1e6 {
         true => format!("{time:.4}"),

@@ -10,42 +10,42 @@ use crate::shells::Headless;
 use crate::shells::tape::{PlayError, Tape, play};
 use crate::store::Store;
 
-/// Play a script without a terminal, on simulated time.
+/// Play a script without a terminal, on simulated time
 ///
-/// Each line is one instruction; # starts a comment. The same tape gives the same
-/// screens every time, byte for byte. An instruction that fails ends the run with
-/// its line number, and then no file is written.
+/// Each line is one instruction; # starts a comment. The same tape always gives the same
+/// screens, byte for byte. If an instruction fails, the run stops with its line number and
+/// writes no file.
 #[derive(Debug, clap::Args)]
 #[command(after_help = INSTRUCTIONS)]
 pub(super) struct Args {
     /// The script
     file: PathBuf,
-    /// Folder for the screenshots, made if need be
+    /// Folder for the screenshots; created if it does not exist
     #[arg(long, value_name = "DIR", default_value = ".")]
     out: PathBuf,
-    /// Write each screenshot as a picture too, NAME.svg beside NAME.txt
+    /// Also write each screenshot as a picture, NAME.svg beside NAME.txt
     #[arg(long)]
     svg: bool,
 }
 
 const INSTRUCTIONS: &str = r#"Instructions:
-  Run "quiz --seed 7"      first: the arguments after carrom (default none)
+  Run "quiz --seed 7"      must come first: the arguments of carrom (default: none)
   Set Size 100x30          columns x rows (default 80x24)
   Set Charset ascii        or unicode
   Set Color none           or 16, 256, truecolor
-  Set Day 2026-01-05       the clock stands at noon of this day (default: no clock)
-  Type "60"                one key a character
-  Right 5                  a key by its name, with how often: Up Down Left Right Enter
+  Set Day 2026-01-05       fixes the clock at noon of this day (default: no clock)
+  Type "60"                one key per character
+  Right 5                  a key by its name, and how often: Up Down Left Right Enter
                            Escape Tab Shift+Tab Backspace Delete Space PageUp PageDown
                            Home End F1 Ctrl+C
   Click 40,12              column,row from the top left, which is 0,0
   Drag 40,12 44,12         from, to
   Hold 40,12 44,12         the same without letting go
-  Release 44,12            and where that is done
-  Scroll down 3            or up; perhaps over a cell: Scroll up 1 40,12
+  Release 44,12            lets go there
+  Scroll down 3            or up; over a cell: Scroll up 1 40,12
   Sleep 1.5s               or 200ms; simulated, so it takes no time
-  At "Ada"                 on the device of a pupil of a class; At "teacher" goes back
-  Lose "Ada"               her device loses the class; Reach "Ada" finds it again
+  At "Ada"                 switches to the device of a pupil; At "teacher" switches back
+  Lose "Ada"               disconnects her device; Reach "Ada" reconnects it
   Screenshot impact        writes impact.txt
   Expect "90.0"            fails unless the screen shows this
   Refuse "NaN"             fails if the screen shows this"#;

@@ -13,7 +13,7 @@ use crate::paper::Paper;
 use crate::paper::worksheet::{Worksheet, WorksheetPicture, cards};
 use crate::quiz::{Code, Course, CourseKind, Round};
 
-/// Write a round of the quiz as a worksheet, with its key
+/// Write a round of the quiz as a worksheet with its answer key
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -22,35 +22,35 @@ Examples:
   carrom worksheet --code speeds-3 --title \"Physics 10b\" --out sheets
                                 any round that has a code
   carrom worksheet --seed 7 --versions 2 --paper letter --out sheets
-                                two versions, for who sit side by side, on US paper
+                                two versions, for pupils who sit side by side, on US paper
   carrom worksheet --cards 32 --out sheets
-                                cards A to D to vote with, a sheet a pupil to fold twice
+                                cards A to D to vote with, one sheet per pupil to fold twice
 
-Writes worksheet.html, the questions with room to answer, and key.html, the worked solutions
-with the wrong answers to listen for: two files, so that the sheet can be printed and handed
-on without the key. worksheet.md and key.md say the same in Markdown, with their pictures in
-the folder pictures. Open an HTML file in a browser and print it; nothing else is needed. Of several versions each
-question is of the same kind and as difficult, with other numbers: worksheet-a.html, key-a.html,
-worksheet-b.html and so on.
+Writes worksheet.html, the questions with space for the answers, and key.html, the worked
+solutions with the wrong answers to listen for: two files, so that you can print and hand out
+the sheet without the key. worksheet.md and key.md contain the same in Markdown, with their
+pictures in the folder pictures. Open an HTML file in a browser and print it; nothing else is
+needed. With several versions each question is of the same kind and difficulty, with different
+numbers: worksheet-a.html, key-a.html, worksheet-b.html and so on.
 
 The code on the sheet opens the same round on a screen: carrom quiz --code mixed12-7")]
 pub(super) struct Args {
-    /// Questions of a mixed round, with --seed: 1 to 60 [default: 10]
+    /// Number of questions in a mixed round, with --seed: 1 to 60 [default: 10]
     #[arg(long, value_name = "K", value_parser = count, allow_negative_numbers = true)]
     count: Option<usize>,
-    /// A round by its code, in place of --seed and --count: mixed12-7, speeds-7, exam-7
+    /// The round by its code, instead of --seed and --count: mixed12-7, speeds-7, exam-7
     #[arg(long, value_name = "CODE", value_parser = Code::read, conflicts_with = "count")]
     pub(super) code: Option<Code>,
-    /// The folder to write into; made where it is not there
+    /// The folder to write to; created if it does not exist
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// The heading
     #[arg(long, value_name = "TEXT", allow_hyphen_values = true)]
     title: Option<String>,
-    /// One document: the key in worksheet.html and worksheet.md too, behind the questions
+    /// Put the key after the questions, in worksheet.html and worksheet.md
     #[arg(long)]
     with_key: bool,
-    /// So many versions with other numbers, for who sit side by side: 1 to 4
+    /// Number of versions with different numbers, for pupils who sit side by side: 1 to 4
     #[arg(long, value_name = "N", default_value_t = 1,
           value_parser = clap::value_parser!(u8).range(1..=4))]
     versions: u8,
@@ -58,12 +58,12 @@ pub(super) struct Args {
     #[arg(long, value_name = "PAPER", default_value = "a4",
           value_parser = PossibleValuesParser::new(Paper::VARIANTS.iter().copied()).map(|it| it.parse::<Paper>().unwrap_or_default()))]
     paper: Paper,
-    /// No worksheet: so many sheets of cards A to D to vote with, to be folded twice
+    /// Instead of a worksheet, write N sheets of voting cards A to D, to fold twice
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "1",
           value_parser = clap::value_parser!(u16).range(1..=200),
           conflicts_with_all = ["count", "code", "with_key", "versions"])]
     cards: Option<u16>,
-    /// Replace the worksheet that is there already, with its key and its pictures
+    /// Replace an existing worksheet with its key and its pictures
     #[arg(long)]
     force: bool,
 }
@@ -109,7 +109,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     Ok(print_names(paths.filter(|path| !is_picture(path)))?)
 }
 
-/// The code of the round that is asked for.
+/// The code of the requested round.
 fn code(args: &Args, options: &GlobalOptions) -> Result<Code, String> {
     if let Some(code) = &args.code {
         return Ok(code.clone());
@@ -123,7 +123,7 @@ fn code(args: &Args, options: &GlobalOptions) -> Result<Code, String> {
     Ok(Code { course, seed })
 }
 
-/// What is to be written.
+/// The files to write.
 fn files(worksheet: &Worksheet, args: &Args, version: &str) -> Vec<Document> {
     let mut files = Vec::new();
     let mut file = |name: &str, content: String| {
@@ -156,8 +156,8 @@ fn is_picture(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending == "svg")
 }
 
-/// Removes what a worksheet of another round has left in the folder: a key that is not of
-/// these questions, and pictures that no question has.
+/// Removes files of another round's worksheet from the folder: a key that does not belong to
+/// these questions, and unused pictures.
 fn remove_others(out: &Path, files: &[Document]) -> anyhow::Result<()> {
     let keys = ["key.html", "key.md"].map(|name| out.join(name));
     let mut others: Vec<_> = keys.into_iter().filter(|path| path.is_file()).collect();

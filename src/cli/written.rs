@@ -1,4 +1,4 @@
-//! Files that a command writes.
+//! Writing the files of a command.
 
 use std::path::Path;
 
@@ -6,8 +6,8 @@ use anyhow::anyhow;
 
 use crate::files::{Document, Existing, Unwritten, put};
 
-/// Writes documents, all of them or none; those that are there already are replaced with
-/// --force alone. Folders that are not there are made.
+/// Writes documents, all of them or none; existing files are replaced only with --force.
+/// Missing folders are created.
 pub(super) fn write(documents: &[Document], force: bool) -> anyhow::Result<()> {
     let existing = if force { Existing::Go } else { Existing::Stay };
     put(documents, existing).map_err(|error| match error {
@@ -16,8 +16,8 @@ pub(super) fn write(documents: &[Document], force: bool) -> anyhow::Result<()> {
     })
 }
 
-/// The same for documents in or beside the file that somebody has named, whose folder has
-/// to be there: a name mistyped makes none.
+/// The same for documents in or beside a file that the user has named. Its folder has to
+/// exist, so that a typing error does not create one.
 pub(super) fn write_beside(
     named: &Path,
     documents: &[Document],
@@ -26,7 +26,7 @@ pub(super) fn write_beside(
     let folder = named.parent().filter(|it| !it.as_os_str().is_empty());
     match folder {
         Some(folder) if !folder.is_dir() => Err(anyhow!(
-            "cannot write {}: its folder is not there",
+            "cannot write {}: its folder does not exist",
             named.display()
         )),
         _ => write(documents, force),

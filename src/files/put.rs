@@ -24,7 +24,7 @@ pub enum Existing {
 #[derive(Debug, Error)]
 pub enum Unwritten {
     /// There is something of this name.
-    #[error("{}: is there already", .0.display())]
+    #[error("{} already exists", .0.display())]
     There(PathBuf),
     /// It cannot be written, or its folder cannot be made.
     #[error("cannot write {}", .0.display())]

@@ -55,7 +55,10 @@ fn without_a_terminal_it_says_so() {
             message.starts_with("carrom: a terminal is needed, and standard input is not one"),
             "{message}"
         );
-        assert!(message.contains("; without one, add --plain"), "{message}");
+        assert!(
+            message.contains("; without a terminal, use --plain"),
+            "{message}"
+        );
         assert_eq!(message.lines().count(), 1);
     }
 }
@@ -65,7 +68,7 @@ fn what_has_no_screen_has_no_plain_lines() {
     for arguments in [["keys", "--plain"], ["man", "--plain"]] {
         let output = carrom(&arguments);
         assert_eq!(output.status.code(), Some(2));
-        assert!(err(&output).contains("expected --plain with a screen"));
+        assert!(err(&output).contains("--plain works only with a screen"));
     }
 }
 
@@ -119,11 +122,11 @@ fn unusable_arguments_are_refused() {
         ),
         (
             &["--player", "a\u{1b}[2J"],
-            "expected a name of 1 to 40 visible letters",
+            "expected a name of 1 to 40 visible characters",
         ),
         (
             &["--player", " "],
-            "expected a name of 1 to 40 visible letters",
+            "expected a name of 1 to 40 visible characters",
         ),
         (&["tape"], "<FILE>"),
         (&["completions", "csh"], "invalid value 'csh'"),

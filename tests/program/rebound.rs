@@ -42,8 +42,8 @@ fn a_bad_file_is_told_line_by_line_and_the_usual_keys_hold() {
         .collect::<Vec<_>>()
         .join(" ");
     for told in [
-        "The usual keys hold.",
-        "keys.toml:3: keys.lab.nothing: there is no such action",
+        "carrom uses the default keys.",
+        "keys.toml:3: keys.lab.nothing: unknown action",
         "keys.toml:4: keys.everywhere.help: expected a key",
     ] {
         let told = told.replace(' ', "");

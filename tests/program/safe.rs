@@ -260,7 +260,7 @@ fn a_name_is_its_visible_letters() {
         assert_eq!(output.status.success(), good, "{name:?}");
         if !good {
             let said = said(&output);
-            assert!(said.contains("1 to 40 visible letters"), "{said}");
+            assert!(said.contains("1 to 40 visible characters"), "{said}");
         }
     }
 }
@@ -292,11 +292,11 @@ fn what_is_expected_is_said() {
         ),
         (
             &["quiz", "--code", "7", "--seed", "5"],
-            "--seed or --code, not both",
+            "use either --seed or --code, not both",
         ),
         (
             &["class", "--code", "7", "--seed", "5"],
-            "--seed or --code, not both",
+            "use either --seed or --code, not both",
         ),
         (
             &["quiz", "--seed", "-1"],

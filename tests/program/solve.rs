@@ -498,7 +498,7 @@ fn bad_arguments_are_refused_by_name() {
         ),
         (
             &["--alpha-deg", "30", "--u2", "1"],
-            "expected two numbers in m/s with a comma between",
+            "expected two numbers in m/s separated by a comma",
         ),
         (
             &[

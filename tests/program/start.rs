@@ -56,7 +56,7 @@ fn every_example_passes_the_check_that_its_readme_names() {
     }
     let again = refused(&folder, "examples --out .", 1);
     assert!(
-        again.contains("is there already (--force replaces it)"),
+        again.contains("already exists (--force replaces it)"),
         "{again}"
     );
     done(&folder, "examples --out . --force");
@@ -87,7 +87,7 @@ fn a_new_file_passes_its_check_under_the_longest_name_too() {
                 "{text}"
             );
             let again = refused(&folder, &format!("new {kind} {name} --out {kind}"), 1);
-            assert!(again.contains("is there already"), "{again}");
+            assert!(again.contains("already exists"), "{again}");
         }
     }
     for name in ["Über", "a_b", "../x", &"x".repeat(33)] {

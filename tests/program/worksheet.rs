@@ -263,7 +263,7 @@ fn files_are_written_and_none_is_replaced_unasked() {
     let output = worksheet(&ask);
     assert_eq!(output.status.code(), Some(1));
     let message = err(&output);
-    assert!(message.contains("is there already (--force replaces it)"));
+    assert!(message.contains("already exists (--force replaces it)"));
     assert_eq!(message.lines().count(), 1, "{message}");
     assert_eq!(at("key.md"), "mine");
     assert!(!Path::new(&out).join("worksheet.html").exists());
@@ -350,7 +350,7 @@ fn what_cannot_be_done_is_said() {
         (
             vec!["--out", &out, "--seed", "1", "--code", "7"],
             2,
-            "expected --seed or --code, not both",
+            "use either --seed or --code, not both",
         ),
         (
             vec!["--out", &out, "--count", "5", "--code", "7"],

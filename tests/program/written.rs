@@ -48,7 +48,7 @@ fn reports_and_figures_are_replaced_with_force_alone() {
         fs::write(&path, "mine").unwrap();
         let output = carrom(folder.path(), arguments);
         assert_eq!(output.status.code(), Some(1), "{file}");
-        let expected = format!("carrom: {file}: is there already (--force replaces it)\n");
+        let expected = format!("carrom: {file} already exists (--force replaces it)\n");
         assert_eq!(err(&output), expected);
         assert_eq!(fs::read(&path).unwrap(), b"mine", "{file}");
         let output = carrom(folder.path(), &[arguments, &["--force"]].concat());

@@ -1,4 +1,4 @@
-//! An answer as it is written: one JSON object a line.
+//! The answers, one JSON object per line.
 
 use glam::DVec2;
 use serde::Serialize;
@@ -6,8 +6,7 @@ use serde::Serialize;
 use crate::physics::units::deg_from_rad;
 use crate::physics::{Bond, Collision};
 
-/// What is undefined is `null`. Numbers are written with as many digits as it takes
-/// to read the same number back.
+/// Undefined values are `null`. Numbers have enough digits to read the same number back.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub(super) struct SolveAnswer {
     hit: bool,
@@ -19,13 +18,13 @@ pub(super) struct SolveAnswer {
     theta2_deg: Option<f64>,
     separation_deg: Option<f64>,
     energy_before_j: f64,
-    /// With the energy of rotation where the discs stick.
+    /// Includes the energy of rotation if the discs stick together.
     energy_after_j: f64,
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     turning: Option<Turning>,
 }
 
-/// What is added for discs that stick.
+/// Additional values for discs that stick together.
 #[derive(Debug, Clone, Copy, Serialize)]
 struct Turning {
     energy_rotation_j: f64,

@@ -4,12 +4,12 @@ use super::problem::{Problem, number};
 use crate::cli::Failure;
 use crate::physics::Collision;
 
-/// Work out one collision, or many with --batch.
+/// Solve one collision, or many with --batch
 #[derive(Debug, Clone, clap::Args)]
 #[command(
-    after_help = "Angles are in degrees. The striker moves along +x; the impact angle runs from its \
-                  motion as the target sees it to the line of centres, positive when the target \
-                  lies to the right."
+    after_help = "Angles are in degrees. The striker moves along +x. The impact angle is the angle \
+                  from the striker's velocity relative to the target to the line of centres, positive \
+                  if the target is on the right."
 )]
 pub(in crate::cli) struct Args {
     #[command(flatten)]
@@ -19,18 +19,18 @@ pub(in crate::cli) struct Args {
     #[arg(long)]
     pub(super) json: bool,
 
-    /// Say the solution in plain lines to be read aloud; without an impact angle or an
-    /// offset, ask for the hit first
+    /// Print the solution in plain lines to be read aloud; without an impact angle or an
+    /// offset, ask for the collision first
     #[arg(long, conflicts_with_all = ["json", "batch"])]
     pub(in crate::cli) plain: bool,
 
-    /// Read problems from standard input as JSON Lines and answer one line each
+    /// Read problems from standard input as JSON Lines and answer each with one line
     #[arg(
         long,
-        long_help = "Read problems from standard input as JSON Lines and answer one line each\n\n\
-                     A problem is {\"m1_g\":15,\"m2_g\":15,\"u1\":[4,0],\"alpha_deg\":30}, with \
-                     \"u2\", \"restitution\" and \"stick\" as wanted; \"offset_mm\", \"r1_mm\" and \
-                     \"r2_mm\" may stand in place of \"alpha_deg\". Blank lines are passed over.",
+        long_help = "Read problems from standard input as JSON Lines and answer each with one line\n\n\
+                     A problem is {\"m1_g\":15,\"m2_g\":15,\"u1\":[4,0],\"alpha_deg\":30}; \
+                     \"u2\", \"restitution\" and \"stick\" are optional; \"offset_mm\", \"r1_mm\" and \
+                     \"r2_mm\" can replace \"alpha_deg\". Blank lines are skipped.",
         conflicts_with_all = [
             "m1_g", "m2_g", "u1", "alpha_deg", "offset_mm", "r1_mm", "r2_mm", "u2",
             "restitution", "stick"
@@ -40,12 +40,12 @@ pub(in crate::cli) struct Args {
 }
 
 impl Args {
-    /// Whether it is said where the two meet.
+    /// Whether the impact angle or the offset is given.
     pub(in crate::cli) fn is_complete(&self) -> bool {
         self.problem.alpha_deg.is_some() || self.problem.offset_mm.is_some()
     }
 
-    /// The collision that is asked for, and whether it was given by the offset.
+    /// The collision, and whether it was given by the offset.
     pub(super) fn collision(&self) -> Result<(Collision, bool), Failure> {
         if !self.is_complete() {
             return Err(Failure::input(

@@ -1,4 +1,4 @@
-//! Many problems, one a line, answered in order.
+//! Many problems, one per line, answered in order.
 
 use std::fmt::Display;
 use std::io::{BufRead, Write};
@@ -15,15 +15,15 @@ use crate::files::{BYTE_ORDER_MARK, escape_control};
 /// The longest error message, in characters: noise is not echoed at length.
 const LONGEST_MESSAGE: usize = 200;
 
-/// What stands in place of an answer to a line that is no problem.
+/// The answer to a line that is not a problem.
 #[derive(Debug, Serialize)]
 struct RefusedLine {
     line: u64,
     error: String,
 }
 
-/// Answers every line of `input` that is not blank. A bad line is refused and the
-/// run goes on, to end with exit status 1.
+/// Answers every line of `input` that is not blank. A bad line is answered with an error;
+/// the run continues and ends with exit status 1.
 pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> Result<ExitCode, BatchError> {
     let mut lines = LineReader::new(input);
     let mut status = ExitCode::SUCCESS;
@@ -61,8 +61,8 @@ fn answer(text: &[u8]) -> Result<SolveAnswer, String> {
     Ok(SolveAnswer::of(&collision))
 }
 
-/// The message of an error in plain words, kept short. JSON's own line is always 1
-/// here and would only be mistaken for the line of the batch.
+/// A short error message in plain words, without JSON's line number: it is always 1 here
+/// and would be mistaken for the line of the batch.
 fn said(error: impl Display) -> String {
     let message = error
         .to_string()

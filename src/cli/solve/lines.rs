@@ -7,15 +7,15 @@ use thiserror::Error;
 /// The longest line that is kept; a problem takes a few hundred bytes.
 pub(super) const LONGEST: usize = 64 * 1024;
 
-/// A line as it was found.
+/// A line of the input.
 pub(super) enum InputLine<'a> {
     /// Its bytes without the line break.
     Whole(&'a [u8]),
-    /// It was longer than [`LONGEST`] and was passed over.
+    /// It was longer than [`LONGEST`] and was skipped.
     TooLong,
 }
 
-/// What went wrong between the problems and the answers.
+/// An input or output error.
 #[derive(Debug, Error)]
 pub(super) enum BatchError {
     #[error("cannot read the problems")]
@@ -28,7 +28,7 @@ pub(super) enum BatchError {
 pub(super) struct LineReader<R> {
     input: R,
     line: Vec<u8>,
-    /// All that has arrived is used up: the next look at the input may wait.
+    /// Whether everything that has arrived is used up, so that the next read may wait.
     may_wait: bool,
 }
 
@@ -41,8 +41,8 @@ impl<R: BufRead> LineReader<R> {
         }
     }
 
-    /// The next line, or `None` at the end. Calls `before_waiting` whenever more must
-    /// arrive first: the moment to send what has been answered so far.
+    /// The next line, or `None` at the end. Calls `before_waiting` before it waits for more
+    /// input, so that the answers so far can be sent.
     pub(super) fn next(
         &mut self,
         mut before_waiting: impl FnMut() -> io::Result<()>,

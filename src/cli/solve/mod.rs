@@ -1,5 +1,5 @@
-//! `carrom solve`: one collision resolved, as a worked solution, as JSON, or many of
-//! them as JSON Lines.
+//! `carrom solve`: solves one collision, as a worked solution or as JSON, or many as JSON
+//! Lines.
 
 mod answer;
 mod args;
@@ -24,8 +24,9 @@ use lines::BatchError;
 /// Room for some hundreds of answers.
 const BUFFER: usize = 1 << 16;
 
-/// Solves what the arguments say. A reader that hangs up, as `head` does, ends the
-/// work quietly; a bad line of a batch is answered as such and counts as failed work.
+/// Solves the problem in the arguments, or a batch. A reader that stops early, as `head` does,
+/// ends the work quietly; a bad line of a batch is answered with an error and makes the
+/// command fail.
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Failure> {
     let mut out = BufWriter::with_capacity(BUFFER, io::stdout().lock());
     let written = if args.batch {
@@ -46,8 +47,8 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<ExitCode, Fail
     }
 }
 
-/// Says a worked solution in plain lines; where it is not said where the two meet, the hit is
-/// asked for.
+/// Prints a worked solution in plain lines; without an impact angle or an offset it asks for
+/// the collision first.
 pub(super) fn plain(args: &Args) -> Result<(), Failure> {
     let steps = args.is_complete().then(|| args.steps()).transpose()?;
     let (mut input, mut output) = (io::stdin().lock(), io::stdout().lock());
@@ -59,13 +60,13 @@ pub(super) fn plain(args: &Args) -> Result<(), Failure> {
 }
 
 impl Args {
-    /// The one problem of the arguments, worked out.
+    /// The worked solution of the problem in the arguments.
     pub(super) fn steps(&self) -> Result<Vec<WorkedStep>, Failure> {
         let (collision, by_offset) = self.collision()?;
         Ok(worked::steps(&collision, by_offset))
     }
 
-    /// The one problem of the arguments, answered.
+    /// The answer to the problem in the arguments.
     fn answer(&self, options: &GlobalOptions) -> Result<Vec<u8>, Failure> {
         if self.json {
             let (collision, _) = self.collision()?;

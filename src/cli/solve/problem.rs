@@ -1,5 +1,4 @@
-//! A problem as it is asked, in the units of files, and the check that makes a
-//! collision of it.
+//! A problem in the units of files, and the check that turns it into a collision.
 
 use std::num::ParseFloatError;
 
@@ -9,8 +8,8 @@ use glam::DVec2;
 use crate::numbers::typed;
 use crate::physics::{Bond, Collision, CollisionSpec, FieldRange, ImpactPoint};
 
-/// Wide enough for dust and for planets' rings, narrow enough that nothing in the
-/// working over- or underflows.
+/// Wide enough for dust and for planets' rings, narrow enough to prevent overflow and
+/// underflow in the calculation.
 const RANGES: [FieldRange; 10] = [
     FieldRange::new("m1_g", "grams", 1e-12, 1e12),
     FieldRange::new("m2_g", "grams", 1e-12, 1e12),
@@ -23,8 +22,8 @@ const RANGES: [FieldRange; 10] = [
     FieldRange::new("offset_mm", "millimetres", -1e12, 1e12),
     FieldRange::new("restitution", "a number", 0.0, 1.0),
 ];
-/// Radius in mm where none is given: a carrom piece. With an impact angle it matters
-/// only for how a pair that sticks turns.
+/// The default radius in mm: a carrom piece. With an impact angle it matters only for the
+/// rotation of a pair that sticks together.
 const RADIUS_MM: f64 = 15.9;
 
 /// A field that is missing, out of range or out of place.
@@ -37,7 +36,7 @@ pub(super) struct ProblemError {
     pub(super) message: String,
 }
 
-/// A collision as it is asked; what is `None` was not said.
+/// A collision to solve; `None` means not given.
 #[derive(Debug, Clone, Copy, Default, PartialEq, clap::Args)]
 pub(super) struct Problem {
     /// Mass of the striker in grams
@@ -83,13 +82,13 @@ pub(super) struct Problem {
     #[arg(allow_negative_numbers = true)]
     pub(super) restitution: Option<f64>,
 
-    /// The discs stick where they touch and go on as one
+    /// The discs stick together and move on as one (perfectly inelastic)
     #[arg(long, action = ArgAction::SetTrue)]
     pub(super) stick: Option<bool>,
 }
 
 impl Problem {
-    /// The collision that is asked for, and whether it was given by the offset.
+    /// The collision, and whether it was given by the offset.
     pub(super) fn collision(&self) -> Result<(Collision, bool), ProblemError> {
         if self.alpha_deg.is_some() && self.offset_mm.is_some() {
             return Err(fault(
@@ -142,7 +141,9 @@ fn pair(text: &str) -> Result<[f64; 2], String> {
     let number = |part: &str| part.trim().parse::<f64>().ok();
     text.split_once(',')
         .and_then(|(x, y)| Some([number(x)?, number(y)?]))
-        .ok_or_else(|| "expected two numbers in m/s with a comma between, as in -1,0.5".to_owned())
+        .ok_or_else(|| {
+            "expected two numbers in m/s separated by a comma, such as -1,0.5".to_owned()
+        })
 }
 
 fn required<T>(field: &str, value: Option<T>) -> Result<T, ProblemError> {
@@ -154,7 +155,7 @@ fn velocity(field: &str, components: [f64; 2]) -> Result<DVec2, ProblemError> {
     Ok(DVec2::new(x?, y?))
 }
 
-/// A number that is in the range of its field.
+/// A number within the range of its field.
 pub(super) fn number(field: &str, value: f64) -> Result<f64, ProblemError> {
     let range = RANGES.iter().find(|range| range.name == field);
     range.map_or(Ok(value), |range| {

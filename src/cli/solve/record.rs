@@ -61,7 +61,7 @@ impl<'de> Visitor<'de> for ProblemVisitor {
     }
 }
 
-/// Reads the value of one field, which may stand in a line only once.
+/// Reads the value of one field, which may occur only once per line.
 fn set<'de, T: Deserialize<'de>, A: MapAccess<'de>>(
     slot: &mut Option<T>,
     field: &'static str,

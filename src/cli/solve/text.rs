@@ -5,11 +5,11 @@ use crate::widgets::{Charset, text};
 
 /// Columns that prose is wrapped to.
 const WIDTH: usize = 78;
-/// What stands before prose, and before a line of working.
+/// The indentation of prose, and of a line of working.
 const PROSE: &str = "   ";
 const WORKING: &str = "     ";
 
-/// The steps one below the other, numbered, in the signs the reader can see.
+/// The numbered steps, in the charset of the reader.
 pub(super) fn render(steps: &[WorkedStep], charset: Charset) -> String {
     let step = |(number, step): (usize, &WorkedStep)| {
         let why = text::wrap(&charset.text(&step.why), WIDTH - PROSE.len());

@@ -39,7 +39,7 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
     let player = fields.text_as("player", |name| match is_player_name(name) {
         true => Ok(name.to_owned()),
         false if is_blank_name(name) => Ok(NO_NAME.to_owned()),
-        false => Err("expected a name of 1 to 40 visible letters".into()),
+        false => Err("expected a name of 1 to 40 visible characters".into()),
     });
     let players = fields.parsed::<BySeat<Player>>("players", "who plays from each seat");
     let strengths = if fields.has("computers") {
