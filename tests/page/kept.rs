@@ -243,7 +243,7 @@ fn a_database_of_the_program_is_opened_in_the_page() {
     assert_eq!(answers(&own).len(), 1);
     // Taken to another computer, and from there back: nothing is there twice.
     drop_file(&mut chromium, &own);
-    wait_for(&mut chromium, "now belongs to what you did here");
+    wait_for(&mut chromium, "has been added to your progress here");
     assert_eq!(answers(&progress(&mut chromium)).len(), 1);
     // A damaged one is refused in words.
     press(&mut chromium, &["Escape"]);
@@ -335,7 +335,7 @@ fn a_crafted_database_is_refused_in_words_before_it_is_queried() {
     assert_eq!(chromium.run("return window.read", &[]), json!(0));
     press(&mut chromium, &["Escape"]);
     drop_file(&mut chromium, &own);
-    wait_for(&mut chromium, "now belongs to what you did here");
+    wait_for(&mut chromium, "has been added to your progress here");
     assert_eq!(answers(&progress(&mut chromium)).len(), 1);
 }
 

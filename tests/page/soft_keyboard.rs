@@ -97,7 +97,7 @@ fn at_the_door(name: &str) -> (Folder, Teacher, Phone) {
     let teacher = Teacher::gathering(&folder, &page);
     let address = format!("http://127.0.0.1:{}/", teacher.port);
     let mut phone = Phone::sized(SMALL, &address, "");
-    phone.expect("Your class plays a round");
+    phone.expect("Your class is playing a round");
     (folder, teacher, phone)
 }
 
@@ -114,7 +114,7 @@ fn a_phone_joins_a_class_and_votes_by_its_soft_keyboard() {
     phone.edit("deleteBackward");
     phone.compose(&["é"]);
     assert_eq!(phone.typed(), "Adé");
-    phone.press("Come in");
+    phone.press("Join the class");
     phone.expect("You are in, Adé.");
     teacher.press("<Enter><Enter>", "0 of 1 have voted");
     phone.expect("Where will they go?");
@@ -153,7 +153,7 @@ fn enter_leads_from_field_to_field_and_the_keyboard_stays_open() {
     phone.insert("Bo");
     phone.enter();
     assert_eq!(phone.typing_into(), "", "the keyboard makes room");
-    phone.press("Come in");
+    phone.press("Join the class");
     phone.expect("You are in, Bo.");
 }
 
@@ -165,7 +165,7 @@ fn a_word_that_is_still_being_composed_is_sent_with_the_form() {
     phone.compose(&[&teacher.code]);
     phone.open_keyboard("name");
     phone.compose(&["C", "Ca", "Cem", "Cem "]);
-    phone.press("Come in");
+    phone.press("Join the class");
     phone.expect("You are in, Cem.");
 }
 
@@ -180,7 +180,7 @@ fn what_is_typed_faster_than_it_is_drawn_arrives_once() {
     for letter in ["D", "o", "r", "a"] {
         phone.insert(letter);
     }
-    phone.press("Come in");
+    phone.press("Join the class");
     phone.expect("You are in, Dora.");
     teacher.press("<Enter><Enter>", "0 of 1 have voted");
     phone.expect("Where will they go?");
@@ -214,7 +214,7 @@ fn a_field_shows_what_the_game_has_taken() {
 fn the_keyboard_of_the_menu_stays_open_and_each_letter_counts_once() {
     let mut phone = Phone::sized(SMALL, &page(), "lab");
     phone.press("☰");
-    phone.press("A keyboard for letters");
+    phone.press("Show the keyboard");
     thread::sleep(Duration::from_millis(400));
     assert_eq!(phone.typing_into(), "(none)");
     let keys = "

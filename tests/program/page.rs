@@ -73,7 +73,10 @@ fn a_page_is_not_made_of_what_is_none_nor_over_what_is_there() {
     folder.file("carrom.html", PAGE);
     folder.file("other.html", "<!doctype html><title>other</title>");
     let message = refused(&folder, "page --page other.html --out our.html", 2);
-    assert!(message.contains("this page is not carrom's"), "{message}");
+    assert!(
+        message.contains("this is not a page of carrom"),
+        "{message}"
+    );
     let message = refused(&folder, "page --page none.html --out our.html", 2);
     assert!(message.contains("cannot read none.html"), "{message}");
     done(&folder, "page --page carrom.html --out our.html");

@@ -92,7 +92,7 @@ const keeper = (() => {
     try {
       await opened;
       if (!base) await (opened = connect());
-      if (!base) throw "this browser keeps nothing for this page";
+      if (!base) throw "this browser does not save data for this page";
       await write();
       known += 1;
       safe += 1;
@@ -154,8 +154,8 @@ const keeper = (() => {
     const name = error?.name;
     // The browser has closed it without a word.
     if (name === "InvalidStateError") base = null;
-    if (name === "QuotaExceededError") return "this browser has no more room for it";
-    return `this browser does not keep it (${name || "no reason given"})`;
+    if (name === "QuotaExceededError") return "the browser's storage is full";
+    return `the browser cannot save it (${name || "no reason given"})`;
   }
 
   return { opened, files, keep, packed, kept: () => safe };

@@ -218,7 +218,7 @@ const page = (() => {
     if (file.size > LARGEST) {
       const size = Math.ceil(file.size / 2 ** 20);
       const most = LARGEST / 2 ** 20;
-      return tell(`${file.name} cannot be opened: it has ${size} MiB, and carrom opens files of up to ${most} MiB.`);
+      return tell(`${file.name} cannot be opened: its size is ${size} MiB, and carrom opens files of up to ${most} MiB.`);
     }
     let content;
     try {
@@ -249,7 +249,7 @@ const page = (() => {
       const { fault, files, bytes } = program.call({ do: "progress" });
       if (fault) tell(`Your progress cannot be read: ${fault}.`);
       else if (files.length) give("progress.db", bytes);
-      else tell("Nothing is kept yet: answer a question first.");
+      else tell("There is no progress to download yet: answer a question first.");
     }
   }
 
@@ -260,7 +260,7 @@ const page = (() => {
     if (failedOnce) return;
     failedOnce = true;
     game.hidden = true;
-    say("Something went wrong in carrom, and it stopped.\nWhat you answered is kept. Load the page again to go on.");
+    say("Something went wrong in carrom, and it stopped.\nYour answers are saved. Reload the page to continue.");
   }
 
   // For tests: so many ms pass, and what they bring is drawn.

@@ -29,7 +29,7 @@ const plain = (() => {
 
   function over() {
     form.hidden = true;
-    show(["You have left. The link above opens carrom again."]);
+    show(["You have left carrom. The link above opens it again."]);
   }
 
   function write(text, kind) {

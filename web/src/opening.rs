@@ -40,7 +40,7 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
             && faults.len() < MOST_FAULTS
         {
             let found = escape_control(&format!("{name}={value}"), LONGEST_QUOTE);
-            faults.push(format!("The link says {found}: expected {expected}."));
+            faults.push(format!("The link contains {found}: expected {expected}."));
         }
     }
     // As on the command line: a seed alone means ten hits.
@@ -105,7 +105,7 @@ impl LinkTarget {
                 }
             }
             "player" if is_player_name(value.trim()) => self.settings.player = tidy_name(value),
-            "player" => return Err("a name of 1 to 40 visible letters".into()),
+            "player" => return Err("a name of 1 to 40 visible characters".into()),
             "seed" => {
                 self.seed = value.parse().map_err(|_| "a whole number")?;
                 self.seeded = true;
@@ -187,7 +187,10 @@ mod tests {
             let mut game = Headless::from(opened(&fragment));
             game.resize(120, 40);
             let screen = game.screen();
-            assert!(screen.contains("The link says"), "{fragment:.40}: {screen}");
+            assert!(
+                screen.contains("The link contains"),
+                "{fragment:.40}: {screen}"
+            );
             assert!(screen.matches('Ж').count() <= LONGEST_QUOTE, "{screen}");
         }
     }

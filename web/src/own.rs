@@ -90,7 +90,7 @@ pub(crate) fn take_in(
         let progress = Change::Progress(bytes.to_vec());
         keeping.take_in(progress).map_err(wrong)?;
         return Ok(format!(
-            "What was done in {name} now belongs to what you did here."
+            "The progress in {name} has been added to your progress here."
         ));
     }
     if let Some(path) = path(name, bytes) {
@@ -106,7 +106,7 @@ pub(crate) fn take_in(
         let file = (format!("{OWN}{path}"), bytes.to_vec());
         keeping.take_in(Change::Own(file)).map_err(wrong)?;
         return Ok(format!(
-            "{name} is kept. It is there when you open this page again."
+            "{name} is saved. It will be here when you open this page again."
         ));
     }
     if name.ends_with(".toml") {
@@ -117,10 +117,10 @@ pub(crate) fn take_in(
             false => (Change::Game(file), "the saved games"),
         };
         let taken = keeping.take_in(change).map_err(wrong);
-        return taken.map(|()| format!("{name} is now among {place}."));
+        return taken.map(|()| format!("{name} has been added to {place}."));
     }
     Err(format!(
-        "{name} is nothing that carrom can open. It opens progress.db, a saved game, a round of a \
-         class, a level, a chapter and a file of questions."
+        "carrom cannot open {name}. It opens progress.db, a saved game, a round of a class, a level, a \
+         chapter and a file of questions."
     ))
 }

@@ -462,7 +462,8 @@ impl AppHolder for Shell {
                     }
                 }
                 Effect::Host(HostCall::Open { .. }) => {
-                    let words = "a page cannot be one; the program carrom can".to_owned();
+                    let words =
+                        "a page in a browser cannot host; the carrom program can".to_owned();
                     self.input(&Input::Hosted(vec![HostNews::Opened(Err(words))]));
                 }
                 Effect::Host(_) => {}
@@ -470,7 +471,7 @@ impl AppHolder for Shell {
                 Effect::Export { name, content } => {
                     let place = match self.opening.simulated {
                         true => name.clone(),
-                        false => format!("the folder for downloads: {name}"),
+                        false => format!("your downloads folder: {name}"),
                     };
                     self.downloads.push(Download { name, content });
                     self.input(&Input::Exported(Ok(place)));
