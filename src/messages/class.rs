@@ -1,36 +1,36 @@
-//! A class on its own devices: what a pupil's carrom asks of whoever reaches the host, and what it
-//! hears.
+//! A class on its own devices: what a pupil's carrom requests from its connection to the host,
+//! and what arrives.
 
-/// What a pupil's carrom asks of whoever reaches the host.
+/// A request from a pupil's carrom to its connection.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum JoinCall {
-    /// Reach the host at this address; hang up on any other.
+    /// Connect to the host at this address; close any other connection.
     Dial(String),
-    /// Say this.
+    /// Send this text.
     Say(String),
-    /// Remember what brings the pupil back there, and under which name.
+    /// Remember how the pupil rejoins there.
     Remember {
-        /// What brings them back, as text.
+        /// The token of the pupil's seat, as text.
         seat: String,
-        /// Their name.
+        /// The pupil's name.
         name: String,
         /// The code of the class.
         code: String,
     },
-    /// Hang up.
+    /// Close the connection.
     HangUp,
 }
 
-/// What a pupil's carrom hears.
+/// An event from a pupil's connection to the host.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum JoinNews {
-    /// The host is reached.
+    /// The connection is open.
     Reached,
-    /// The host says this.
+    /// The host has sent this text.
     Heard(String),
-    /// The host cannot be reached, or no longer: why.
+    /// The host cannot be reached, or the connection was lost, for this reason.
     Lost(String),
-    /// What was remembered of an earlier time there: the token, and the name.
+    /// Remembered from an earlier connection: the token, and the name.
     Remembered(String, String),
     /// The device was asleep or out of sight, and is back.
     Awake,

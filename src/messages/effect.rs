@@ -1,27 +1,27 @@
-//! What the app asks of the shell that drives it.
+//! Requests of the app to the shell that drives it.
 
 use super::{HostCall, JoinCall, StoreCall};
 
-/// A thing only the world outside can do.
+/// Something that only the outside world can do.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
     /// Leave the program.
     Quit,
-    /// Do something with what is kept, and hand the
-    /// [`StoreAnswer`](super::StoreAnswer) back as an input.
+    /// Read or change stored data, and return the
+    /// [`StoreAnswer`](super::StoreAnswer) as an input.
     Keep(StoreCall),
-    /// Do something for a class on its own devices, of which this is the teacher's carrom,
-    /// and hand what is heard back as an [`Input::Hosted`](super::Input::Hosted).
+    /// Host a class on its own devices, on the teacher's side, and return what arrives as an
+    /// [`Input::Hosted`](super::Input::Hosted).
     Host(HostCall),
-    /// Do something for a pupil of such a class, and hand what is heard back as an
+    /// Connect to such a class, on a pupil's side, and return what arrives as an
     /// [`Input::Joined`](super::Input::Joined).
     Join(JoinCall),
-    /// Write a text to a file of this name where the player is, in a terminal the folder
-    /// it was started in, and hand back as an [`Input::Exported`](super::Input::Exported)
-    /// where it is. (What a [`StoreRequest`](super::StoreRequest) exports goes to the folder for data
-    /// instead, with whatever else is kept.)
+    /// Write a text to a file of this name for the player (in a terminal, in the folder where
+    /// carrom was started), and return its path as an
+    /// [`Input::Exported`](super::Input::Exported). (A [`StoreRequest`](super::StoreRequest)
+    /// exports to the data folder instead.)
     Export {
-        /// The name: letters, digits, hyphens and an ending.
+        /// Letters, digits, hyphens and an extension.
         name: String,
         /// The text.
         content: String,

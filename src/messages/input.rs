@@ -1,11 +1,11 @@
-//! What a shell tells the app.
+//! The inputs that a shell passes to the app.
 
 use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
 
 use super::{HostNews, JoinNews, Key, StoreAnswer};
 
-/// One thing that happened outside.
+/// One event from outside.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Input {
     /// A key was pressed.
@@ -16,17 +16,17 @@ pub enum Input {
     Paste(String),
     /// The screen now has this many columns and rows.
     Resize(u16, u16),
-    /// The [`Effect::Keep`](super::Effect::Keep) of this ticket takes long; what comes of
-    /// it is still to come.
+    /// The [`Effect::Keep`](super::Effect::Keep) of this ticket takes long; its result will
+    /// follow.
     Saving(u64),
-    /// What came of an [`Effect::Keep`](super::Effect::Keep).
+    /// The result of an [`Effect::Keep`](super::Effect::Keep).
     Kept(Box<StoreAnswer>),
-    /// What came of an [`Effect::Export`](super::Effect::Export): where the file is,
-    /// or why there is none.
+    /// The result of an [`Effect::Export`](super::Effect::Export): the file's path, or why
+    /// there is none.
     Exported(Result<String, String>),
-    /// What was heard of a class on its own devices since the last time, in order.
+    /// What has arrived from a class on its own devices since the last time, in order.
     Hosted(Vec<HostNews>),
-    /// What was heard of the host of the class.
+    /// What has arrived from the host of the class.
     Joined(JoinNews),
 }
 
@@ -45,13 +45,13 @@ pub struct Mouse {
     pub column: u16,
     /// Row of the cell.
     pub row: u16,
-    /// Where in the cell, in 256ths of its width and of its height: where a finger points, a
-    /// cell is coarse. A terminal knows no more than the cell, and that is its middle.
+    /// The position in the cell, in 256ths of its width and height, because a cell is coarse
+    /// for a finger. A terminal reports only the cell; the position is then its middle.
     pub within: (u8, u8),
 }
 
 impl Mouse {
-    /// The mouse over a cell (column, row), of which no more is known.
+    /// The mouse in the middle of a cell (column, row).
     pub const fn over(kind: MouseKind, (column, row): (u16, u16)) -> Self {
         Self {
             kind,
@@ -61,8 +61,8 @@ impl Mouse {
         }
     }
 
-    /// The mouse at a place of the screen, in columns and rows from its upper left corner;
-    /// what lies outside is at the edge.
+    /// The mouse at a position on the screen, in columns and rows from its upper left corner;
+    /// positions outside are moved to the edge.
     pub fn at(kind: MouseKind, place: DVec2) -> Self {
         let place = place.max(DVec2::ZERO);
         let within = 256.0 * place.fract();
@@ -72,7 +72,7 @@ impl Mouse {
         }
     }
 
-    /// The place of the screen, in columns and rows from its upper left corner.
+    /// The position on the screen, in columns and rows from its upper left corner.
     pub fn place(&self) -> DVec2 {
         let (x, y) = self.within;
         dvec2(self.column.into(), self.row.into()) + dvec2(x.into(), y.into()) / 256.0

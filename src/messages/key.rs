@@ -6,8 +6,8 @@ use strum::{EnumString, IntoStaticStr};
 
 /// A key press (or repeat), free of any terminal library's types.
 ///
-/// Shift is already in the character of [`Key::Char`]; a press with Alt or with
-/// the system key is not passed on.
+/// Shift is already included in the character of [`Key::Char`]; shells do not pass on
+/// presses with Alt or with the system key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumString, IntoStaticStr)]
 #[strum(ascii_case_insensitive)]
 pub enum Key {
@@ -62,7 +62,7 @@ impl Key {
     /// The four arrows: up, down, left, right.
     pub const ARROWS: [Self; 4] = [Self::Up, Self::Down, Self::Left, Self::Right];
 
-    /// The key of a text: a character stands for itself, a name for what a tape calls so.
+    /// The key of a text: a character is its own key, a name is read as in a tape.
     pub fn parse(text: &str) -> Option<Self> {
         match text.parse::<char>() {
             Ok(c) if !c.is_control() => Some(Self::Char(c)),
@@ -70,8 +70,8 @@ impl Key {
         }
     }
 
-    /// The key of a name as a tape writes it (`Right`, `Space`, `Ctrl+C`, `F1`),
-    /// whatever the case of its letters; `None` if there is no such key.
+    /// The key of a name as in a tape (`Right`, `Space`, `Ctrl+C`, `F1`), in upper or lower
+    /// case; `None` if there is no such key.
     pub fn named(name: &str) -> Option<Self> {
         let lower = name.to_ascii_lowercase();
         if lower == "space" {

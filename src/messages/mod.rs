@@ -1,8 +1,8 @@
-//! What goes into the app and what comes out of it: keys, the mouse, the size of the
-//! screen; what a shell shall do, and what came of it.
+//! The inputs and effects of the app: keys, the mouse, the size of the screen; requests to
+//! a shell, and their results.
 //!
-//! Each shell translates its own world into these types, so that the app never
-//! learns which one drives it.
+//! Each shell translates its own events into these types, so the app does not know which
+//! shell drives it.
 
 mod class;
 mod effect;

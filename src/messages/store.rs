@@ -1,5 +1,4 @@
-//! Keeping games and what a player has done: what is asked of whoever keeps them, and
-//! what comes back.
+//! Requests to the store of games and of players' progress, and its answers.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -14,59 +13,58 @@ use crate::lessons::{Bookmark, Forget};
 use crate::levels::Starred;
 use crate::progress::{Attempt, Calendar};
 
-/// Something to be done with what is kept.
+/// A request to the store, with its ticket.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoreCall {
-    /// A number of the app's own, by which the answer is known.
+    /// A number chosen by the app, which identifies the answer.
     pub ticket: u64,
-    /// What is wanted.
+    /// The request.
     pub wish: StoreRequest,
 }
 
-/// What is wanted of a [`StoreCall`].
+/// What a [`StoreCall`] asks the store to do.
 #[derive(Debug, Clone, PartialEq)]
 pub enum StoreRequest {
-    /// Keep a game as it now stands, in place of what was kept or loaded with the
-    /// same ticket before.
+    /// Save the present state of a game, replacing what was saved or loaded with the same
+    /// ticket before.
     Save(Box<SavedGame>),
-    /// Say what games there are.
+    /// List the saved games.
     List,
     /// Load the game of this name, to be saved with the same ticket from now on.
     Load(String),
     /// Remove the game of this name.
     Remove(String),
-    /// Write a game where its player finds it.
+    /// Export a game for its player.
     Export(Box<SavedGame>),
-    /// Keep the round of a class as it now stands, in place of what was kept or loaded
-    /// with the same ticket before.
+    /// Save the present state of a class round, replacing what was saved or loaded with the
+    /// same ticket before.
     SaveClass(Arc<ClassRound>),
-    /// Keep what has just changed in such a round: the changes alone, if all before them is
-    /// kept, and else the round.
+    /// Save the latest changes of such a round: the changes alone if everything before them is
+    /// saved, otherwise the whole round.
     NoteClass {
         /// The changes.
         changes: Vec<ClassChange>,
-        /// The round as it stands with them.
+        /// The round after these changes.
         round: Arc<ClassRound>,
     },
-    /// Say what rounds of classes there are.
+    /// List the saved class rounds.
     ListClasses,
-    /// Load the round of a class of this name, to be saved with the same ticket from now
-    /// on.
+    /// Load the class round of this name, to be saved with the same ticket from now on.
     LoadClass(String),
-    /// Remove the round of a class of this name.
+    /// Remove the class round of this name.
     RemoveClass(String),
-    /// Write the tables of a class's round where its teacher finds them.
+    /// Export the tables of a class round for its teacher.
     ExportClass(Arc<ClassRound>),
-    /// Keep what somebody has handed in, unless that is there already.
+    /// Save a hand-in, unless the same one exists already.
     KeepHandIn(Box<HandIn>),
-    /// Keep an answer, with the time. It should be safe before the explanation is shown,
-    /// so nothing is drawn before it is done, unless that takes long.
+    /// Save an answer, with the time. It should be safe before the explanation is shown, so
+    /// nothing is drawn before that, unless saving takes long.
     Record(Box<Attempt>),
-    /// Keep the stars of a level that this player won.
+    /// Save the stars of a level that this player has won.
     Star(String, Starred),
-    /// Say what this player has done, or with no name what everyone has.
+    /// Recall this player's answers, or without a name everyone's.
     Recall(Option<String>),
-    /// Say which levels this player has won.
+    /// List the levels that this player has won.
     Stars(String),
     /// Add what a player has done in a chapter to the bookmark there.
     Mark {
@@ -79,50 +77,51 @@ pub enum StoreRequest {
     },
     /// Forget what this player has done in chapters.
     Forget(String, Forget),
-    /// Say how far this player has read the chapters.
+    /// List this player's bookmarks.
     Marks(String),
-    /// Keep this text as the file of the settings.
+    /// Save this text as the settings file.
     KeepSettings(String),
-    /// Try once more to keep what could not be kept so far.
+    /// Try again to save what is pending.
     Retry,
 }
 
-/// What came of a [`StoreCall`]; where it failed, the reason in words.
+/// The result of a [`StoreCall`]; after a failure, the reason in words.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoreAnswer {
     /// The number of the request.
     pub ticket: u64,
-    /// What was done.
+    /// The reply to the request.
     pub done: StoreReply,
-    /// How many answers, stars and bookmarks could not be kept so far. They are kept, in
-    /// their order, as soon as that is possible.
+    /// The number of answers, stars and bookmarks that could not be saved so far. They will
+    /// be saved in order as soon as possible.
     pub owed: usize,
-    /// Something else that the player should know of.
+    /// Something else that the player should know.
     pub notice: Option<String>,
 }
 
-/// What was done about a [`StoreRequest`].
+/// The reply to a [`StoreRequest`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum StoreReply {
     /// The game or the round is safe.
     Saved(Result<(), String>),
-    /// The games there are, the newest first.
+    /// The saved games, newest first.
     Listed(Result<Vec<KeptGame>, String>),
     /// The game.
     Loaded(Result<Box<SavedGame>, String>),
-    /// It is no longer there.
+    /// It has been removed.
     Removed(Result<(), String>),
     /// Where it was written.
     Exported(Result<String, String>),
-    /// What was handed in is safe, in this folder.
+    /// The hand-in is safe, in this folder.
     HandedIn(Result<String, String>),
-    /// The rounds of classes there are, the newest first.
+    /// The saved class rounds, newest first.
     Classes(Result<Vec<Kept<ClassRound>>, String>),
     /// The round of a class.
     Class(Result<Box<ClassRound>, String>),
-    /// The answer, the stars, the bookmark or the settings are safe, and all before them.
+    /// The answer, the stars, the bookmark or the settings are safe, and everything pending
+    /// before them.
     Noted(Result<(), String>),
-    /// What was done so far.
+    /// The answers so far.
     Recalled(Result<Box<History>, String>),
     /// The levels that were won.
     Stars(Result<Vec<Starred>, String>),
@@ -130,7 +129,7 @@ pub enum StoreReply {
     Marks(Result<BTreeMap<String, Bookmark>, String>),
 }
 
-/// What was done so far.
+/// A player's answers so far.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
     /// All answers, in the order in which they were given.
@@ -139,12 +138,12 @@ pub struct History {
     pub calendar: Calendar,
 }
 
-/// One of the games or rounds that are kept.
+/// A saved game or class round.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kept<T> {
     /// Its name.
     pub name: String,
-    /// How long ago it was saved; `None` where nobody knows the time.
+    /// How long ago it was saved; `None` if the time is unknown.
     pub age: Option<Duration>,
     /// The day on which it was saved, likewise.
     pub day: Option<Date>,
@@ -152,11 +151,11 @@ pub struct Kept<T> {
     pub content: Result<Box<T>, String>,
 }
 
-/// A saved game with where it stands.
+/// A saved game and its present state.
 pub type KeptGame = Kept<(SavedGame, Game)>;
 
 impl StoreCall {
-    /// The answer that it cannot be done.
+    /// An answer that refuses the request.
     pub fn refused(&self, reason: &str) -> StoreAnswer {
         let reason = reason.to_owned();
         StoreAnswer {
