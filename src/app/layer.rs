@@ -31,7 +31,7 @@ pub(super) enum LayerAction {
     Scroll(i16),
     /// agree
     Agree,
-    /// do not agree
+    /// decline
     Decline,
 }
 

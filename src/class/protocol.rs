@@ -131,22 +131,24 @@ impl Refusal {
     /// What the pupil is told.
     pub const fn words(self) -> &'static str {
         match self {
-            Self::Code => "This class has another code. Look at the board again.",
-            Self::Full => "The class is full: there is no more room.",
-            Self::Name => "Type a name with at least one letter that can be seen.",
+            Self::Code => "This is not the code of the class. Look at the board again.",
+            Self::Full => "The class is full.",
+            Self::Name => "Type a name with at least one visible character.",
             Self::Version => {
-                "Your carrom and the teacher's are of different versions. Open the page from the \
+                "Your carrom and the teacher's are different versions. Open the page from the \
                  address on the board."
             }
             Self::Format | Self::Join => {
                 "The teacher's carrom did not understand yours. Open the page from the address \
                  on the board."
             }
-            Self::Elsewhere => "You are in on another device or in another tab. Go on there.",
-            Self::Closed => "The teacher lets nobody in just now.",
+            Self::Elsewhere => {
+                "You have joined on another device or in another tab. Continue there."
+            }
+            Self::Closed => "Nobody can join the class at the moment.",
             Self::Kicked => {
-                "Your teacher has taken you off the list of this round. Ask your teacher to let \
-                 you in again."
+                "Your teacher has removed you from this round. Ask your teacher to let you in \
+                 again."
             }
             Self::Later => {
                 "Too many devices on your network are joining at once or typing wrong codes. carrom \

@@ -176,7 +176,7 @@ impl ClassRound {
         let class = fields.or("class", String::new(), |name| {
             fields.text_as(name, |class| match tidy(class) {
                 tidy if tidy == class || is_blank_name(class) => Ok(tidy),
-                _ => Err("expected a name of at most 24 visible letters".into()),
+                _ => Err("expected a name of at most 24 visible characters".into()),
             })
         });
         let asked = fields.or("asked", None, |name| fields.any_texts(name).map(Some));

@@ -25,11 +25,11 @@ pub enum SharedAction {
     Charset,
     /// next theme: dark, light, no colour
     Theme,
-    /// reduce motion, or bring it back
+    /// reduce motion, or restore it
     Motion,
-    /// leave carrom
+    /// quit carrom
     Quit,
-    /// scroll a text that is longer than its place
+    /// scroll a text that is longer than its panel
     Scroll(i16),
 }
 

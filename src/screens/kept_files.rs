@@ -15,7 +15,7 @@ use crate::widgets::{Lines, Outcome, Role, text};
 pub enum KeptAction {
     /// choose a file, or open it
     List(ListAction),
-    /// remove the chosen file for good
+    /// delete the chosen file permanently
     Remove,
 }
 

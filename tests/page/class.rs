@@ -29,9 +29,9 @@ fn a_phone_joins_votes_and_comes_back() {
     let teacher = Teacher::gathering(&folder, &page);
     let address = format!("http://127.0.0.1:{}/", teacher.port);
     let mut phone = Phone::open(&address, &format!("code={}", teacher.code));
-    phone.expect("Your class plays a round");
+    phone.expect("Your class is playing a round");
     phone.type_in("Ada");
-    phone.press("Come in");
+    phone.press("Join the class");
     phone.expect("You are in, Ada.");
     teacher.press("<Enter><Enter>", "0 of 1 have voted");
     phone.expect("Where will they go?");
@@ -133,7 +133,7 @@ fn what_pages_and_programs_hand_in_is_gathered() {
         let mut browser = answered_alone(&teacher, name);
         let to_class = "location.hash = 'code=' + arguments[0]";
         browser.run(to_class, &[Value::from(teacher.code.clone())]);
-        press(&mut browser, "", "Your class plays a round");
+        press(&mut browser, "", "Your class is playing a round");
         let keys = format!("{name}<Enter><Enter>");
         press(&mut browser, &keys, "Hand in the 3 answers");
         press(&mut browser, "h", "Send ");

@@ -255,7 +255,7 @@ fn play(devices: u8, bad: bool) {
     let address = format!("127.0.0.1:{port}");
     let joins = ["join", &address, "--code", DOOR, "--player", "Terminal"];
     let mut terminal = Pty::start(carrom(&joins));
-    terminal.wait_for("Come in");
+    terminal.wait_for("Join the class");
     terminal.press("\r");
     terminal.wait_for("You are in, Terminal.");
     let mut seen_devices = vec![SeenTimes::new("terminal", terminal)];
@@ -284,7 +284,7 @@ fn play(devices: u8, bad: bool) {
     // Past the door, then six steps a question; on devices nobody only predicts.
     // What a screen says at each; how the truth is told differs from question to question.
     let steps = [
-        ("describe", "Read with the class"),
+        ("describe", "Read it with the class"),
         ("first-vote", "Enter: then "),
         ("talk", "Talk: find someone"),
         ("second-vote", "Your first vote counts"),
@@ -495,7 +495,7 @@ fn a_host_is_killed_in_the_midst_of_a_round_and_loses_no_vote() {
     let address = format!("127.0.0.1:{port}");
     let joins = ["join", &address, "--code", DOOR, "--player", "Terminal"];
     let mut terminal = Pty::start(carrom(&joins));
-    terminal.wait_for("Come in");
+    terminal.wait_for("Join the class");
     terminal.press("\r");
     let mut back = Vec::new();
     let (mut votes, mut has_voted) = (0, false);

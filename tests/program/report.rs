@@ -350,7 +350,7 @@ fn who_has_done_nothing_gets_a_page_that_says_so() {
     let report = report("Ada", &history, &[]);
     assert!(report.pictures().is_empty());
     for text in [report.html(), report.markdown("pictures")] {
-        assert!(text.contains("every beginning is a clean board"));
+        assert!(text.contains("every game starts with a clean board"));
         assert!(text.contains("Play a round of the quiz"));
         assert!(!text.contains("NaN") && !text.contains("inf "));
     }

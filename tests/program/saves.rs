@@ -208,7 +208,7 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "no-player",
             with(player, "player = \"\""),
-            "line 3: player: expected a name of 1 to 40 visible letters",
+            "line 3: player: expected a name of 1 to 40 visible characters",
         ),
         ("bad-move", with("strike", "stroke"), "line 11: moves: "),
         (

@@ -78,7 +78,7 @@ pub(crate) fn browser(port: u16, code: &str, name: &str) -> Chromium {
     let mut chromium = Chromium::start((1000, 700), false);
     chromium.open(&format!("http://127.0.0.1:{port}/#code={code}"));
     wait_until_ready(&mut chromium);
-    chromium.wait_for("Your class plays a round");
+    chromium.wait_for("Your class is playing a round");
     for letter in name.chars() {
         SeenDevice::press(&mut chromium, &letter.to_string());
     }

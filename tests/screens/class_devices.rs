@@ -115,7 +115,7 @@ fn handed_in(folder: &Folder) -> Vec<HandIn> {
 fn what_a_pupil_answered_alone_is_handed_in_by_a_key() {
     let folder = Folder::new("hand-in-by-key");
     let (mut class, ada) = answered_alone(&folder);
-    press(&mut class, ada, "h", "answered alone (1 answer)");
+    press(&mut class, ada, "h", "on your own (1 answer)");
     assert_eq!(handed_in(&folder), []);
     press(&mut class, ada, "y", "Handed in: 1 answer.");
     let files = handed_in(&folder);
@@ -136,7 +136,7 @@ fn what_was_on_its_way_when_the_host_was_lost_is_sent_again() {
     let folder = Folder::new("hand-in-lost");
     let (mut class, ada) = answered_alone(&folder);
     class.reach(ada, false);
-    press(&mut class, ada, "hy", "on their way");
+    press(&mut class, ada, "hy", "Sending your answers");
     assert_eq!(handed_in(&folder), []);
     class.reach(ada, true);
     class.pass(Duration::from_secs(10));
@@ -303,13 +303,13 @@ fn leaving_the_list_of_names_in_the_lobby_does_not_start_the_round() {
     for back in ["<Escape>", "w"] {
         press(&mut class, Who::Host, "w", "Ada");
         press(&mut class, Who::Host, back, "the code of this class");
-        press(&mut class, pupils[0], "", "it begins soon");
+        press(&mut class, pupils[0], "", "the round begins soon");
     }
     press(&mut class, Who::Host, "<Enter>", "the vote");
     // Once the round is on, the list leads back to the question.
     press(&mut class, Who::Host, "w", "no vote yet");
     press(&mut class, Who::Host, "<Escape>", "the vote");
-    press(&mut class, pupils[0], "", "Read with the class");
+    press(&mut class, pupils[0], "", "Read it with the class");
 }
 
 /// The list stayed as it was when it was opened.
@@ -352,7 +352,7 @@ fn the_one_who_was_asked_about_is_removed_though_others_vote_meanwhile() {
         "Your vote is in",
     );
     press(&mut class, Who::Host, "y", "2 in, 2 on the list");
-    press(&mut class, pupils[0], "", "Your teacher has taken you off");
+    press(&mut class, pupils[0], "", "Your teacher has removed you");
     press(&mut class, pupils[1], "", "your vote");
 }
 
@@ -364,20 +364,15 @@ fn a_removed_pupil_stays_out_until_let_in() {
     press(&mut class, Who::Host, "w", "> Ada");
     press(&mut class, Who::Host, "xy", "1 in, 1 on the list");
     press(&mut class, Who::Host, "", "removed");
-    press(&mut class, ada, "", "Your teacher has taken you off");
+    press(&mut class, ada, "", "Your teacher has removed you");
     for _ in 0..3 {
-        press(&mut class, ada, "<Enter>", "Your teacher has taken you off");
+        press(&mut class, ada, "<Enter>", "Your teacher has removed you");
         press(&mut class, Who::Host, "", "1 in, 1 on the list");
     }
     // A device that has forgotten who it was, too.
     let app = pupil("ADA", &class);
     let again = class.add("ADA", app, 80, 24);
-    press(
-        &mut class,
-        again,
-        "<Enter>",
-        "Your teacher has taken you off",
-    );
+    press(&mut class, again, "<Enter>", "Your teacher has removed you");
     press(&mut class, Who::Host, "<End>", "let in again");
     press(&mut class, Who::Host, "<Enter>", "1 in, 1 on the list");
     assert!(!class.game(Who::Host).screen().contains("removed"));

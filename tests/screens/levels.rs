@@ -399,7 +399,7 @@ fn a_level_is_opened_by_its_name() {
     let wrong = cli::open("levels nonsense").err().unwrap();
     assert!(wrong.contains("expected the id of a level"), "{wrong}");
     let wrong = cli::open("levels --levels /no/such/folder").err().unwrap();
-    assert!(wrong.contains("expected a folder"), "{wrong}");
+    assert!(wrong.contains("expected an existing folder"), "{wrong}");
 }
 
 fn keys() -> impl Strategy<Value = Vec<Key>> {

@@ -122,7 +122,7 @@ fn a_round_answered_by_the_truth_brings_all_points() {
             "{screen}"
         );
         assert!(screen.contains(&format!("code {seed}")), "{screen}");
-        assert!(!screen.contains("but off"), "{screen}");
+        assert!(!screen.contains("but wrong"), "{screen}");
     }
 }
 
@@ -176,7 +176,7 @@ fn a_misconception_held_throughout_is_named_in_the_end() {
         screen.contains("It showed in 9 of 9 answers that could show it: the angle was copied."),
         "{screen}"
     );
-    assert!(screen.contains("! sure, but off"), "{screen}");
+    assert!(screen.contains("! sure, but wrong"), "{screen}");
     assert!(screen.contains("step by step and watch"), "{screen}");
 }
 

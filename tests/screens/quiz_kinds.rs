@@ -79,12 +79,12 @@ fn each_round_is_chosen_by_its_number_its_letter_the_arrows_or_the_mouse() {
         ("f", "question 1 of at most 12"),
         ("q", "question 1 of 5"),
         ("m", "question 1 of 10"),
-        ("r", "Nothing to come back to"),
+        ("r", "There is nothing to review"),
         ("h", "question 1 of 10"),
         ("t", "choose a topic"),
         ("e", "question 1 of 15"),
         ("w", "Read one of them in"),
-        ("c", "It reads like even-7"),
+        ("c", "A code looks like even-7"),
     ]
     .into_iter()
     .enumerate()
@@ -308,7 +308,7 @@ fn a_review_asks_what_is_due() {
     assert!(screen.contains("choose a round  2 due"), "{screen}");
     game.press("<Down><Down><Down>");
     let screen = game.screen();
-    for due in ["2 due", "Come back to what you", "equal masses", "speed"] {
+    for due in ["2 due", "Review what you missed", "equal masses", "speed"] {
         assert!(screen.contains(due), "{due}\n{screen}");
     }
     game.press("<Enter>");
@@ -407,7 +407,7 @@ fn own_questions_make_a_round_of_their_own() {
     let mut game = choosing();
     game.press("cown-7<Enter>");
     assert!(
-        game.screen().contains("not the code of a round yet"),
+        game.screen().contains("not the code of a round"),
         "{}",
         game.screen()
     );

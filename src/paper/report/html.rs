@@ -30,7 +30,7 @@ fn sheet(report: &Report) -> Markup {
             (head(report))
             @if report.attempts.is_empty() {
                 p.nothing {
-                    "Nothing here yet: every beginning is a clean board. After a round of the quiz "
+                    "There is nothing here yet: every game starts with a clean board. After a round of the quiz "
                     "this page shows how the answers come closer to the truth."
                 }
             } @else {

@@ -15,7 +15,7 @@ pub(super) fn document(report: &Report, folder: &str) -> String {
     document.heading(1, &report.name);
     document.paragraph("carrom · glancing collisions");
     if report.attempts.is_empty() {
-        document.paragraph("Nothing here yet: every beginning is a clean board.");
+        document.paragraph("There is nothing here yet: every game starts with a clean board.");
     } else {
         document.paragraph(&format!("{}.", report.span()));
         figures(report, &mut document);

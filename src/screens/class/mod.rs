@@ -53,45 +53,45 @@ pub(crate) enum ClassAction {
     SetUp(SetUpAction),
     /// choose an earlier round
     Earlier(KeptAction),
-    /// take up the round that was stopped, or begin another one
+    /// continue the interrupted round, or begin another
     Unfinished(ListAction),
-    /// see to the pupils on their own devices
+    /// manage the pupils on their own devices
     Hosting(HostingAction),
     /// go on
     Forward,
-    /// the step before
+    /// go back one step
     Backward,
-    /// the question before, the next one, where it was left
+    /// go to the previous or next question, where you left it
     Leap(isize),
-    /// the page before, the next one
+    /// go to the previous or next page
     TurnPage(isize),
     /// choose a team, or go on
     Teams(ListAction),
     /// let this team enter or correct its vote
     Team(usize),
-    /// take the team's vote back
+    /// take back the team's vote
     TakeBack,
-    /// make the vote
+    /// vote
     Vote(AnswerAction),
-    /// leave the vote as it was
+    /// leave the vote unchanged
     NotYet,
-    /// show what is typed, or hide it
+    /// show or hide what is typed
     ShowTyped,
-    /// watch the hit
+    /// watch the collision
     Watch(WatchAction),
-    /// a blank screen until the same key again
+    /// blank the screen; press the key again to return
     Pause,
-    /// dark on light for a projector, or light on dark
+    /// switch between dark on light, for a projector, and light on dark
     Light,
-    /// take what was counted
+    /// enter the counts
     Count,
-    /// straight to the shot, where there is little to talk about
+    /// go straight to the shot, if there is little to discuss
     ToTheShot,
-    /// show a minute running down, or half a minute more
+    /// show a one-minute countdown, or add half a minute
     Countdown,
-    /// the question's words alone, as large as they fit
+    /// show the question's words alone, as large as they fit
     WordsAlone,
-    /// pupils' names on the scoreboard, or what each question showed
+    /// show pupils' names on the scoreboard, or what each question showed
     BoardNames,
     /// write two tables for a spreadsheet: answers and questions
     Tables,
@@ -266,10 +266,10 @@ impl Screen for Class {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "One laptop, one projector; up to eight teams at its keyboard, or everyone on a phone or a laptop of their own. Each question goes the same way: it is read out; everyone predicts in silence; the teams enter their first vote; all see how the votes are spread, and talk; the teams may change; then the shot, and why; then the scores.",
-            "Let every team write its answer down while it is silent: then nobody copies what is typed first.",
-            "Rims are smooth unless a question says otherwise. Points come from how near the last vote is, up to ten a question. There are no timers, and nobody is faster than anybody.",
-            "Everything is saved after each vote. Leave when the bell rings, and take the round up again another day.",
+            "You need one laptop and one projector. Up to eight teams share the keyboard, or everyone uses their own phone or laptop. Each question has the same steps: you read it out; everyone predicts in silence; the teams enter their first vote; all see how many voted for each answer, and discuss; the teams may change their votes; then come the shot, the explanation and the scores.",
+            "Let every team write down its answer in silence: then nobody copies from the team that types first.",
+            "Rims are smooth unless a question says otherwise. A question gives up to ten points, depending on how close the last vote is. There are no timers, and speed does not matter.",
+            "carrom saves after each vote. You can leave when the bell rings and continue the round another day.",
         ]
     }
 

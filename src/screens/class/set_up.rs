@@ -72,9 +72,9 @@ pub(super) enum RoundKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum SetUpAction {
-    /// choose a row, or do what it says
+    /// choose a row, or use it
     List(ListAction),
-    /// another topic
+    /// choose another topic
     Topic(isize),
     /// remove the team
     Remove,

@@ -34,33 +34,33 @@ use setup::Obstacle::{Hard, Nucleus};
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum FoilAction {
-    /// next page, or the page before
+    /// go to the next or previous page
     TurnPage(isize),
     /// open a page by its name
     Open(FoilPage),
     /// change a setting
     Set(FormAction),
-    /// a whole beam of such particles
+    /// start a whole beam of such particles
     WholeBeam,
-    /// throw a beam, let it go on, or throw another
+    /// start a beam, let it continue, or start another
     Throw,
     /// stop the beam at once
     Stop,
-    /// say what will happen
+    /// predict what will happen
     Guess(AnswerAction),
-    /// throw no beam
+    /// cancel the beam
     LeaveGuess,
-    /// counts on a logarithmic scale, or on an even one
+    /// show the counts on a logarithmic or a linear scale
     Scale,
-    /// the other plot of the same counts
+    /// show the other plot of the same counts
     OtherPlot,
     /// export the plot as an SVG picture
     Export,
-    /// say first what will happen, or just watch
+    /// predict what will happen first, or just watch
     Predict,
-    /// back to the first setting
+    /// restore the initial settings
     Reset,
-    /// back
+    /// go back
     Back,
 }
 
@@ -370,11 +370,11 @@ impl Screen for FoilScreen {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "A glancing hit, once more, and then a million times. Nobody can aim a particle at an atom; but throw many, evenly, and the angles they leave at tell what is in there.",
-            "One particle: set its offset b and see how it is turned. A hard target reflects it; a nucleus repels it from afar, on a hyperbola. r_min is how near it comes.",
-            "A beam: particle after particle, each with a random offset, counted by angle in steps of 5°. The line is what the law leads one to expect. A plane beam has its offsets spread evenly over a line, as on a board; a beam in space has them spread evenly over a disc.",
-            "In space there are two ways to count. A small screen, carried around the foil as Geiger and Marsden did, sees a small and always equal part of all directions: particles per steradian (all directions together are 4π of them). A whole ring of 5° is larger at 90° than near 0° and 180°, so it counts more there. The title says which is shown.",
-            "In a foil every nucleus has its share of the beam: the thicker the foil, the less room around each. Each particle is taken to meet one nucleus only, and the target to stay where it is.",
+            "A glancing collision, first once and then a million times. Nobody can aim a particle at an atom. But if many particles arrive, evenly spread, their scattering angles show what is inside.",
+            "One particle: set its offset b and see how it is deflected. A hard target reflects it; a nucleus repels it from a distance, along a hyperbola. r_min is the distance of closest approach.",
+            "A beam: particle after particle, each with a random offset, counted by scattering angle in steps of 5°. The line shows the counts that the law predicts. The offsets of a plane beam are spread evenly over a line, as on a board; those of a beam in space are spread evenly over a disc.",
+            "In space there are two ways to count. A small screen, moved around the foil as Geiger and Marsden did, covers the same small solid angle everywhere: it counts particles per steradian (all directions together are 4π steradians). A whole ring of 5° is larger at 90° than near 0° and 180°, so it counts more there. The title shows which way is used.",
+            "In a foil every nucleus has its share of the beam: the thicker the foil, the smaller the area for each nucleus. carrom assumes that each particle meets only one nucleus, and that the nucleus does not move.",
             "Counted in 1913: Geiger and Marsden's own numbers beside the law.",
             "The mouse drags the particle up and down; click a tab, a setting, the plot.",
         ]

@@ -30,13 +30,13 @@ const LEAP: i8 = 10;
 pub(crate) enum FoilFigureAction {
     /// change the offset
     Offset(i8),
-    /// throw a beam, or stop it
+    /// start a beam, or stop it
     Beam,
-    /// the other scale
+    /// switch to the other scale
     Scale,
-    /// count what a small screen sees, or whole rings of 5°
+    /// count on a small screen, or in whole rings of 5°
     CountFor,
-    /// the other plot
+    /// show the other plot
     OtherPlot,
 }
 

@@ -1,4 +1,4 @@
-//! The first screen: what to do next, and where to go.
+//! The home screen: what to do next, and the menu.
 
 mod suggestion;
 mod view;
@@ -13,18 +13,16 @@ use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use suggestion::{Suggestion, suggestions};
 
-/// The first screen.
 #[derive(Debug, Clone)]
 pub(crate) struct Home {
     list: ListView,
     picture: Watch,
-    /// What the player has done; nothing is asked for below another screen.
+    /// What the player has done; not requested while another screen is on top.
     history: Recall,
 }
 
 impl Default for Home {
-    /// The first choice, beside a hit at its contact: the shot that everything here is
-    /// explained on.
+    /// The first line is chosen; the picture shows the worked shot at its contact.
     fn default() -> Self {
         let worked_shot = CollisionSpec::default().collision();
         let layers = Overlays::default().without([Overlay::Triangle]);
@@ -37,7 +35,7 @@ impl Default for Home {
 }
 
 impl Home {
-    /// The first screen, with what the player has done asked for.
+    /// Requests what the player has done.
     pub(crate) fn ask(cx: &mut Context) -> Self {
         let mut home = Self::default();
         home.resumed(cx);
@@ -59,31 +57,31 @@ impl Home {
     }
 }
 
-/// What keys do on the first screen.
+/// Actions of the home screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum HomeAction {
     /// choose and open
     List(ListAction),
-    /// do what is suggested: read on, review what is due, find out what you believe
+    /// follow the suggestion: read on, review what is due, find out what you believe
     Suggested(usize),
-    /// open a line of the menu by its letter
+    /// open a menu entry by its letter
     Open(usize),
-    /// leave carrom
+    /// quit carrom
     Quit,
-    /// leave carrom, if you are sure
+    /// leave carrom, after confirming
     Leave,
 }
 
-/// Where some of the [`ENTRIES`] stand among them.
+/// Indices of some [`ENTRIES`].
 const LEARN: usize = 0;
 const LAB: usize = 1;
 const CLASS: usize = 3;
 
-/// The lines of the menu: the letter, the name, what it is for, and where it leads.
+/// The menu: the letter, the name, the description and the screen of each entry.
 static ENTRIES: [(char, &str, &str, Place); 9] = [
-    ('e', "Learn", "chapters, read by doing", Place::Learn),
-    ('l', "Lab", "set a hit, say, watch", Place::Lab),
+    ('e', "Learn", "interactive chapters", Place::Learn),
+    ('l', "Lab", "set up, predict, watch", Place::Lab),
     (
         'z',
         "Quiz",
@@ -124,7 +122,7 @@ impl Screen for Home {
             .on(Key::Char('q'), HomeAction::Quit, "quit")
             .each(suggested.zip((0..).map(HomeAction::Suggested)), "")
             .each(letters, "")
-            // What the class had before its own letter was free.
+            // The class had this letter before it got its own.
             .or([(Key::Char('g'), HomeAction::Open(CLASS))])
             .on(Key::Escape, HomeAction::Leave, "")
     }
@@ -132,9 +130,9 @@ impl Screen for Home {
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
             "carrom teaches one thing well: what happens when one disc hits another off-centre.",
-            "Everywhere in it you first say what will happen, then watch the exact hit, then read why. A wrong prediction is the best start there is.",
-            "The first lines say what would be good to do next: to read on where you stopped, to review what is due, or, if you are new, to find out what you believe about hits.",
-            "New here? Begin in the lab: you see a hit within a minute. Then read the first chapter of Learn.",
+            "On every screen you first predict what will happen, then watch the exact collision, then read the explanation. A wrong prediction is a good start.",
+            "The first lines suggest what to do next: read on where you stopped, review what is due, or, if you are new, find out what you believe about collisions.",
+            "New here? Begin in the lab, where you see a collision within a minute. Then read the first chapter in Learn.",
         ]
     }
 

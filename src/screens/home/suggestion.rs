@@ -1,4 +1,4 @@
-//! What the first screen suggests to whoever is there.
+//! The suggestions of the home screen.
 
 use crate::lessons::Book;
 use crate::numbers::counted;
@@ -10,35 +10,35 @@ use crate::screens::{Context, Place};
 /// Something to do next, above the menu.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Suggestion {
-    /// Back to the class that was left.
+    /// Return to the class that the pupil left.
     Class(Place),
-    /// Reading on in a chapter.
+    /// Continue a chapter.
     Continue {
-        /// Its place among all chapters, from 0.
+        /// Its index among all chapters.
         chapter: usize,
-        /// The line that says so.
+        /// The line in the menu.
         text: String,
     },
-    /// A review of what is due.
+    /// Review what is due.
     Review(Due),
-    /// Finding out what one believes.
+    /// Find out what the player believes.
     FindOut,
 }
 
-/// Whether nothing at all has been done yet, as far as is known.
+/// Whether the player has done nothing yet, as far as is known.
 pub(super) fn is_new(history: &Recall, book: &Book) -> bool {
     let nothing = matches!(history, Recall::Known(known) if known.attempts.is_empty());
     nothing && book.is_known() && !book.is_begun()
 }
 
-/// What to do next: back to a class that was left; of what was done nothing before it is known.
+/// What to do next. Suggestions from the player's answers appear only once these are loaded.
 pub(super) fn suggestions(history: &Recall, cx: &Context) -> Vec<Suggestion> {
     let class = cx.class.clone().map(Suggestion::Class);
     let next = alone(history, &cx.book).into_iter();
     class.into_iter().chain(next).collect()
 }
 
-/// What to do next, alone.
+/// What to do next, outside a class.
 fn alone(history: &Recall, book: &Book) -> Vec<Suggestion> {
     if is_new(history, book) {
         return vec![Suggestion::FindOut];

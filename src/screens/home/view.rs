@@ -1,4 +1,4 @@
-//! What the first screen shows.
+//! The view of the home screen.
 
 use super::suggestion::{Suggestion, is_new};
 use super::{ENTRIES, Home, HomeAction, LAB, LEARN};
@@ -8,11 +8,10 @@ use crate::widgets::panel::Panel;
 use crate::widgets::{Role, Room, SplitLayout};
 
 const MENU: u16 = 42;
-/// The same where there is no room for what each line is about.
+/// The width of the menu without the descriptions.
 const NARROW: u16 = 31;
 const WIDE: u16 = 78;
 
-/// Where the picture's frame and the menu are.
 fn layout(room: Room) -> SplitLayout {
     let menu = match room.area.width < WIDE {
         true => NARROW,
@@ -21,7 +20,6 @@ fn layout(room: Room) -> SplitLayout {
     SplitLayout::with_open_panel(room, menu)
 }
 
-/// A hit, and the menu beside it.
 pub(super) fn view<'s>(home: &'s Home, cx: &Context) -> View<'s, HomeAction> {
     let draw = |area, buf: &mut _, look: &_| home.picture.picture(area).draw(buf, look);
     View {
@@ -34,8 +32,8 @@ fn menu(home: &Home, cx: &Context) -> Panel<HomeAction> {
     let suggestions = home.suggestions(cx);
     let chosen = home.list.chosen(suggestions.len() + ENTRIES.len());
     let mut panel = Panel::new("");
-    panel.line("Aim. Say where both will go.", Role::Text);
-    panel.line("Then watch the exact hit, and why.", Role::Text);
+    panel.line("Aim. Predict where both go.", Role::Text);
+    panel.line("Then watch, and read why.", Role::Text);
     panel.gap();
     let point = |line| HomeAction::List(ListAction::Point(line));
     for (line, it) in suggestions.iter().enumerate() {
@@ -46,7 +44,7 @@ fn menu(home: &Home, cx: &Context) -> Panel<HomeAction> {
     for (line, (letter, name, about, _)) in (suggestions.len()..).zip(&ENTRIES) {
         let style = (Role::Text, line == chosen);
         panel.entry(*letter, (*name, *about), style, point(line));
-        // What is suggested is not known at once, and nothing is to move when it is.
+        // Suggestions arrive later, and nothing should move when they do.
         if home.history.is_known() {
             panel.worth(1, Panel::gap);
         }
@@ -57,19 +55,19 @@ fn menu(home: &Home, cx: &Context) -> Panel<HomeAction> {
     panel
 }
 
-/// The way for someone who is here for the first time.
+/// The first steps for a new player.
 fn first_steps(suggestions: &[Suggestion], panel: &mut Panel<HomeAction>) {
     let find_out = { suggestions.iter() }.position(|it| *it == Suggestion::FindOut);
     panel.worth(3, |panel| {
         panel.gap();
-        let first = "New here? Begin in the lab: say where both will go, and watch";
+        let first = "New here? Begin in the lab: predict where both will go, and watch";
         panel.prompt(first, HomeAction::Open(LAB));
     });
     panel.worth(2, |panel| {
         if let Some(find_out) = find_out {
-            let second = "come back and see what you believe";
+            let second = "then find out what you believe";
             panel.prompt(second, HomeAction::Suggested(find_out));
         }
-        panel.prompt("then read the chapter it names", HomeAction::Open(LEARN));
+        panel.prompt("and read the suggested chapter", HomeAction::Open(LEARN));
     });
 }

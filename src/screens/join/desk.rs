@@ -1,4 +1,4 @@
-//! A pupil's place in the class: what is asked, what they say, and what comes of it.
+//! A pupil's seat in the class: the question, the vote and the result.
 
 use std::time::Duration;
 
@@ -13,17 +13,17 @@ use crate::screens::{Context, Next};
 use crate::widgets::hit::{HitPace, Reveal, Watch};
 use crate::widgets::{AnswerInput, Asking, AskingAction, Outcome};
 
-/// A pupil's place in the class.
+/// A pupil's seat in the class.
 #[derive(Debug, Clone)]
 pub(super) struct Desk {
-    /// How things stand, as the host said last.
+    /// The latest state from the host.
     pub(super) state: PupilState,
-    /// The question at hand; once the truth is told, with that.
+    /// The present question; with the true answer once that is revealed.
     pub(super) question: Option<Question>,
     pub(super) doing: Doing,
 }
 
-/// What there is to do.
+/// What the pupil is doing.
 #[derive(Debug, Clone)]
 pub(super) enum Doing {
     Look,
@@ -32,7 +32,7 @@ pub(super) enum Doing {
 }
 
 impl Desk {
-    /// The place as the host says that things stand.
+    /// The seat in this state from the host.
     pub(super) fn new(state: PupilState, pace: HitPace) -> Self {
         let question = state.question.as_ref().and_then(|asked| asked.question());
         let question = match (&state.told, question) {
@@ -48,8 +48,8 @@ impl Desk {
         desk
     }
 
-    /// Takes in how things stand now. What is just being typed stays, while the class is
-    /// where it was.
+    /// Takes in a new state. An answer that is being typed stays, as long as the class is at the
+    /// same step.
     pub(super) fn take(&mut self, state: PupilState, pace: HitPace) {
         let same = (self.state.q, self.state.step) == (state.q, state.step);
         let stays = same && self.question.is_some() && self.state.question == state.question;
@@ -78,7 +78,7 @@ impl Desk {
         };
     }
 
-    /// The hit as it really goes, with what they said.
+    /// The true collision, with the pupil's answer.
     fn watch(&self, question: &Question, pace: HitPace) -> Option<Watch> {
         let said = self.said().map(|said| said.response);
         let collision = match (&question.form, said) {
@@ -94,7 +94,7 @@ impl Desk {
         collision.map(|collision| Watch::new(collision, rays, pace).seen_from(frame))
     }
 
-    /// What the host has of them on this question: what counts at this step.
+    /// The pupil's vote at the host that counts at this step.
     pub(super) fn said(&self) -> Option<Said> {
         let form = &self.question.as_ref()?.form;
         let parse = |text: &str| Said::parse(text).filter(|said| form.accepts(&said.response));
@@ -113,7 +113,7 @@ impl Desk {
         }
     }
 
-    /// Does what a key does to the vote, which is cast once it is said how sure it is.
+    /// Carries out an action on the vote, which is cast once its confidence is chosen.
     pub(super) fn ask(&mut self, action: AskingAction, link: &mut Link, cx: &mut Context) {
         let Doing::Vote(asking) = &mut self.doing else {
             return;
@@ -157,14 +157,12 @@ impl Desk {
         }
     }
 
-    /// Lets time pass.
     pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
         if let Doing::Watch(reveal) = &mut self.doing {
             reveal.advance(passed, pace);
         }
     }
 
-    /// When it next needs time.
     pub(super) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.doing {
             Doing::Watch(reveal) => reveal.wake(pace),

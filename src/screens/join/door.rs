@@ -1,4 +1,4 @@
-//! Coming in: where the class is, its code, and who comes.
+//! The form for joining: the address of the class, its code and the pupil's name.
 
 use crate::class::{DoorCode, LONGEST_NAME};
 use crate::messages::Key;
@@ -7,20 +7,20 @@ use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role};
 
-/// The port of a class, where an address names none.
+/// The port of a class if the address has none.
 pub(crate) const PORT: u16 = 8090;
-/// Most letters of an address while it is typed.
+/// Longest address that can be typed.
 const LONGEST_ADDRESS: usize = 80;
 
-/// What is asked before coming in.
+/// The form for joining a class.
 #[derive(Debug, Clone)]
 pub(super) struct DoorForm {
-    /// Where the class is; `None` where the page came from there.
+    /// The address of the class; `None` if the host has served the page.
     address: Option<TextField>,
     code: TextField,
     name: TextField,
     list: ListView,
-    /// Why one is not in.
+    /// Why joining failed.
     pub(super) trouble: Option<String>,
 }
 
@@ -32,7 +32,7 @@ enum DoorRow {
     Enter,
 }
 
-/// What was asked, whole.
+/// A completed form.
 pub(super) struct Entry {
     pub(super) address: String,
     pub(super) code: String,
@@ -40,7 +40,7 @@ pub(super) struct Entry {
 }
 
 impl DoorForm {
-    /// The form with what is known already.
+    /// The form with the known values filled in.
     pub(super) fn new(address: Option<&str>, code: Option<DoorCode>, name: &str) -> Self {
         let code = code.map(|code| code.to_string()).unwrap_or_default();
         let mut form = Self {
@@ -59,7 +59,7 @@ impl DoorForm {
         form
     }
 
-    /// The way back to where the form leads.
+    /// The place that rejoins the class of the form.
     pub(super) fn place(&self) -> Place {
         Place::Join {
             address: self.address.as_ref().map(|it| it.text().to_owned()),
@@ -104,7 +104,7 @@ impl DoorForm {
 
     pub(super) fn keys(&self) -> KeyTable<ListAction> {
         let enter = match self.at() {
-            DoorRow::Enter => "come in",
+            DoorRow::Enter => "join",
             _ => "next",
         };
         let ends: &[Key] = match self.at() {
@@ -114,7 +114,7 @@ impl DoorForm {
         ListView::keys(enter).without_keys(ends)
     }
 
-    /// Takes a key that types; says whether it was one.
+    /// Types a key; returns whether it was a typing key.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         let typed = self.field().is_some_and(|field| field.update(key));
         if typed {
@@ -129,11 +129,11 @@ impl DoorForm {
         }
     }
 
-    /// Does what a key stands for; gives what was asked, once all of it is there.
+    /// Carries out an action; returns the entry once it is complete.
     pub(super) fn act(&mut self, action: ListAction) -> Option<Entry> {
         let rows = self.rows();
         let outcome = match (action, self.list.act(action, rows.len())) {
-            // One click is enough to come in.
+            // One click is enough to join.
             (ListAction::Point(at), _) if rows.get(at) == Some(&DoorRow::Enter) => {
                 Outcome::Done(at)
             }
@@ -150,7 +150,7 @@ impl DoorForm {
         }
     }
 
-    /// What was asked, if all of it is there.
+    /// The entry, if it is complete.
     pub(super) fn entry(&mut self) -> Option<Entry> {
         let address = match &self.address {
             Some(field) => match host_of(field.text()) {
@@ -158,7 +158,7 @@ impl DoorForm {
                 None => {
                     return self.refuse(
                         DoorRow::Address,
-                        "The address stands on the board, such as 192.168.43.117:8090.",
+                        "The address is on the board, such as 192.168.43.117:8090.",
                     );
                 }
             },
@@ -172,7 +172,7 @@ impl DoorForm {
         };
         let name = self.name.text().trim().to_owned();
         if name.is_empty() {
-            return self.refuse(DoorRow::Name, "What are you called? A nickname will do.");
+            return self.refuse(DoorRow::Name, "Enter your name. A nickname is fine.");
         }
         let code = code.to_string();
         Some(Entry {
@@ -191,14 +191,14 @@ impl DoorForm {
 
     pub(super) fn write(&self, panel: &mut Panel<ListAction>) {
         let at = self.at();
-        panel.paragraph("Your class plays a round. Come in:", Role::Title);
+        panel.paragraph("Your class is playing a round.", Role::Title);
         panel.gap();
         for (i, row) in self.rows().into_iter().enumerate() {
             let name = match row {
                 DoorRow::Address => "address",
                 DoorRow::Code => "code",
                 DoorRow::Name => "name",
-                DoorRow::Enter => "Come in",
+                DoorRow::Enter => "Join the class",
             };
             let (chosen, point) = (row == at, ListAction::Point(i));
             match self.field_of(row) {
@@ -214,12 +214,12 @@ impl DoorForm {
             panel.paragraph(trouble, Role::Warn);
             panel.gap();
         }
-        let openly = "Whoever is in this network can see names and votes: a nickname will do.";
+        let openly = "Everyone on this network can see names and votes. A nickname is fine.";
         panel.paragraph(openly, Role::Dim);
     }
 }
 
-/// Host and port of an address as people write it: `192.168.43.117`, or what a QR code says.
+/// Host and port of an address as people write it: `192.168.43.117`, or the link of a QR code.
 pub(crate) fn host_of(address: &str) -> Option<String> {
     let address = address.trim();
     let address = address.strip_prefix("http://").unwrap_or(address);
@@ -238,7 +238,7 @@ pub(crate) fn host_of(address: &str) -> Option<String> {
 }
 
 #[cfg(not(target_family = "wasm"))]
-/// The code in an address, if it is that of a QR code.
+/// The code in the link of a QR code.
 pub(crate) fn code_of(address: &str) -> Option<DoorCode> {
     address.split_once("#code=")?.1.parse().ok()
 }

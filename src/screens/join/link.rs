@@ -1,4 +1,4 @@
-//! The connection of a pupil's carrom to the host, which may come and go.
+//! The connection of a pupil's carrom to the host, which may be interrupted.
 
 use std::time::Duration;
 
@@ -11,7 +11,7 @@ use crate::class::{Said, SeatToken, Vote};
 use crate::messages::{JoinCall, JoinNews};
 use crate::screens::Context;
 
-/// The shortest and the longest wait before the host is tried again, in milliseconds.
+/// The shortest and the longest wait before reconnecting, in milliseconds.
 const BACK_OFF: [u64; 2] = [300, 5000];
 
 /// The connection to the host.
@@ -20,38 +20,38 @@ pub(super) struct Link {
     address: String,
     code: String,
     name: String,
-    /// What brings the pupil back to their place.
+    /// The token that returns the pupil to their seat.
     seat: Option<SeatToken>,
     state: LinkState,
-    /// Tries in vain since the host was last heard.
+    /// Failed attempts since the last message from the host.
     tries: u32,
-    /// Why the host did not let them in yet.
+    /// Why the host has not let them in yet.
     held_up: Option<Refusal>,
-    /// The number of the last vote that was made here.
+    /// The number of the last vote on this device.
     n: u64,
-    /// A vote that the host has not taken yet, and whether it was said on this connection.
+    /// A vote that the host has not confirmed yet, and whether it was sent on this connection.
     pending: Option<Saying>,
     said: bool,
-    /// The number of the last that was handed in here.
+    /// The number of the last hand-in on this device.
     handed: u64,
-    /// What is handed in and not kept yet.
+    /// A hand-in that the host has not saved yet.
     handing_in: Option<Saying>,
 }
 
-/// Whether the host is reached.
+/// The state of the connection.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum LinkState {
     Dialling,
-    /// Asked to be let in.
+    /// Has asked to join.
     Asking,
     In,
-    /// Tried again after so long.
+    /// Will reconnect after this time.
     Waiting(Duration),
-    /// It said no, or the pupil has left.
+    /// The host has refused, or the pupil has left.
     Over,
 }
 
-/// What comes of what was heard.
+/// The result of a message.
 pub(super) enum LinkNews {
     State(Box<PupilState>),
     Refused(Refusal),
@@ -59,7 +59,7 @@ pub(super) enum LinkNews {
 }
 
 impl Link {
-    /// Calls the host.
+    /// Connects to the host.
     pub(super) fn dial(address: &str, code: &str, name: &str, cx: &mut Context) -> Self {
         let mut link = Self {
             address: address.to_owned(),
@@ -84,32 +84,32 @@ impl Link {
         cx.join(JoinCall::Dial(self.address.clone()));
     }
 
-    /// Whether what the screen shows is how things stand.
+    /// Whether the screen shows the present state.
     pub(super) fn is_in(&self) -> bool {
         self.state == LinkState::In
     }
 
-    /// Why the host has not let them in yet, if it said so.
+    /// Why the host has not let them in yet, if it gave a reason.
     pub(super) fn held_up(&self) -> Option<Refusal> {
         self.held_up
     }
 
-    /// Whether a vote is still on its way.
+    /// Whether a vote has not been confirmed yet.
     pub(super) fn is_sending(&self) -> bool {
         self.pending.is_some()
     }
 
-    /// Whether something that is handed in is still on its way.
+    /// Whether a hand-in has not been confirmed yet.
     pub(super) fn is_handing_in(&self) -> bool {
         self.handing_in.is_some()
     }
 
-    /// Takes in what was heard.
+    /// Processes a message.
     pub(super) fn take(&mut self, news: &JoinNews, cx: &mut Context) -> LinkNews {
         match news {
             _ if self.state == LinkState::Over => {}
             JoinNews::Remembered(seat, name) => {
-                // Another name is another pupil at the same device.
+                // Another name is another pupil on the same device.
                 if *name == self.name && self.seat.is_none() {
                     self.seat = seat.parse().ok();
                 }
@@ -130,7 +130,7 @@ impl Link {
                 self.tries += 1;
                 self.state = LinkState::Waiting(wait);
             }
-            // The connection may be gone without a word.
+            // The connection may be lost without notice.
             JoinNews::Awake => self.redial(cx),
         }
         LinkNews::Nothing
@@ -169,13 +169,13 @@ impl Link {
                 self.hang_up(cx);
                 LinkNews::Refused(why)
             }
-            // A newer host may say more.
+            // A newer host may send other messages.
             None => LinkNews::Nothing,
         }
     }
 
-    /// Says a vote again that was on its way when the connection was lost, once it is asked for
-    /// again: a host that was started anew gathers the class first.
+    /// Sends an unconfirmed vote again after the connection was lost, once its question is asked
+    /// again: a restarted host first gathers the class.
     fn say_again(&mut self, state: &PupilState, cx: &mut Context) {
         let open = state.step.vote();
         match &self.pending {
@@ -189,7 +189,7 @@ impl Link {
         }
     }
 
-    /// Hears what came of what was handed in; after the connection was lost it is sent again.
+    /// Processes the result of a hand-in; after a lost connection it is sent again.
     fn hear_of_hand_in(&mut self, handed: Option<HandedIn>, first: bool, cx: &mut Context) {
         let heard = handed.map_or(0, |it| it.n);
         if heard >= self.handed {
@@ -200,7 +200,7 @@ impl Link {
         self.handed = self.handed.max(heard);
     }
 
-    /// Hands this file in; says whether it is small enough for that.
+    /// Hands in this file; returns whether it is small enough.
     pub(super) fn hand_in(&mut self, file: Value, cx: &mut Context) -> bool {
         let n = self.handed.saturating_add(1);
         let saying = Saying::HandIn { n, file };
@@ -229,7 +229,7 @@ impl Link {
         self.pending = Some(saying);
     }
 
-    /// Leaves for good.
+    /// Leaves permanently.
     pub(super) fn hang_up(&mut self, cx: &mut Context) {
         if self.is_in() {
             cx.join(JoinCall::Say(Saying::Leave.to_text()));
@@ -238,7 +238,6 @@ impl Link {
         self.state = LinkState::Over;
     }
 
-    /// Lets time pass.
     pub(super) fn advance(&mut self, passed: Duration, cx: &mut Context) {
         if let LinkState::Waiting(left) = &mut self.state {
             *left = left.saturating_sub(passed);
@@ -248,7 +247,6 @@ impl Link {
         }
     }
 
-    /// When it next needs time.
     pub(super) fn wake(&self) -> Option<Duration> {
         match self.state {
             LinkState::Waiting(left) => Some(left),
@@ -256,8 +254,8 @@ impl Link {
         }
     }
 
-    /// How long to wait before the next try: twice as long each time, and not the same for
-    /// all, or a class would come back all at once.
+    /// The wait before the next attempt: twice as long each time, and different for each pupil,
+    /// otherwise a whole class would reconnect at once.
     fn back_off(&self, seed: u64) -> Duration {
         let [least, most] = BACK_OFF;
         let longest = most.min(least << self.tries.min(8));

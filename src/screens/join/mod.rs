@@ -1,4 +1,4 @@
-//! A pupil's device in a class: coming in, voting, and hearing what is true.
+//! A pupil's device in a class: joining, voting, and seeing the true answer.
 
 mod desk;
 mod door;
@@ -30,26 +30,26 @@ use desk::{Desk, Doing};
 use door::DoorForm;
 use link::{Link, LinkNews};
 
-/// What keys do on a pupil's device.
+/// Actions on a pupil's device.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum JoinAction {
-    /// choose what to type, or come in
+    /// choose what to type, or join
     Form(ListAction),
-    /// make the vote
+    /// vote
     Ask(AskingAction),
-    /// take the vote back
+    /// take back the vote
     TakeBack,
-    /// watch the hit
+    /// watch the collision
     Watch(WatchAction),
-    /// hand in all that you have answered alone, for the teacher
+    /// hand in everything that you have answered alone, for the teacher
     HandIn,
-    /// back to the answer, or leave the class
+    /// go back to the answer, or leave the class
     Leave,
 }
 
 impl JoinAction {
-    /// What gives a vote; a choice that is clicked is given at once.
+    /// An action of the vote; a clicked choice is given at once.
     const fn answer(action: AnswerAction) -> Self {
         Self::Ask(AskingAction::Answer(match action {
             AnswerAction::Choose(choice) => AnswerAction::Give(choice),
@@ -64,13 +64,13 @@ pub(crate) struct Join {
     form: DoorForm,
     link: Option<Link>,
     desk: Option<Desk>,
-    /// What the pupil has answered alone; nothing is asked for before they are in.
+    /// The answers that the pupil gave alone; not requested before they have joined.
     history: Recall,
 }
 
 impl Join {
-    /// Before coming in, with what is known. Without an address the page came from there.
-    /// Whoever comes `again` is not asked once more.
+    /// Before joining, with what is known. Without an address the host has served the page.
+    /// A pupil who joins `again` sees no form.
     pub(crate) fn new(
         address: Option<&str>,
         code: Option<DoorCode>,
@@ -95,7 +95,7 @@ impl Join {
         join
     }
 
-    /// The desk, once one is in.
+    /// The desk, once the pupil has joined.
     fn desk(&self) -> Option<(&Desk, &Link)> {
         self.desk.as_ref().zip(self.link.as_ref())
     }
@@ -106,13 +106,13 @@ impl Join {
         desk.is_some_and(|desk| desk.state.step == PupilStep::End)
     }
 
-    /// How many answers there are to be handed in.
+    /// The number of answers that can be handed in.
     fn answers(&self) -> usize {
         let history = self.history.history();
         history.map_or(0, |history| history.attempts.len())
     }
 
-    /// Whether they may be handed in now: not while a vote is made or the truth is told.
+    /// Whether they can be handed in now: not during a vote or an explanation.
     fn may_hand_in(&self) -> bool {
         let looks = |(desk, _): (&Desk, &Link)| {
             let is_free = matches!(desk.state.step, PupilStep::Lobby | PupilStep::End);
@@ -123,7 +123,7 @@ impl Join {
 
     fn knock(&mut self, entry: Option<door::Entry>, cx: &mut Context) {
         if let Some(it) = entry {
-            // A page that came from the class belongs to whoever says their name there.
+            // On a page served by the class, the player is the pupil who has joined.
             let name = tidy_name(&it.name);
             if it.address.is_empty() && is_player_name(&name) {
                 cx.change_player(name);
@@ -141,17 +141,17 @@ impl Join {
         self.desk = None;
     }
 
-    /// Hands in all that the pupil has answered alone.
+    /// Hands in all answers that the pupil gave alone.
     fn hand_in(&mut self, cx: &mut Context) {
         let (Some(history), Some(link)) = (self.history.history(), &mut self.link) else {
             return;
         };
-        // The host puts in the name by which the class knows the pupil.
+        // The host replaces the name with the one used in the class.
         let hand_in = HandIn::new(&cx.settings.player, "", history.attempts.clone());
         let told = match hand_in.value() {
             Ok(file) => match link.hand_in(file, cx) {
                 true => return,
-                false => "These are too many answers to be sent. On the page Progress, h makes a file of them for your teacher.".to_owned(),
+                false => "There are too many answers to send. On the page Progress, h writes them to a file for your teacher.".to_owned(),
             },
             Err(reason) => format!("Your answers cannot be sent: {reason}"),
         };
@@ -213,10 +213,10 @@ impl Screen for Join {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "Your class plays a round, and you vote here, alone. The address and the code are on the board. What you vote is kept on the teacher's computer; only how many voted for what is shown to all.",
-            "Vote in silence first, then talk, then vote again if you think otherwise now. The last vote counts, by how near it is; nobody is faster than anybody.",
-            "What you answer alone, in the quiz and in the chapters, stays on this device until you hand it in: h, before the round and after it.",
-            "Should the connection be lost, carrom comes back by itself, and your votes are still there.",
+            "Your class plays a round, and you vote here on your own. The address and the code are on the board. Your votes are saved on the teacher's computer; the class sees only how many voted for each answer.",
+            "First vote in silence, then talk, then vote again if you have changed your mind. The last vote counts. The closer it is, the more points you get; speed does not matter.",
+            "Your own answers in the quiz and in the chapters stay on this device until you hand them in, before the round or after it.",
+            "If the connection is lost, carrom reconnects by itself, and your votes are still there.",
         ]
     }
 
@@ -249,7 +249,7 @@ impl Screen for Join {
                 let answers = counted(self.answers(), "answer");
                 return Next::Confirm(Confirmation::new(
                     format!(
-                        "Send the teacher what you answered alone ({answers}), with how right it was? Your votes in this round are not part of it."
+                        "Send your teacher the answers you gave on your own ({answers}), with their results? Your votes in this round are not included."
                     ),
                     "hand in",
                     "not yet",
@@ -262,7 +262,7 @@ impl Screen for Join {
                     return Next::Stay;
                 }
                 return Next::Confirm(Confirmation::new(
-                    "Leave the class? With the same name here you can come back to your place.",
+                    "Leave the class? With the same name on this device you can return to your place.",
                     "leave the class",
                     "stay",
                 ));
@@ -298,7 +298,7 @@ impl Screen for Join {
                             self.history = Recall::ask(cx);
                         }
                     },
-                    // A round that is over stays on the screen, though its host serves another.
+                    // A round that is over stays on the screen, even if its host starts another.
                     Some(LinkNews::Refused(Refusal::Code | Refusal::Closed)) if self.is_over() => {}
                     Some(LinkNews::Refused(why)) => {
                         self.link = None;
@@ -352,7 +352,7 @@ impl Screen for Join {
             let mut panel = Panel::new("your class");
             match &self.link {
                 Some(link) => {
-                    panel.paragraph("Knocking at the door ..", Role::Text);
+                    panel.paragraph("Joining the class ..", Role::Text);
                     if let Some(why) = link.held_up() {
                         panel.gap();
                         panel.paragraph(why.words(), Role::Warn);

@@ -1,4 +1,4 @@
-//! How a pupil's place in the class looks.
+//! The view of a pupil's device in a class.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -18,7 +18,7 @@ use crate::widgets::{
     AnswerInput, Asking, AskingAction, Look, Role, SplitLayout, draw_question, lettered,
 };
 
-/// What stands at a pupil's place, with how many answers may be handed in.
+/// The view, with the number of answers that can be handed in.
 pub(super) fn view<'s>(desk: &'s Desk, link: &Link, answers: usize) -> View<'s, JoinAction> {
     let kind = { desk.question.as_ref() }.map_or("your class", |it| it.family.name());
     let (title, name) = match &desk.doing {
@@ -44,7 +44,7 @@ pub(super) fn view<'s>(desk: &'s Desk, link: &Link, answers: usize) -> View<'s, 
     }
 }
 
-/// Draws the picture of the question, with the vote that is made or the truth.
+/// Draws the picture of the question, with the vote or the true result.
 fn draw(desk: &Desk, question: &Question, area: Rect, buf: &mut Buffer, look: &Look) {
     match &desk.doing {
         Doing::Watch(reveal) => match reveal.watch() {
@@ -56,7 +56,7 @@ fn draw(desk: &Desk, question: &Question, area: Rect, buf: &mut Buffer, look: &L
     }
 }
 
-/// A number for each step of each question: what is read at another one begins at its top.
+/// A number for each step of each question: the text of another step starts at its top.
 fn subject(state: &PupilState) -> usize {
     let step = match state.step {
         PupilStep::Asked(step) => 2 + step as usize,
@@ -66,7 +66,6 @@ fn subject(state: &PupilState) -> usize {
     16 * state.q + step
 }
 
-/// What a step is called.
 fn step_name(step: PupilStep) -> &'static str {
     match step {
         PupilStep::Lobby => "your class",
@@ -83,9 +82,8 @@ fn step_name(step: PupilStep) -> &'static str {
     }
 }
 
-/// Writes what there is to say.
 fn write(desk: &Desk, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
-    // After the end the host may go.
+    // After the end the host may quit.
     if !link.is_in() && desk.state.step != PupilStep::End {
         let words = "The teacher's carrom is out of reach. Trying again ..";
         panel.paragraph(words, Role::Warn);
@@ -98,21 +96,21 @@ fn write(desk: &Desk, link: &Link, answers: usize, panel: &mut Panel<JoinAction>
         _ => {
             panel.paragraph(format!("You are in, {}.", desk.state.name), Role::Title);
             panel.gap();
-            panel.paragraph("Look at the board: it begins soon.", Role::Text);
+            panel.paragraph("Look at the board: the round begins soon.", Role::Text);
             write_hand_in(desk, link, answers, panel);
         }
     }
 }
 
-/// Writes what may be handed in, and what came of it.
+/// Writes what can be handed in, and the result.
 fn write_hand_in(desk: &Desk, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
     let handed = desk.state.handed.map(|it| it.kept);
     let (words, role) = match (link.is_handing_in(), handed) {
         (true, _) if !link.is_in() && desk.state.step == PupilStep::End => (
-            "Your answers wait until the teacher's carrom is in reach again.".to_owned(),
+            "Your answers will be sent when the teacher's carrom is in reach again.".to_owned(),
             Role::Warn,
         ),
-        (true, _) => ("Your answers are on their way ..".to_owned(), Role::Warn),
+        (true, _) => ("Sending your answers ..".to_owned(), Role::Warn),
         (false, Some(Ok(kept))) => {
             let kept = numbers::counted(kept, "answer");
             (format!("Handed in: {kept}."), Role::Good)
@@ -127,7 +125,7 @@ fn write_hand_in(desk: &Desk, link: &Link, answers: usize, panel: &mut Panel<Joi
     if answers > 0 && !link.is_handing_in() && !matches!(handed, Some(Ok(_))) {
         panel.gap();
         let answers = numbers::counted(answers, "answer");
-        let words = format!("hand in the {answers} that you gave alone");
+        let words = format!("hand in the {answers} you gave on your own");
         panel.prompt(words, JoinAction::HandIn);
     }
 }
@@ -144,7 +142,7 @@ fn write_end(desk: &Desk, link: &Link, answers: usize, panel: &mut Panel<JoinAct
     }
     write_hand_in(desk, link, answers, panel);
     panel.gap();
-    panel.prompt("all of carrom, for you alone", JoinAction::Leave);
+    panel.prompt("use carrom on your own", JoinAction::Leave);
 }
 
 fn write_step(
@@ -168,11 +166,11 @@ fn write_step(
         }
         (Doing::Watch(_), _) | (_, ClassStep::Scores) => write_told(desk, question, panel),
         (Doing::Look, step) => {
-            // A text that is too long is cut at its end: what to do comes first.
+            // A text that is too long is cut at its end, so the instruction comes first.
             let words = match step {
-                ClassStep::Describe => "Read with the class. The vote comes soon.",
+                ClassStep::Describe => "Read it with the class. The vote comes soon.",
                 ClassStep::Predict => "Decide in silence. The vote comes soon.",
-                ClassStep::Talk => "Talk: find someone who thinks otherwise, and say why.",
+                ClassStep::Talk => "Talk: find someone with a different answer, and explain yours.",
                 _ => "",
             };
             if !words.is_empty() {
@@ -194,7 +192,7 @@ fn write_step(
     }
 }
 
-/// The choices of a question that has any, with how many were for each.
+/// The choices of a question, with the votes for each.
 fn write_choices(question: &Question, counts: &[u32], panel: &mut Panel<JoinAction>) {
     let Form::Choice { options, .. } = &question.form else {
         return;
@@ -209,23 +207,23 @@ fn write_choices(question: &Question, counts: &[u32], panel: &mut Panel<JoinActi
     panel.gap();
 }
 
-/// Whether it is told above the question how a vote stands: a long text is cut at its end, and
-/// everybody has to see that theirs is in.
+/// Whether the state of the vote appears above the question: a long text is cut at its end,
+/// and all pupils have to see that their votes are in.
 fn is_told_first(desk: &Desk, link: &Link) -> bool {
     link.is_sending() || desk.state.misfit || desk.has_voted()
 }
 
-/// How a vote stands, if there is anything to say of it.
+/// The state of the vote, if there is one.
 fn standing(desk: &Desk, input: &AnswerInput, link: &Link) -> Option<(&'static str, Role)> {
     let given = desk.has_voted() && desk.said().map(|said| said.response) == input.said();
     Some(match (link.is_sending(), desk.has_voted()) {
-        (true, _) => ("Your vote is on its way ..", Role::Warn),
+        (true, _) => ("Sending your vote ..", Role::Warn),
         (false, _) if desk.state.misfit => (
             "That answer does not fit the question and was not counted. Please vote again.",
             Role::Warn,
         ),
         (false, true) if given => (
-            "Your vote is in. You may change it until all go on.",
+            "Your vote is in. You can change it until the class goes on.",
             Role::Good,
         ),
         (false, true) => ("Your earlier vote counts until you vote again.", Role::Text),
@@ -277,14 +275,17 @@ fn write_sure(question: &Question, asking: &Asking, panel: &mut Panel<JoinAction
         asking.write_confidence(&[], |_| Vec::new(), panel);
     });
     panel.gap();
-    panel.line("You say", Role::Dim);
+    panel.line("Your answer", Role::Dim);
     asking.write_said(&question.form, panel);
     panel.gap();
     panel.prompt("that is my vote", JoinAction::Ask(AskingAction::Take));
-    panel.paragraph("How sure you are changes no points here.", Role::Dim);
+    panel.paragraph(
+        "Your confidence does not change your points here.",
+        Role::Dim,
+    );
 }
 
-/// What they said beside the truth, and why.
+/// The pupil's answer beside the true one, and the explanation.
 fn write_told(desk: &Desk, question: &Question, panel: &mut Panel<JoinAction>) {
     let said = desk.said().map(|said| said.response);
     let truth = question.form.truth();

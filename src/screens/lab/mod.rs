@@ -51,31 +51,31 @@ enum LabPhase {
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum LabAction {
-    /// go on: say where both will go, or shoot
+    /// go on: predict where both will go, or shoot
     Go,
-    /// set up the hit
+    /// set up the collision
     Set(FormAction),
     /// next set of pieces
     NextSet,
-    /// smooth discs that slip, or discs that stick
+    /// choose smooth discs that slip, or discs that stick together
     Contact,
     /// a mystery coin: find its mass from the two angles
     MysteryCoin,
     /// predict before each shot, or just watch
     Predict,
-    /// live: the picture follows what you set, outcome and all
+    /// live: the picture shows the outcome as you change the settings
     Live,
-    /// back to the first setting
+    /// restore the initial settings
     Reset,
-    /// say where the two will go
+    /// predict where the two discs will go
     Say(RayAction),
-    /// how heavy the mystery coin is
+    /// enter the mass of the mystery coin
     Weigh(EntryAction),
-    /// watch the hit
+    /// watch the collision
     Watch(WatchAction),
     /// set up another shot
     SetUp,
-    /// back
+    /// go back
     Back,
 }
 
@@ -209,11 +209,11 @@ impl Screen for Lab {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "One striker, one coin. Set how far off-centre they meet (the offset b), say where both will go, then watch: time slows at the contact and stops there, and the picture explains itself step by step. Each step stands for as long as it takes to read, and you can go back to it.",
-            "The line of impact n joins the two centres at the contact. Along it the discs push each other; across it, along t, nothing pushes, so nothing changes. Everything else follows from that.",
-            "Angles count from the striker's direction: for the striker to the side away from the coin, for the coin to its own side.",
-            "The coin can be moved by the mouse, the rays too; the wheel changes the speed.",
-            "Once you have said three times correctly where both will go, the picture can be live: arrows, angles and curves follow the offset as you change it. What you have set up is still there when you come back.",
+            "One striker, one coin. Set how far off-centre they collide (the offset b), predict where both will go, then watch: time slows down at the contact and stops there, and the picture shows the explanation step by step. Each step stays long enough to read, and you can go back to it.",
+            "The line of impact n joins the two centres at the contact. The discs exert forces on each other along n. No force acts along the tangent t, so the components along t do not change. Everything else follows from that.",
+            "Angles are measured from the striker's original direction. The striker's angle is positive on the side away from the coin, the coin's angle on the coin's side.",
+            "You can move the coin and the rays with the mouse; the wheel changes the speed.",
+            "After three correct predictions the picture can be live: arrows, angles and curves follow the offset as you change it. Your settings are still there when you come back.",
         ]
     }
 

@@ -1,4 +1,4 @@
-//! Which misconceptions were held, and whether they fade.
+//! The player's misconceptions, and whether they fade.
 
 use super::ProgressAction;
 use crate::messages::History;
@@ -7,11 +7,11 @@ use crate::quiz::NAMED_ODDS;
 use crate::widgets::Role;
 use crate::widgets::panel::{Panel, TableColumn, TableRow};
 
-/// Columns from which on the figures have room beside the longest name.
+/// Fewest columns for the figures beside the longest name.
 const WIDE: u16 = 75;
 
-/// A row a belief: how often before and since the middle of all answers, of how often it
-/// could have shown itself.
+/// One row per belief: how many answers fitted it, of those that could have, in the first half
+/// of all answers and since.
 pub(super) fn table(history: &History, columns: u16, panel: &mut Panel<ProgressAction>) {
     let beliefs = beliefs(&history.attempts);
     if beliefs.is_empty() {
@@ -58,19 +58,19 @@ pub(super) fn table(history: &History, columns: u16, panel: &mut Panel<ProgressA
     }
     panel.gap();
     let legend = format!(
-        "How often answers fitted it, of how many questions could have shown it: before the \
-         middle of all your answers, and since. It stands here once your answers are \
-         {NAMED_ODDS} times as likely from somebody who believes it as from somebody who guesses."
+        "How many answers fitted it, out of the questions that could have shown it: in the first \
+         half of your answers, and since. A misconception is listed once it explains the answers \
+         {NAMED_ODDS} times better than guessing does."
     );
     panel.paragraph(legend, Role::Dim);
 }
 
-/// The belief that is still held most.
+/// The strongest belief that is not gone.
 pub(super) fn held(history: &History) -> Option<HeldBelief> {
     { beliefs(&history.attempts).into_iter() }.find(|belief| belief.trend() != Trend::Gone)
 }
 
-/// What helps against the one held most, or that they are gone.
+/// Advice on the strongest belief, or a note that all are gone.
 pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     let beliefs = beliefs(&history.attempts);
     let fading = beliefs
@@ -87,7 +87,7 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
             panel.paragraph(belief.misconception.advice(), Role::Text);
             panel.gap();
             panel.paragraph(
-                "Many hold it at first. To say it, and to see the hit disagree, is how it goes.",
+                "Many people believe this at first. Predicting, and seeing that the collision disagrees, is how it fades.",
                 Role::Dim,
             );
         }

@@ -1,6 +1,5 @@
-//! What the player has done so far: how far off the answers were as time went by, how
-//! each topic stands, whether confidence and answers go together, which misconceptions
-//! fade, and what to do next.
+//! The player's progress: errors over time, the state of each topic, whether confidence
+//! matches the answers, which misconceptions fade, and what to do next.
 
 mod beliefs;
 mod over_time;
@@ -26,36 +25,36 @@ use crate::widgets::picture::Picture;
 use crate::widgets::{Lines, Look, Role, Room, SplitLayout, text};
 use page::ProgressPage;
 
-/// What keys do on the progress screen.
+/// Actions of the progress screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ProgressAction {
-    /// next page, or the page before
+    /// go to the next or previous page
     Turn(isize),
-    /// over time, topics, how sure, that over time, beliefs
+    /// open a page: over time, topics, how sure, how sure over time, beliefs
     TurnTo(usize),
-    /// scroll a text that is longer than its place
+    /// scroll a text that is longer than its panel
     Scroll(i16),
-    /// do what the page suggests: a review, the page of a chapter, a round of the quiz
+    /// do what the page suggests: a review, a page of a chapter, a round of the quiz
     DoNext,
-    /// hand in every answer: one small file for a teacher
+    /// hand in every answer, as one small file for a teacher
     HandIn,
     /// go back
     Back,
 }
 
-/// What is to be done next, by the page that is shown.
+/// What to do next, by the page shown.
 enum NextStep {
     /// A review of what is due.
     Review(CourseKind),
-    /// The page that settles what is still believed.
+    /// The page that settles a misconception that is still there.
     Read(Passage),
-    /// A round of the quiz, to be chosen.
+    /// A round of the quiz that the player chooses.
     Choose,
 }
 
 impl NextStep {
-    /// What it is, in a line.
+    /// The step in one line.
     fn words(&self, book: &Book) -> String {
         match self {
             Self::Review(kind) => {
@@ -66,7 +65,7 @@ impl NextStep {
         }
     }
 
-    /// The same in a word or two.
+    /// The step in a word or two.
     const fn name(&self) -> &'static str {
         match self {
             Self::Review(_) => "review",
@@ -76,7 +75,7 @@ impl NextStep {
     }
 }
 
-/// Columns from which on the panel need not be narrow.
+/// Fewest columns for a panel of the usual width.
 const NARROW: u16 = 80;
 /// Columns of the panel on a narrow screen, where the tables need the room.
 const NARROW_PANEL: u16 = 26;
@@ -89,7 +88,7 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// The screen, with what the player has done asked for.
+    /// Requests what the player has done.
     pub(crate) fn ask(cx: &mut Context) -> Self {
         cx.ask_for_marks();
         Self {
@@ -98,7 +97,7 @@ impl Progress {
         }
     }
 
-    /// What was done, where there is something.
+    /// The player's answers, if there are any.
     fn history(&self) -> Option<&History> {
         self.history.history()
     }
@@ -119,7 +118,7 @@ impl Progress {
         step.unwrap_or(NextStep::Choose)
     }
 
-    /// The same view with what Enter does below all.
+    /// The same view with the prompt of Enter at the end.
     fn with_next_step<'s>(
         &self,
         view: View<'s, ProgressAction>,
@@ -134,7 +133,7 @@ impl Progress {
         }
     }
 
-    /// Writes the file for a teacher.
+    /// Writes the hand-in for a teacher.
     fn hand_in(&self, cx: &mut Context) {
         let Some(history) = self.history() else {
             return;
@@ -147,7 +146,7 @@ impl Progress {
     }
 }
 
-/// Only on a wide screen the panel has its usual room: else the tables need it.
+/// The panel has its usual width only on a wide screen; otherwise the tables need the room.
 fn layout(room: Room) -> SplitLayout {
     match room.area.width < NARROW {
         true => SplitLayout::with_panel(room, NARROW_PANEL),
@@ -155,19 +154,19 @@ fn layout(room: Room) -> SplitLayout {
     }
 }
 
-/// What to say where nothing has been done.
+/// The text for a player without answers.
 fn nothing_yet(panel: &mut Panel<ProgressAction>) {
     for text in [
-        "Nothing here yet: every beginning is a clean board.",
+        "There is nothing here yet: every game starts with a clean board.",
         "Answer a few questions of the quiz, then come back. Here you will see your answers \
-         come closer to the truth.",
+         come closer to the true values.",
     ] {
         panel.gap();
         panel.paragraph(text, Role::Text);
     }
 }
 
-/// What is drawn in the place of a picture: that, or why there is nothing to draw.
+/// Draws the picture, or writes why there is none.
 type DrawPlot<'a> = fn(&'a History, Rect, Look) -> Result<Picture, &'static str>;
 
 impl Screen for Progress {
@@ -306,10 +305,10 @@ impl Screen for Progress {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "Every answer you give is kept on this computer, and nowhere else. Here is what it adds up to.",
-            "Over time: each mark is an answer, the higher the further off; the line is the mean of the last five. Topics: how often you were right, and how it stands lately; then the chapters you have opened, as Learn has them. How sure: the honest range is the one in which that confidence brings most points; its page over time shows whether you come to judge yourself better. Beliefs: what your wrong answers had in common, of how many questions could have shown it, before the middle of all answers and since.",
-            "What you know may rest for 1, 2, 4 … 32 days before it is asked again; what you missed is due at once. It feels harder to come back to something half forgotten, and that is just why it works.",
-            "Several people on one computer: carrom --player NAME. For a table: carrom progress --csv, or --json. For a page to print: --report FILE.html. Hand in writes one small file with every answer, for a teacher who puts those of a class together (carrom gather).",
+            "All your answers are saved on this computer, and nowhere else. This screen sums them up.",
+            "Over time: each mark is an answer, higher for a larger error; the line is the mean of the last five. Topics: how often you were right, in all and lately; then the chapters you have opened in Learn. How sure: in the honest range that confidence earns the most points; its page over time shows whether you judge yourself better than before. Beliefs: what your wrong answers have in common, out of how many questions that could have shown it, in the first half of your answers and since.",
+            "What you know rests for 1, 2, 4 … 32 days before it is asked again; what you missed is due at once. It feels harder to return to something half forgotten, and that is why it works.",
+            "For several people on one computer, use carrom --player NAME. For a table, use carrom progress --csv, or --json; for a page to print, --report FILE.html. \"Hand in\" writes one small file with every answer, for a teacher who collects those of a class (carrom gather).",
         ]
     }
 }

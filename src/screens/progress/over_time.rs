@@ -1,4 +1,4 @@
-//! How far off the answers were as time went by.
+//! The errors of the answers over time.
 
 use ratatui::layout::Rect;
 
@@ -13,17 +13,17 @@ use crate::widgets::picture::Picture;
 use crate::widgets::plot::errors_picture;
 use crate::widgets::{Look, Role};
 
-/// How many of the last answers are shown.
+/// The number of latest answers shown.
 const SHOWN: usize = 100;
 
 /// The error of each answer, and the mean of the last few; or why there is nothing to draw.
 pub(super) fn plot(history: &History, area: Rect, look: Look) -> Result<Picture, &'static str> {
     let picture = errors_picture(&history.attempts, SHOWN, area, look);
     let picture = picture.map(|(picture, _)| picture);
-    picture.ok_or("None of your answers so far had an angle to be off.")
+    picture.ok_or("None of your answers so far was an angle.")
 }
 
-/// The figures of all, how the ends compare, and what to do next.
+/// The overall figures, the first answers beside the last, and what to do next.
 pub(super) fn panel(history: &History, book: &Book, panel: &mut Panel<ProgressAction>) {
     let attempts = &history.attempts;
     let all = Tally::of(attempts);
@@ -45,21 +45,21 @@ pub(super) fn panel(history: &History, book: &Book, panel: &mut Panel<ProgressAc
     panel.paragraph(advice(attempts, &history.calendar), Role::Text);
     panel.gap();
     panel.paragraph(
-        "o is right, x not yet; the line is the mean of five.",
+        "o: right, x: not yet; the line is the mean of five.",
         Role::Dim,
     );
 }
 
-/// What to make of the mean errors of the first and the last answers.
+/// A comment on the mean errors of the first and the last answers.
 fn compared(first: f64, last: f64) -> &'static str {
     if last <= RIGHT_DEG {
-        "That is as fine as the eye can judge. Well aimed."
+        "That is as accurate as the eye can judge. Well aimed."
     } else if last < 0.8 * first {
-        "You come closer than you did: that is what practice looks like."
+        "You are closer than before: that is what practice looks like."
     } else if last > 1.25 * first {
-        "Lately it was harder. New kinds of hits do that; the line will come down again."
+        "Lately your errors were larger. New kinds of collision do that; the line will come down again."
     } else {
-        "Steady. The next step comes from the ones you miss: read why."
+        "Steady. You learn most from the ones you miss: read their explanations."
     }
 }
 
@@ -71,7 +71,7 @@ mod tests {
     fn what_is_said_follows_from_the_ends() {
         assert!(compared(20.0, 3.0).contains("Well aimed"));
         assert!(compared(20.0, 10.0).contains("closer"));
-        assert!(compared(10.0, 20.0).contains("harder"));
+        assert!(compared(10.0, 20.0).contains("larger"));
         assert!(compared(10.0, 10.0).contains("Steady"));
     }
 }

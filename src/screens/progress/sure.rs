@@ -1,4 +1,4 @@
-//! Whether confidence and answers go together, in all and as time goes by.
+//! Whether confidence matches the answers, overall and over time.
 
 use ratatui::layout::Rect;
 
@@ -12,12 +12,12 @@ use crate::widgets::picture::Picture;
 use crate::widgets::plot::sureness_picture;
 use crate::widgets::{Look, Role};
 
-/// How many answers of one confidence a share is taken of.
+/// The number of answers of one confidence in each share.
 const REACH: usize = 10;
-/// How many of the last answers are shown.
+/// The number of latest answers shown.
 const SHOWN: usize = 200;
 
-/// Of each confidence the share that was right, over the range for which it pays.
+/// For each confidence the share of right answers, over its honest range.
 pub(super) fn table(history: &History, panel: &mut Panel<ProgressAction>) {
     for calibrated in calibration(&history.attempts) {
         let Calibrated { confidence, tally } = calibrated;
@@ -36,7 +36,6 @@ pub(super) fn table(history: &History, panel: &mut Panel<ProgressAction>) {
     }
 }
 
-/// What it says.
 pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     let calibration = calibration(&history.attempts);
     panel.paragraph(calibration_words(&calibration), Role::Text);
@@ -44,23 +43,23 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     let missed = { history.attempts.iter() }.filter(|it| it.is_surely_wrong());
     let missed = missed.count();
     if missed > 0 {
-        panel.fact("sure, but off", missed.to_string());
+        panel.fact("sure, but wrong", missed.to_string());
         panel.paragraph(
-            "Each of these is a find: something you did not know you did not know.",
+            "Each of these is a discovery: something you did not know that you did not know.",
             Role::Text,
         );
     }
 }
 
-/// Of each confidence the share that was right among the last few; or why there is nothing
-/// to draw.
+/// For each confidence the share of right answers among the last few; or why there is
+/// nothing to draw.
 pub(super) fn plot_over_time(
     history: &History,
     area: Rect,
     look: Look,
 ) -> Result<Picture, &'static str> {
     let picture = sureness_picture(&history.attempts, SHOWN, REACH, area, look);
-    picture.ok_or("A line begins here after three answers of one confidence.")
+    picture.ok_or("A line appears here after three answers with the same confidence.")
 }
 
 /// Where each line should be, and where it ended.
@@ -73,13 +72,13 @@ pub(super) fn panel_over_time(history: &History, panel: &mut Panel<ProgressActio
     }
     panel.gap();
     panel.paragraph(
-        "Honest is: sure above 80, think so between 50 and 80, guess below.",
+        "Well calibrated means: sure is right more than 80 % of the time, think so between 50 and 80 %, guess less often.",
         Role::Text,
     );
     panel.gap();
     panel.paragraph(
-        "Lines that keep to their own part, one above the other, belong to someone who knows \
-         what they know.",
+        "If the lines stay in their own ranges, one above the other, you judge your own \
+         knowledge well.",
         Role::Dim,
     );
 }

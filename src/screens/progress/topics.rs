@@ -1,4 +1,4 @@
-//! How each topic stands.
+//! The state of each topic.
 
 use super::ProgressAction;
 use crate::lessons::Book;
@@ -13,10 +13,10 @@ use crate::widgets::{Look, Role, text};
 /// Columns of a topic's name.
 const NAME: u16 = 26;
 const BAR: u16 = 20;
-/// How many names are listed.
+/// The number of names listed.
 const LISTED: usize = 6;
 
-/// A row a topic, with its last answers as a bar where there is room for it.
+/// One row per topic, with its last answers as a bar if there is room.
 pub(super) fn table(
     history: &History,
     book: &Book,
@@ -67,12 +67,12 @@ pub(super) fn table(
     chapters(book, panel);
 }
 
-/// What was asked by the quiz; the chapters are told of by their own measure.
+/// Topics of the quiz only; chapters have their own measure.
 fn topics_of_the_quiz(history: &History) -> Vec<TopicStanding> {
     topics(history.attempts.iter().filter(|it| it.family != LESSON))
 }
 
-/// The chapters that were opened, as they stand in Learn.
+/// The chapters that the player has opened, with their state in Learn.
 fn chapters(book: &Book, panel: &mut Panel<ProgressAction>) {
     let chapters = book.library().chapters.iter();
     let opened: Vec<_> = chapters
@@ -90,7 +90,7 @@ fn chapters(book: &Book, panel: &mut Panel<ProgressAction>) {
     }
 }
 
-/// How many topics are solid; what is due now, and what comes next.
+/// The number of solid topics; what is due now, and what is due next.
 pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     let solid = topics_of_the_quiz(history)
         .iter()
@@ -102,8 +102,8 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     }
     let Some(today) = history.calendar.today() else {
         panel.paragraph(
-            "What you know may rest for a while; what you missed comes back soon. Here it \
-             will say when.",
+            "What you know rests for a while; what you missed comes back soon. The dates \
+             will appear here.",
             Role::Text,
         );
         return;
@@ -132,12 +132,12 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     }
     panel.gap();
     panel.paragraph(
-        "Coming back after a rest feels harder, and is what makes it stay.",
+        "Coming back after a rest feels harder, but it helps you remember.",
         Role::Dim,
     );
 }
 
-/// The first of these, and how many more there are.
+/// The first of these names, and the number of others.
 fn listed(names: Vec<String>, panel: &mut Panel<ProgressAction>) {
     let more = names.len().saturating_sub(LISTED);
     for name in names.into_iter().take(LISTED) {

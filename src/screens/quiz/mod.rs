@@ -1,5 +1,5 @@
-//! The quiz: a round is chosen; its questions are answered, watched and explained; then
-//! comes a look back.
+//! The quiz: the player chooses a round, answers its questions, watches and reads the
+//! explanations, and sees a summary at the end.
 
 mod choose;
 mod panel;
@@ -28,38 +28,37 @@ use crate::widgets::hit::{Overlays, Reveal, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, Scroll};
 
-/// Back to choosing a round.
+/// Returns to choosing a round.
 const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });
 
-/// What keys do in a round of the quiz.
+/// Actions in a round of the quiz.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum QuizAction {
     /// answer the question
     Ask(AskingAction),
-    /// watch the hit
+    /// watch the collision
     Watch(WatchAction),
     /// show what happens, then go on
     GoOn,
     /// choose a question, or open it
     LookBack(ListAction),
-    /// another round of the same kind
+    /// start another round of the same kind
     Another,
     /// open the page of the chapters that settles it
     ReadUp,
-    /// check with two questions whether it is still believed
+    /// check with two questions whether you still believe it
     Check,
-    /// scroll a text that is longer than its place
+    /// scroll a text that is longer than its panel
     Scroll(i16),
     /// go back, or leave the round
     Leave,
 }
 
 impl QuizAction {
-    /// Takes the confidence that is chosen.
+    /// Confirms the chosen confidence.
     const TAKE: Self = Self::Ask(AskingAction::Take);
 
-    /// What gives an answer.
     const fn answer(action: AnswerAction) -> Self {
         Self::Ask(AskingAction::Answer(action))
     }
@@ -69,25 +68,25 @@ impl QuizAction {
 #[derive(Debug, Clone)]
 pub(crate) struct Quiz {
     round: Round,
-    /// What has been answered, in the order of the questions.
+    /// The answers, in the order of the questions.
     answers: Vec<Answer>,
     phase: QuizPhase,
-    /// What the player likes to see drawn on top of a hit.
+    /// The layers that the player wants on top of a collision.
     layers: Overlays,
 }
 
-/// What one is doing in a round.
+/// The phase of a round.
 #[derive(Debug, Clone)]
 enum QuizPhase {
-    /// Answering, then saying how sure one is.
+    /// Answering, then choosing a confidence.
     Asked(Box<OpenQuestion>),
-    /// Watching what happens, if there is anything to be watched, and reading why.
+    /// Watching what happens, if there is something to watch, and reading the explanation.
     Watch(Box<AnsweredQuestion>),
-    /// Looking back, with the mark at one question.
+    /// The summary, with the mark at one question.
     Summary(ListView),
 }
 
-/// A question, and what has been said to it so far.
+/// A question, and the answer so far.
 #[derive(Debug, Clone)]
 struct OpenQuestion {
     question: Question,
@@ -99,11 +98,11 @@ struct OpenQuestion {
 struct AnsweredQuestion {
     question: Question,
     answer: Answer,
-    /// The hit, where the question is about one.
+    /// The collision, if the question is about one.
     reveal: Reveal,
-    /// The right shot, still to be seen, where the player's own was not it.
+    /// The right shot, still to be shown, if the player's shot was wrong.
     remedy: Option<Watch>,
-    /// Its number, from 0, where it was opened from the look back.
+    /// Its index, if it was opened from the summary.
     opened: Option<usize>,
 }
 
@@ -125,7 +124,7 @@ impl Quiz {
         quiz
     }
 
-    /// Asks the next question, or looks back after the last.
+    /// Asks the next question, or shows the summary after the last.
     fn ask(&mut self) {
         let phase = match self.round.questions().get(self.answers.len()) {
             Some(question) => QuizPhase::Asked(Box::new(OpenQuestion {
@@ -142,7 +141,7 @@ impl Quiz {
         self.answers.len() >= self.round.questions().len()
     }
 
-    /// Whether one looks back over the round, or at one of its questions from there.
+    /// Whether the summary, or a question opened from it, is shown.
     fn has_ended(&self) -> bool {
         match &self.phase {
             QuizPhase::Summary(_) => true,
@@ -151,18 +150,18 @@ impl Quiz {
         }
     }
 
-    /// Whether one hears only at the end what was right.
+    /// Whether feedback comes only at the end.
     fn tells_at_end(&self) -> bool {
         self.round.course().tells_at_end()
     }
 
-    /// Takes an answer, and shows what happens, or asks on.
+    /// Takes an answer, and shows what happens, or asks the next question.
     fn answer(&mut self, question: Question, answer: Answer, cx: &mut Context) {
         let code = self.round.code();
         self.answers.push(answer);
         let number = self.answers.len() as u32;
         let attempt = Attempt::of_quiz(&cx.settings.player, code, number, &question, &answer);
-        // It is safe before the explanation is seen.
+        // Saved before the explanation is shown.
         cx.record(attempt);
         self.round.go_on(&self.answers);
         if self.tells_at_end() {
@@ -172,7 +171,7 @@ impl Quiz {
         self.phase = QuizPhase::Watch(Box::new(watched));
     }
 
-    /// Opens an answered question from the look back, with all that is to be told of it.
+    /// Opens an answered question from the summary, with its full explanation.
     fn open(&mut self, at: usize, cx: &Context) {
         let (Some(question), Some(answer)) = (self.round.questions().get(at), self.answers.get(at))
         else {
@@ -184,8 +183,7 @@ impl Quiz {
         self.phase = QuizPhase::Watch(Box::new(watched));
     }
 
-    /// Plays another round of the same kind. What is due is another matter after every
-    /// review.
+    /// Plays another round of the same kind. After a review other topics are due.
     fn again(&mut self, cx: &mut Context) -> Next {
         let code = self.round.code();
         if let CourseKind::Review(_) = code.course.kind {
@@ -199,14 +197,14 @@ impl Quiz {
         Next::Stay
     }
 
-    /// The misconception that was found out, where that was asked for.
+    /// The misconception that was found, in a round that looks for one.
     fn found(&self) -> Option<Misconception> {
         let follows = self.round.course().follows_answers();
         let named = follows.then(|| self.summary().most_held())?;
         named.map(|(misconception, _)| misconception)
     }
 
-    /// Checks with some questions whether what was found out is still believed.
+    /// Checks with some questions whether the misconception that was found is still believed.
     fn check(&mut self) {
         if let Some(misconception) = self.found() {
             let course = Course::new(CourseKind::Check(misconception));
@@ -214,7 +212,7 @@ impl Quiz {
         }
     }
 
-    /// Number of the question at hand, from 1.
+    /// Number of the present question, from 1.
     fn number(&self) -> usize {
         match &self.phase {
             QuizPhase::Asked(_) => self.answers.len() + 1,
@@ -223,7 +221,7 @@ impl Quiz {
         }
     }
 
-    /// A look back over the answers whose outcome has been told.
+    /// A summary of the answers whose results have been shown.
     fn summary(&self) -> Summary {
         let untold = match &self.phase {
             QuizPhase::Watch(watched) => {
@@ -235,8 +233,8 @@ impl Quiz {
         Summary::new(self.round.questions().iter().zip(&self.answers).take(told))
     }
 
-    /// The page where a wrong answer leads, once that has been told; after a round where
-    /// most of them do.
+    /// The page to read after a wrong answer, once its result has been shown; after a round, the
+    /// page for most of the wrong answers.
     fn passage(&self) -> Option<Passage> {
         match &self.phase {
             QuizPhase::Asked(_) => None,
@@ -246,8 +244,8 @@ impl Quiz {
         }
     }
 
-    /// Puts a question away that was answered: on to the next one, or back to the list in
-    /// which it was `opened`.
+    /// Closes an answered question: goes to the next one, or back to the list in which it was
+    /// `opened`.
     fn put_away(&mut self, opened: Option<usize>, layers: Option<Overlays>) {
         self.layers = layers.unwrap_or(self.layers);
         match opened {
@@ -256,8 +254,8 @@ impl Quiz {
         }
     }
 
-    /// Leaves the round: at once while nothing has been answered, else the player is asked.
-    /// Whoever leaves an exam has yet to hear of what was answered.
+    /// Leaves the round: at once if nothing has been answered, otherwise after a confirmation.
+    /// An exam then still shows the results.
     fn leave(&mut self) -> Next {
         if let QuizPhase::Asked(asked) = &mut self.phase
             && asked.asking.back()
@@ -274,13 +272,13 @@ impl Quiz {
             _ if self.answers.is_empty() => CHOOSE,
             _ => {
                 let kept = match self.answers.len() {
-                    1 => "Your answer is kept.".to_owned(),
-                    count => format!("Your {count} answers are kept."),
+                    1 => "Your answer is saved.".to_owned(),
+                    count => format!("Your {count} answers are saved."),
                 };
                 let (what, yes) = match self.round.course().kind {
-                    CourseKind::Exam => ("End the exam and see what you answered?", "end the exam"),
+                    CourseKind::Exam => ("End the exam and see your answers?", "end the exam"),
                     CourseKind::FindOut => {
-                        ("Stop here and see what your answers say?", "stop here")
+                        ("Stop here and see what your answers show?", "stop here")
                     }
                     _ => ("Leave the round?", "leave the round"),
                 };
@@ -291,7 +289,7 @@ impl Quiz {
 }
 
 impl AnsweredQuestion {
-    /// An answer just given. What was answered by shooting is what is watched.
+    /// An answer just given. For an answer by shooting, the shot itself is shown.
     fn new(question: Question, answer: Answer, layers: Overlays, cx: &Context) -> Self {
         let rays = answer.said.rays();
         let pace = cx.settings.pace();
@@ -319,13 +317,13 @@ impl AnsweredQuestion {
         }
     }
 
-    /// The page where the answer leads, if it was wrong.
+    /// The page to read after the answer, if it was wrong.
     fn passage(&self) -> Option<Passage> {
         explain(&self.question, &self.answer).passage
     }
 }
 
-/// Scrolls the text by so many rows.
+/// Scrolls the text by this many rows.
 const fn scroll(rows: i16) -> Next {
     Next::Shared(SharedAction::Scroll(rows))
 }
@@ -392,7 +390,7 @@ impl Screen for Quiz {
                     Some(_) => "",
                     None => "scroll",
                 };
-                // Until all is told Enter goes through what is told.
+                // Until the explanation is complete, Enter steps through it.
                 keys.on(Key::Enter, GoOn, next)
                     .when(!watched.reveal.is_telling())
                     .on(Key::Char('c'), ReadUp, "chapter")
@@ -414,13 +412,13 @@ impl Screen for Quiz {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "Answer each question, say how sure you are, then watch what happens and read why. In an exam you hear nothing until the end, nor while carrom finds out what you believe: there each question follows from your answers. Rims are smooth unless a question says otherwise.",
-            "Rays: angles count from the striker's direction before: for the striker to the side away from the coin, for the coin to its own side. A minus turns to the other side. A shot: set the offset that sends the disc along the dashed way to the mark.",
-            "A ray is right within 4°, and so is a shot that sends its disc that near the way. An angle, a share or e that you give as a number is right within a tenth of the truth, but never further off than 4°, 4 % or 0.04; any other number within a twentieth.",
-            "A ray within 2° earns all its credit, one that is 30° off none. \"Sure\" brings most points if you are right and costs most if you are not, so the honest answer is the one that pays. The sum may fall below zero: otherwise a wrong \"sure\" would cost nothing there.",
-            "A wrong answer names the page of the chapters that settles it. When you leave that page, you are back where you were.",
-            "After the last question each one can be opened again; an exam that is left shows what was answered. The code at the top fixes the questions: with the same code a friend gets the same round.",
-            "With the mouse: drag the rays, or the coin before a shot; click an answer, how sure you are, a line of the look back.",
+            "Answer each question, choose how sure you are, then watch what happens and read why. An exam gives no feedback until the end, and neither does the round that finds out what you believe: there your answers decide the next question. Rims are smooth unless a question says otherwise.",
+            "Rays: angles are measured from the striker's original direction. The striker's angle is positive on the side away from the coin, the coin's angle on the coin's side; a minus sign means the other side. Shots: set the offset that sends the disc along the dashed path to the mark.",
+            "A ray is right if its error is at most 4°, and so is a shot that sends its disc within 4° of the path. An angle, a share or e entered as a number is right within a tenth of the true value, but never with an error above 4°, 4 % or 0.04; any other number within a twentieth.",
+            "A ray within 2° earns full credit, a ray that is 30° off earns none. \"Sure\" earns the most points if you are right and loses the most if you are wrong, so an honest answer is the best one. Your points may fall below zero: otherwise a wrong \"sure\" would cost nothing there.",
+            "After a wrong answer carrom names the page of a chapter that explains it. When you leave that page, you are back where you were.",
+            "After the last question you can open each one again; if you leave an exam, it shows your answers. The code at the top fixes the questions: with the same code a friend gets the same round.",
+            "With the mouse: drag the rays, or the coin before a shot; click an answer, how sure you are, or a question in the summary.",
         ]
     }
 
@@ -444,7 +442,7 @@ impl Screen for Quiz {
                 let count = self.answers.len();
                 let before = list.chosen(count);
                 let outcome = list.act(action, count);
-                // At its ends the text goes on.
+                // At its ends the text scrolls further.
                 let is_at_end = list.chosen(count) == before;
                 match (outcome, action) {
                     (Outcome::Done(at), _) => self.open(at, cx),

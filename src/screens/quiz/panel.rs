@@ -1,5 +1,5 @@
-//! The panel beside the quiz's picture: the question, how sure one is, the answer
-//! and why.
+//! The panel beside the quiz's picture: the question, the confidence, the answer and the
+//! explanation.
 
 use super::{AnsweredQuestion, OpenQuestion, QuizAction};
 use crate::lessons::Book;
@@ -9,7 +9,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::panels::said_and_true;
 use crate::widgets::{Role, lettered};
 
-/// The question, and what is being said to it.
+/// The question, and the answer so far.
 pub(super) fn asked(asked: &OpenQuestion, panel: &mut Panel<QuizAction>) {
     let form = &asked.question.form;
     let input = asked.asking.input();
@@ -30,7 +30,7 @@ pub(super) fn asked(asked: &OpenQuestion, panel: &mut Panel<QuizAction>) {
     });
 }
 
-/// How sure one is, what that may bring, and what one is to be sure of.
+/// The choice of confidence with its points, and the answer it is about.
 pub(super) fn confidence(asked: &OpenQuestion, told_at_end: bool, panel: &mut Panel<QuizAction>) {
     panel.part(QuizAction::Ask, |panel| {
         let heads = ["points if", "wrong", "right"];
@@ -48,21 +48,21 @@ pub(super) fn confidence(asked: &OpenQuestion, told_at_end: bool, panel: &mut Pa
     asked.asking.write_said(&asked.question.form, panel);
     panel.worth(2, |panel| {
         panel.gap();
-        let advice = "Be honest with yourself: that is what brings most points.";
+        let advice = "Be honest with yourself: that earns the most points.";
         panel.paragraph(advice, Role::Dim);
     });
     panel.worth(1, |panel| {
         panel.gap();
         let next = match asked.question.picture.collision() {
-            _ if told_at_end => "on to the next",
+            _ if told_at_end => "next question",
             Some(_) => "watch what happens",
-            None => "see how it is",
+            None => "see the answer",
         };
         panel.prompt(next, QuizAction::TAKE);
     });
 }
 
-/// What the picture is just showing.
+/// The step that the picture is showing.
 pub(super) fn untold(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>) {
     panel.paragraph(&watched.question.text, Role::Dim);
     panel.gap();
@@ -71,8 +71,8 @@ pub(super) fn untold(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>) 
     }
 }
 
-/// The points, the answer beside the truth, and the one explanation, which comes
-/// whole: where there is not room for all, other things give way.
+/// The points, the answer beside the true one, and the explanation, which is never cut: if
+/// there is not enough room, other things are dropped.
 pub(super) fn told(watched: &AnsweredQuestion, book: &Book, panel: &mut Panel<QuizAction>) {
     let question = &watched.question;
     let grade = Grade::new(question, &watched.answer);
@@ -104,7 +104,7 @@ pub(super) fn told(watched: &AnsweredQuestion, book: &Book, panel: &mut Panel<Qu
     });
 }
 
-/// The answer beside the true one: rays of a hit as a table, others in words.
+/// The answer beside the true one: rays of a collision as a table, others in words.
 fn answers(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>) {
     let form = &watched.question.form;
     match (watched.reveal.watch(), form, &watched.answer.said) {
@@ -112,7 +112,7 @@ fn answers(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>) {
             let names = ["striker", target].map(Some);
             said_and_true(watch.collision(), said, names, true, panel);
         }
-        // Without a hit to be seen, rays have no sides to count from.
+        // Without a visible collision, rays have no sides to count from.
         (_, _, said) => {
             panel.marked("you    ", lettered(form, said), Role::Predicted);
             panel.marked("truth  ", lettered(form, &form.truth()), Role::Good);

@@ -1,4 +1,4 @@
-//! The look back over a round.
+//! The summary of a round.
 
 use super::{Quiz, QuizAction};
 use crate::lessons::Book;
@@ -11,11 +11,11 @@ use crate::widgets::Role;
 use crate::widgets::input::ListAction;
 use crate::widgets::panel::{Panel, TableColumn, TableRow};
 
-/// Columns of the look back at most, with its frame.
+/// Most columns of the summary, with its frame.
 pub(super) const WIDEST: u16 = 108;
 
-/// The look back: the score, a row a question with a mark at the one `at`, how well
-/// confidence and answers went together, and what to try next.
+/// The summary: the score, one row per question with a mark at the one `at`, how well
+/// confidence matched the answers, and what to try next.
 pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
     let summary = quiz.summary();
     let finds_out = quiz.round.course().kind == CourseKind::FindOut;
@@ -49,7 +49,7 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
     panel
 }
 
-/// How a friend gets the same round; a review is its player's alone.
+/// How a friend gets the same round; a review is personal.
 fn for_a_friend(code: &Code) -> Option<String> {
     match code.course.kind {
         CourseKind::Review(_) | CourseKind::Own(_) => None,
@@ -74,7 +74,7 @@ fn score(summary: &Summary) -> String {
     text
 }
 
-/// What follows from the round, a paragraph each.
+/// The conclusions from the round, one paragraph each.
 fn closing(quiz: &Quiz, summary: &Summary) -> Vec<String> {
     let mut closing = vec![summary.calibration_words()];
     match quiz.round.course().kind {
@@ -91,12 +91,12 @@ fn missed_surely(line: &SummaryLine) -> bool {
     line.grade.confidence == Confidence::Sure && !line.grade.right
 }
 
-/// A row a question: what was said, the truth, the points, and what it was about.
+/// One row per question: the answer, the true one, the points, and the topic.
 fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction>) {
     let answered = || quiz.round.questions().iter().zip(&quiz.answers);
     let all_rays = answered().all(|(question, _)| matches!(question.form, Form::Rays { .. }));
-    // Where answers are of many forms, one wants to know to what; unless what they show is
-    // what was looked for.
+    // Answers of many forms are unclear without their topic; but in a round that looks for a
+    // misconception, the topic matters less than what the answer showed.
     let shows_topic = !all_rays && !quiz.round.course().follows_answers();
     let column = |head: &str, width, flush_right, room| TableColumn {
         head: head.into(),
@@ -146,6 +146,6 @@ fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction
     let lines = summary.lines.iter().zip(answered()).enumerate();
     panel.table(columns, lines.map(row).collect());
     if summary.lines.iter().any(missed_surely) {
-        panel.line("! sure, but off", Role::Dim);
+        panel.line("! sure, but wrong", Role::Dim);
     }
 }

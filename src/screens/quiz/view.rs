@@ -1,4 +1,4 @@
-//! What the quiz shows.
+//! The view of the quiz.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -9,7 +9,6 @@ use crate::screens::{Context, View};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Look, SplitLayout, draw_question};
 
-/// What the phase at hand shows.
 pub(super) fn view<'s>(quiz: &'s Quiz, cx: &Context) -> View<'s, QuizAction> {
     match &quiz.phase {
         QuizPhase::Asked(asked) => of_asked(quiz, asked),
@@ -64,8 +63,8 @@ fn of_watched<'s>(
     )
 }
 
-/// A text beside the question's picture; alone, under the picture's title, where a question
-/// in words has none.
+/// A text beside the question's picture; without a picture the text is alone, under the
+/// picture's title.
 fn beside_picture<'s>(
     title: String,
     question: &Question,

@@ -1,4 +1,4 @@
-//! What can be set: one place for a setting's name, its values and what they mean.
+//! The settings: name, values and description of each.
 
 use super::values::Settings;
 use crate::widgets::input::{Field, FieldValue, FormFields};
@@ -11,11 +11,11 @@ pub(super) struct Setting {
     pub(super) id: &'static str,
     /// Its values, as the file has them and the screen shows them.
     pub(super) words: &'static [&'static str],
-    /// Its name on the screen, and what it is.
+    /// Its name and description on the screen.
     shown: (&'static str, &'static str),
-    /// The place of its present value among its words.
+    /// The index of its present value.
     pub(super) at: fn(&Settings) -> usize,
-    /// Sets it to the value at this place.
+    /// Sets it to the value at this index.
     pub(super) choose: fn(&mut Settings, usize),
 }
 
@@ -26,7 +26,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         words: &["ascii", "unicode"],
         shown: (
             "characters",
-            "What pictures are drawn with. ASCII shows in every terminal and font; Unicode is finer. The help of every screen names the key that switches it there.",
+            "The characters used for pictures. ASCII works in every terminal and font; Unicode is finer. The help of every screen shows the key that switches them.",
         ),
         at: |settings| settings.charset as usize,
         choose: |settings, at| settings.charset = [Charset::Ascii, Charset::Unicode][at.min(1)],
@@ -36,7 +36,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         words: &["dark", "light", "no colour"],
         shown: (
             "palette",
-            "Dark for a desk, light for a projector in a bright room, or no colour at all. The help of every screen names the key that switches it there.",
+            "Dark for a desk, light for a projector in a bright room, or no colour at all. The help of every screen shows the key that switches the palette.",
         ),
         at: |settings| settings.palette as usize,
         choose: |settings, at| {
@@ -48,7 +48,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         words: &["none", "16", "256", "truecolor"],
         shown: (
             "colours",
-            "How many colours are used. Take fewer if some look wrong: 16 are shown by nearly every terminal.",
+            "The number of colours. Choose fewer if some look wrong: nearly every terminal supports 16.",
         ),
         at: |settings| settings.depth as usize,
         choose: |settings, at| {
@@ -61,7 +61,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         words: &["full", "reduced"],
         shown: (
             "motion",
-            "Reduced: nothing slides. Pictures jump from before the contact to the contact, and to what comes after. The help of every screen names the key that switches it there.",
+            "Reduced: nothing slides. Pictures jump from before the contact to the contact, and then to the result. The help of every screen shows the key that switches it.",
         ),
         at: |settings| settings.reduced_motion.into(),
         choose: |settings, at| settings.reduced_motion = at > 0,
@@ -71,7 +71,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         words: &["go on", "wait"],
         shown: (
             "steps of a hit",
-            "At the contact a hit explains itself step by step. Go on: each step stands long enough to be read. Wait: each stays until you go on.",
+            "At the contact a collision is explained step by step. Go on: each step stays long enough to read. Wait: each step stays until you go on.",
         ),
         at: |settings| settings.wait_at_beats.into(),
         choose: |settings, at| settings.wait_at_beats = at > 0,
@@ -83,7 +83,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         ],
         shown: (
             "speed of shots",
-            "How fast shots on the board are watched, at the table and in the levels. Usual is real speed at the table and a quarter of it in the levels. You can also change it while a shot runs.",
+            "The speed of shots on the board, at the table and in the levels. Usual means real speed at the table and a quarter of it in the levels. You can also change it while a shot is running.",
         ),
         at: |settings| {
             let chosen = |rate| WatchRate::ALL.iter().position(|it| *it == rate);
@@ -99,12 +99,12 @@ pub(super) static SETTINGS: [Setting; 8] = [
         words: &["no", "yes"],
         shown: (
             "predict first",
-            "In the lab and the levels you say where both will go before you watch. That is what makes watching teach.",
+            "In the lab and the levels you predict where both discs will go before you watch. That is what makes watching useful.",
         ),
         at: |settings| settings.predict.into(),
         choose: |settings, at| settings.predict = at > 0,
     },
-    // It is kept, but not set by hand.
+    // Saved, but not set by hand.
     Setting {
         id: "foretold",
         words: &["0", "1", "2", "3"],
@@ -133,7 +133,7 @@ impl FormFields for Settings {
             "player",
             self.player.clone(),
             FieldValue::Choice { at: 0, count: 1 },
-            "Whose answers, stars and bookmarks these are. Everyone on this computer can have their own.",
+            "The player whose answers, stars and bookmarks these are. Everyone on this computer can have their own.",
         );
         let shown = SETTINGS[..PLAYER].iter().map(choice);
         shown.chain([player]).collect()

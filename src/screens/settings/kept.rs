@@ -1,4 +1,4 @@
-//! What is kept of the settings from one start to the next: the file `settings.toml`.
+//! The settings that are saved between starts, in `settings.toml`.
 
 use std::collections::BTreeMap;
 
@@ -11,24 +11,23 @@ use crate::widgets::Depth;
 const FORMAT: u32 = 1;
 /// Largest file that is read, in bytes.
 const LARGEST: usize = 64 * 1024;
-/// Letters that a name takes at most.
+/// The longest name.
 const LONGEST: usize = 200;
 const PLAYER_ID: &str = "player";
 
-/// The settings that a player has changed; the others are as carrom finds them when it
-/// starts.
+/// The settings that a player has changed; the others keep the defaults of each start.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct KeptSettings {
-    /// The places of the values, by the names of the settings.
+    /// The indices of the values, by the names of the settings.
     chosen: BTreeMap<&'static str, usize>,
     player: Option<String>,
 }
 
 impl KeptSettings {
-    /// The name of its file in the folder for data.
+    /// The name of its file in the data folder.
     pub const FILE: &str = "settings.toml";
 
-    /// Notes what differs between two moments; says whether anything does.
+    /// Records what differs between two moments; returns whether anything does.
     pub(crate) fn note(&mut self, before: &Settings, now: &Settings) -> bool {
         let differs = |setting: &&Setting| (setting.at)(before) != (setting.at)(now);
         let changed = SETTINGS.iter().filter(differs);
@@ -41,8 +40,7 @@ impl KeptSettings {
         renamed || !changed.is_empty()
     }
 
-    /// These settings with what is kept in the place of theirs. A screen without colours
-    /// stays without.
+    /// These settings, overridden by the saved ones. A screen without colours stays without.
     #[must_use]
     pub fn over(&self, settings: Settings) -> Settings {
         let depth = settings.depth;
@@ -61,10 +59,10 @@ impl KeptSettings {
         over
     }
 
-    /// The file that holds them.
+    /// The text of the file.
     pub fn text(&self) -> String {
         let mut text = format!(
-            "# What is set in carrom. It is written anew whenever a setting is changed.\n\
+            "# The settings of carrom. carrom rewrites this file whenever a setting changes.\n\
              format = {FORMAT}\n"
         );
         let chosen = SETTINGS.iter().filter_map(|setting| {
@@ -81,7 +79,7 @@ impl KeptSettings {
     /// Reads such a file.
     ///
     /// # Errors
-    /// All that is wrong with it.
+    /// All errors in the file.
     pub fn read(file: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
         let ids = SETTINGS.iter().map(|setting| setting.id);
         let known: Vec<_> = ["format", PLAYER_ID].into_iter().chain(ids).collect();
@@ -98,7 +96,7 @@ impl KeptSettings {
                 match is_player_name(name) {
                     true => Some(Some(name.to_owned())),
                     false if is_blank_name(name) => Some(None),
-                    false => fields.refuse(id, "expected a name of 1 to 40 visible letters"),
+                    false => fields.refuse(id, "expected a name of 1 to 40 visible characters"),
                 }
             });
             Some(Self {
@@ -128,7 +126,7 @@ mod tests {
         assert!(kept.note(&before, &now));
         let read = KeptSettings::read("settings.toml", kept.text().as_bytes()).unwrap();
         assert_eq!(read, kept);
-        // What was left alone stays as it is found.
+        // Settings that were not changed keep their defaults.
         let found = Settings {
             charset: Charset::Unicode,
             ..Settings::default()

@@ -1,4 +1,4 @@
-//! The settings: how carrom looks and moves, who plays, and where all is kept.
+//! The settings: appearance, motion, the player, and where the data is kept.
 
 mod field;
 mod kept;
@@ -17,7 +17,7 @@ use crate::messages::{Input, Key};
 use crate::widgets::input::{FormAction, FormFields, KeyTable, SettingsForm, TextField};
 use field::PLAYER;
 
-/// Letters of a name at most.
+/// The longest name.
 const LONGEST: usize = 40;
 
 #[derive(Debug, Clone, Default)]
@@ -27,17 +27,17 @@ pub(crate) struct SettingsScreen {
     typed: Option<TextField>,
 }
 
-/// What keys do to the settings.
+/// Actions of the settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum SettingsAction {
     /// choose a setting and change it
     Set(FormAction),
-    /// the next value; the player's name is typed
+    /// go to the next value; for the player's name, type it
     Enter,
-    /// take the name that was typed
+    /// use the typed name
     Take,
-    /// go back; a name that is being typed is given up
+    /// go back; discard a name that is being typed
     Back,
 }
 
@@ -47,7 +47,7 @@ impl SettingsScreen {
         self.form.selected(cx.settings.fields().len()) == PLAYER
     }
 
-    /// Begins to type the player's name, or goes on to a setting's next value.
+    /// Begins typing the player's name, or goes to a setting's next value.
     fn enter(&mut self, cx: &mut Context) {
         if self.is_at_player(cx) {
             self.typed = Some(TextField::new("", LONGEST));
@@ -56,7 +56,7 @@ impl SettingsScreen {
         }
     }
 
-    /// Takes the name that was typed, if it is one.
+    /// Uses the typed name, if it is valid.
     fn take(&mut self, cx: &mut Context) {
         let Some(typed) = self.typed.take() else {
             return;
@@ -65,7 +65,7 @@ impl SettingsScreen {
         if is_player_name(&name) {
             cx.change_player(name);
         } else if !typed.text().is_empty() {
-            cx.tell("A name has 1 to 40 visible letters.".into());
+            cx.tell("A name has 1 to 40 visible characters.".into());
         }
     }
 }
@@ -82,7 +82,7 @@ impl Screen for SettingsScreen {
         let keys = KeyTable::new("settings");
         if self.typed.is_some() {
             return keys
-                .on(Key::Enter, Take, "take it")
+                .on(Key::Enter, Take, "use it")
                 .on(Key::Escape, Back, "cancel");
         }
         let enter = match self.is_at_player(cx) {
@@ -97,8 +97,8 @@ impl Screen for SettingsScreen {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "How carrom looks and moves, and who plays. What you change here, or by its key on any screen, holds until you change it again: the next start too.",
-            "What the command line says (carrom --charset ascii) holds for that run. The keys can be changed as well: carrom keys prints them all, and where to put your own.",
+            "Here you set how carrom looks and moves, and who plays. A change you make here, or with its key on any screen, stays until you change it again, even after a restart.",
+            "Options on the command line (carrom --charset ascii) apply to that run only. You can change the keys too: carrom keys prints all of them and shows where to put your own.",
         ]
     }
 
@@ -109,7 +109,7 @@ impl Screen for SettingsScreen {
 
     fn act(&mut self, action: SettingsAction, cx: &mut Context) -> Next {
         match action {
-            // A click elsewhere takes the name that was typed.
+            // A click elsewhere uses the typed name.
             SettingsAction::Set(action) => {
                 self.take(cx);
                 self.form.act(action, &mut cx.settings);

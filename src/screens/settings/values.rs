@@ -1,4 +1,4 @@
-//! What can be set, as it stands.
+//! The values of the settings.
 
 use crate::widgets::hit::HitPace;
 use crate::widgets::input::Rebound;
@@ -8,26 +8,26 @@ use crate::widgets::{Charset, Depth, Look, Palette, Theme};
 /// How the app looks and behaves for this player.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
-    /// Glyphs to draw with.
+    /// The characters that pictures are drawn with.
     pub charset: Charset,
     /// Colours by purpose: dark, light.
     pub palette: Palette,
-    /// How many colours the screen has.
+    /// The number of colours of the screen.
     pub depth: Depth,
-    /// Jump from before the contact to the contact to after it.
+    /// Pictures jump from before the contact to the contact, and then to the result.
     pub reduced_motion: bool,
     /// Each step of the explanation of a hit waits for a key, however long that takes.
     pub wait_at_beats: bool,
-    /// How fast shots are watched, once that was chosen.
+    /// The speed of shots, if the player has chosen one.
     pub watch_rate: Option<WatchRate>,
     /// Ask for a prediction before each shot in the lab and in levels.
     pub predict: bool,
-    /// How often both ways were said rightly in the lab, as far as that counts: it unlocks
-    /// the live picture.
+    /// How often the player has predicted both paths correctly in the lab, up to the number that
+    /// unlocks the live picture.
     pub foretold: u8,
-    /// Name of the player, as shown.
+    /// The player's name as shown.
     pub player: String,
-    /// Keys of the player's own choice.
+    /// The keys that the player has rebound.
     pub keys: Rebound,
 }
 
@@ -49,15 +49,14 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// How often both ways are to be said rightly before the lab's picture may be live.
+    /// The number of correct predictions of both paths that unlocks the lab's live picture.
     pub(crate) const ENOUGH_FORETOLD: u8 = 3;
 
-    /// The styles that follow from palette and colour depth.
+    /// The styles for the palette and colour depth.
     pub fn theme(&self) -> Theme {
         Theme::new(self.palette, self.depth)
     }
 
-    /// How hits are played.
     pub(crate) fn pace(&self) -> HitPace {
         match (self.reduced_motion, self.wait_at_beats) {
             (true, _) => HitPace::Still,

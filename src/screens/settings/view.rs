@@ -1,11 +1,11 @@
-//! What the settings show.
+//! The view of the settings.
 
 use super::{SettingsAction, SettingsScreen};
 use crate::screens::{Context, View};
 use crate::widgets::Role;
 use crate::widgets::panel::Panel;
 
-/// The settings beside what the chosen one is.
+/// The settings, and a description of the chosen one.
 pub(super) fn view<'s>(screen: &SettingsScreen, cx: &'s Context) -> View<'s, SettingsAction> {
     let mut form = Panel::new("settings");
     form.part(SettingsAction::Set, |panel| {
@@ -19,15 +19,15 @@ pub(super) fn view<'s>(screen: &SettingsScreen, cx: &'s Context) -> View<'s, Set
     screen.form.write_about(&cx.settings, &mut about);
     about.gap();
     match (&screen.typed, screen.is_at_player(cx)) {
-        (Some(_), _) => about.prompt("take it", SettingsAction::Take),
+        (Some(_), _) => about.prompt("use it", SettingsAction::Take),
         (None, true) => about.prompt("type a name", SettingsAction::Enter),
         (None, false) => about.prompt("next value", SettingsAction::Enter),
     }
     about.gap();
-    about.heading("Where everything is kept");
+    about.heading("Where your data is kept");
     match &cx.folder {
         Some(folder) => about.paragraph(folder, Role::Text),
-        None => about.paragraph("Nowhere: it is gone when carrom ends.", Role::Text),
+        None => about.paragraph("Nowhere: it is lost when carrom ends.", Role::Text),
     }
     about.paragraph(
         "Answers, bookmarks, games and these settings are kept there and nowhere else.",
@@ -35,7 +35,7 @@ pub(super) fn view<'s>(screen: &SettingsScreen, cx: &'s Context) -> View<'s, Set
     );
     about.worth(1, |about| {
         about.gap();
-        about.paragraph("The help says how to change keys.", Role::Dim);
+        about.paragraph("The help explains how to change keys.", Role::Dim);
     });
     View::panels(form, about)
 }

@@ -125,15 +125,15 @@ impl Screen for Table {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "Carrom: pocket your nine coins with the striker before the other side does, and the queen on the way. The player who breaks plays white; whoever pockets a coin of their own plays on.",
-            "Put the striker on your base line (the side whose turn it is is marked), aim, choose the strength, strike. After the stroke the referee says what follows, with the number of the law.",
-            "The aim line and the ghost show where the striker will meet its first coin; the two arrows show where both leave that hit. Switch them off one by one as you get better.",
-            "Call it: before the stroke, say at which angles the two of the first hit will leave it. Good calls earn points of their own, which never mix with the score.",
-            "After any stroke you can choose one of its impacts and look at it as in the lab, and go on to other strokes.",
-            "Every game is saved after each stroke. The page of a new game leads to the games there are: resume one, or watch it stroke by stroke. A game that is exported can be played again on any machine: carrom replay FILE.",
-            "Angles, left and right are those of the screen, whoever strikes: 0 is to the right, 90 up, 180 to the left, 270 down.",
-            "With the mouse or a finger: point where to aim, drag the striker along its base lines, pull it back and let go to strike. The farther you pull, the harder; a pull to the side turns the aim. Back to the striker: no stroke.",
-            "You see the computer aim before it strikes. Let it strike at once, or say first where the two discs of its first hit will go. Afterwards the line it meant is drawn beside the line it played.",
+            "In carrom you use the striker to pocket your nine coins before the other side does, and the queen on the way. The player who breaks plays white; a player who pockets one of their own coins plays again.",
+            "Place the striker on your base line (a mark shows whose turn it is), aim, choose the strength and strike. After the stroke the referee announces the result, with the number of the law.",
+            "The aim line and the ghost show where the striker will hit its first coin; the two arrows show where both discs will go after that collision. Turn them off one by one as you get better.",
+            "Calls: before the stroke, predict the directions of the two discs after the first collision. Good calls earn separate points, which never count in the score.",
+            "After any stroke you can choose one of its impacts and examine it as in the lab, and then go to other strokes.",
+            "Every game is saved after each stroke. The page for a new game also lists the saved games: resume one, or watch it stroke by stroke. An exported game can be replayed on any machine: carrom replay FILE.",
+            "Angles, left and right refer to the screen, whoever strikes: 0 is to the right, 90 up, 180 to the left, 270 down.",
+            "With the mouse or a finger: point where to aim, drag the striker along its base lines, pull it back and let go to strike. The farther you pull, the harder the stroke; pulling to the side turns the aim. Return to the striker to cancel.",
+            "You see the computer aim before it strikes. Let it strike at once, or first predict where the two discs of its first collision will go. Afterwards you see the intended line beside the actual one.",
         ]
     }
 

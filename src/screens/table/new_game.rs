@@ -29,9 +29,9 @@ type Agreement = (&'static str, Vec<(Options, String, &'static str)>);
 pub enum NewGameAction {
     /// play
     Play,
-    /// the games that are saved: resume one, or watch it again
+    /// saved games: resume one, or watch it again
     SavedGames,
-    /// back
+    /// go back
     Back,
 }
 

@@ -42,9 +42,9 @@ pub enum SavedGamesAction {
     Saved(KeptAction),
     /// watch the whole game again, stroke by stroke
     WatchAll,
-    /// export: write the game to a file of its own
+    /// export: write the game to a separate file
     Export,
-    /// back
+    /// go back
     Back,
 }
 

@@ -37,15 +37,15 @@ pub enum AnswerInput {
 pub enum AnswerAction {
     /// turn a ray
     Ray(RayAction),
-    /// give a number
+    /// enter a number
     Number(NumberAction),
     /// choose the answer above or below
     Move(isize),
-    /// choose an answer by its letter, or by its number
+    /// choose an answer by its letter or number
     Choose(usize),
     /// choose an answer and give it
     Give(usize),
-    /// give the answer that was chosen
+    /// give the chosen answer
     Enter,
 }
 

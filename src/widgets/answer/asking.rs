@@ -27,7 +27,7 @@ pub(crate) enum AskingAction {
     Sure(usize),
     /// choose how sure you are
     MoreSure(isize),
-    /// take how sure you are as chosen
+    /// confirm how sure you are
     Take,
 }
 

@@ -41,21 +41,21 @@ pub(crate) struct Watch {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum WatchAction {
-    /// go on: to the contact, step by step through what is told there, and to the end
+    /// go on: to the contact, through the explanation step by step, and to the end
     GoOn,
-    /// one step back or forwards: at the contact through what is told there
+    /// move one step back or forward; at the contact, through the explanation
     Step(i8),
-    /// bigger steps through the hit, past what is told at the contact
+    /// move through the collision in bigger steps, skipping the explanation
     Scrub(i8),
-    /// to its start
+    /// go to the start
     Start,
-    /// to all that is told at the contact, and to its end
+    /// skip to the last step of the explanation, then to the end
     End,
     /// play it again
     Again,
-    /// see it from the centre of mass, or from the coin's own frame
+    /// switch between the laboratory, centre-of-mass and coin frames
     Frame,
-    /// layers: line of impact, split, velocities, angles, triangle, trails, what you said
+    /// layers: line of impact, components, velocities, angles, triangle, trails, your prediction
     ToggleLayer(Overlay),
 }
 

@@ -156,17 +156,17 @@ pub trait FormFields {
 pub enum FormAction {
     /// choose what to set
     Choose(isize),
-    /// the first, the last
+    /// go to the first or the last
     End(isize),
-    /// change it by a step
+    /// change it by one step
     Step(i8),
     /// change it by a tenth of a step
     Fine(i8),
     /// change it by ten steps
     Big(i8),
-    /// a number typed
+    /// type a number
     Number(EntryAction),
-    /// choose this one; of a few values the next one
+    /// choose this field; if it has few values, take the next one
     Point(usize),
 }
 

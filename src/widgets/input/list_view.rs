@@ -15,13 +15,13 @@ const PAGE: isize = 10;
 pub enum ListAction {
     /// choose a line
     Choose(isize),
-    /// ten lines up or down
+    /// go ten lines up or down
     Page(isize),
-    /// the first line, the last line
+    /// go to the first or the last line
     End(isize),
     /// open the chosen line
     Open,
-    /// choose this line; the one that is chosen is opened
+    /// choose this line; open it if it is already chosen
     Point(usize),
 }
 

@@ -20,11 +20,11 @@ pub struct NumberEntry {
 pub enum EntryAction {
     /// type a number; Enter sets it, Esc cancels it
     Type(char),
-    /// take back the last digit
+    /// delete the last digit
     Erase,
-    /// set the number that was typed
+    /// set the typed number
     Enter,
-    /// cancel the number that is being typed
+    /// discard the number that is being typed
     GiveUp,
 }
 

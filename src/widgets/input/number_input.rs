@@ -22,11 +22,11 @@ pub struct NumberInput {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum NumberAction {
-    /// dial the number: Left and Right in small steps, Up and Down in big ones
+    /// change the number: Left and Right in small steps, Up and Down in big steps
     Dial(DialStep),
-    /// give the number
+    /// enter the number
     Enter,
-    /// a number typed
+    /// type a number
     Number(EntryAction),
 }
 

@@ -34,15 +34,15 @@ pub struct RayInput {
 pub enum RayAction {
     /// turn the ray: Left and Right by 1°, Up and Down by 5°
     Turn(i8),
-    /// this disc will stay still
+    /// this disc will stay at rest
     StaysStill,
-    /// the other ray
+    /// switch to the other ray
     OtherRay,
-    /// go on: to the other ray, or with both said
+    /// go on: to the other ray, or when both are set
     Next,
-    /// a number typed for the ray
+    /// type a number for the ray
     Number(EntryAction),
-    /// choose the ray that is turned
+    /// choose which ray to turn
     Choose(Ray),
 }
 

@@ -49,29 +49,29 @@ enum Showing {
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShotAction {
-    /// go on; while time runs, to the end at once
+    /// go on; while it plays, skip to the end
     GoOn,
-    /// look into its impacts
+    /// examine its impacts
     Impacts,
     /// step through it
     Step(i8),
-    /// bigger steps through it
+    /// move through it in bigger steps
     Scrub(i8),
-    /// faster or slower, here and wherever a shot is watched
+    /// faster or slower, here and for every shot you watch
     Speed(i8),
     /// play it again
     Again,
-    /// to its start, to its end
+    /// go to the start or the end
     Seek(f64),
-    /// move in the list of impacts, and enlarge one
+    /// choose an impact, and examine it
     List(ListAction),
-    /// choose an impact of the list
+    /// choose an impact in the list
     Point(usize),
-    /// the next impact
+    /// go to the next impact
     NextImpact(isize),
-    /// work the enlarged impact
+    /// control the enlarged impact
     Watch(WatchAction),
-    /// away from the impacts
+    /// leave the impacts
     Leave,
 }
 

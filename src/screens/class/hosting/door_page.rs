@@ -21,7 +21,7 @@ const SCALES: [usize; 3] = [3, 2, 1];
 /// Columns beside it, for the address in plain letters at least.
 const LEAST_WORDS: u16 = 24;
 /// What all should know.
-const OPENLY: &str = "Whoever is in this network can see names and votes: nicknames will do.";
+const OPENLY: &str = "Everyone on this network can see names and votes. Nicknames are fine.";
 
 pub(in crate::screens::class) fn draw(
     session: &Session,

@@ -16,27 +16,27 @@ use people::People;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum HostingAction {
-    /// show how to come in: the address and the code
+    /// show how to join: the address and the code
     Door,
     /// show who is in, and who has voted
     Names,
-    /// on with the round
+    /// go on with the round
     GoOn,
-    /// let nobody new in, or let them in again
+    /// close the round to newcomers, or open it again
     Shut,
-    /// choose somebody
+    /// choose a pupil
     List(ListAction),
-    /// give them another name
+    /// change the name
     Rename,
-    /// somebody came back as a stranger: make one of the two
+    /// merge a pupil who joined twice
     Merge,
-    /// take them off the list
+    /// remove this pupil
     Remove,
-    /// take all off the list who are away and never voted
+    /// remove everyone who is away and never voted
     RemoveAway,
-    /// back to the page before
+    /// go back to the previous page
     Back,
-    /// as it was
+    /// cancel
     NotYet,
 }
 

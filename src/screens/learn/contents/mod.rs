@@ -17,11 +17,11 @@ use crate::widgets::input::{KeyTable, ListAction, ListView};
 pub(crate) enum ContentsAction {
     /// choose a chapter, or read it
     List(ListAction),
-    /// the next chapter that is not done
+    /// go to the next chapter that is not done
     Next,
     /// forget your place and your answers in the chosen chapter
     Forget,
-    /// forget them in all chapters
+    /// forget your places and answers in all chapters
     ForgetAll,
     /// go back
     Leave,
@@ -121,10 +121,10 @@ impl Screen for Contents {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "Everything about glancing collisions, as things to do: short texts beside figures that obey you, and questions to which you first say what you think.",
-            "The chapters build on each other, but all of them are open. Beside each stands how many of its pages you have read, and at its end how many of your answers are right: with a tick where all of them are, with a ~ where some are still to get right. Any page's question can be asked again. Your place is kept, until the next time too.",
-            "Your place and your answers can be forgotten, in the chosen chapter or in all of them, so that you can start over. What you have answered still counts in your progress.",
-            "Chapters of your own: carrom learn --lessons DIR. A file that cannot be read is listed at the end with what is wrong with it.",
+            "Everything about glancing collisions, to try out: short texts beside figures that you control, and questions that you answer before you see the result.",
+            "The chapters build on each other, but all of them are open. The list shows how many pages of each you have read, and after the last page how many of your answers are right. A tick marks chapters with every answer right, a ~ marks those with wrong answers. You can answer any page's question again. carrom remembers your place, also for the next start.",
+            "carrom can forget your place and your answers, in the chosen chapter or in all chapters, so that you can start again. Your answers still count in your progress.",
+            "For your own chapters, use carrom learn --lessons DIR. Files that cannot be read are listed at the end with their errors.",
         ]
     }
 

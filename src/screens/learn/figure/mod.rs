@@ -44,15 +44,15 @@ const LEAP: i8 = 10;
 pub(crate) enum FigureAction {
     /// change α
     Alpha(i8),
-    /// α of a head-on hit, α of a graze
+    /// set α to a head-on or a grazing collision
     AlphaEnd(i8),
     /// step through the working
     Step(isize),
-    /// set the numbers of the working
+    /// set the numbers in the working
     Set(FormAction),
-    /// watch the hit
+    /// watch the collision
     Watch(WatchAction),
-    /// work the foil
+    /// use the foil
     Foil(FoilFigureAction),
 }
 

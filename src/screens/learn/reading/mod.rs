@@ -27,23 +27,23 @@ use page::{OpenPage, Stage};
 pub(crate) enum ReadingAction {
     /// answer the question
     Answer(AnswerAction),
-    /// work the figure
+    /// use the figure
     Figure(FigureAction),
-    /// let keys go to the figure first, or to the text
+    /// send keys to the figure first, or to the text
     Switch,
-    /// go on to the next page, whether the question is answered or not
+    /// go to the next page, even if the question is not answered
     Next,
-    /// the page before
+    /// go to the previous page
     Back,
-    /// scroll, or to the page before or the next one
+    /// scroll, or go to the previous or next page
     Page(i16),
-    /// show how it is, without a second try
+    /// show the answer, without a second try
     ShowIt,
     /// ask this page's question again
     AskAgain,
-    /// forget all answers of this chapter and start it over
+    /// forget all answers in this chapter and start it again
     Forget,
-    /// open the figure full-size: in the lab, or on the foil
+    /// open the figure full-size: in the lab, or in the foil
     FullSize,
     /// export the figure as an SVG picture
     Export,
@@ -397,8 +397,8 @@ impl Screen for Reading {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "A chapter: a few lines to read, beside a figure that is the real thing. Where a question is asked, say first what you think; only then the figure shows what happens. Your place is kept.",
-            "Every page can be read again, skipped, or asked again. A wrong answer is a good start: mostly you get a hint and a second try, for half the credit, and the explanation begins from what you said.",
+            "A chapter page has a few lines of text beside a figure that computes the real collision. If there is a question, answer it first; only then does the figure show what happens. carrom remembers your place.",
+            "You can read every page again, skip it, or answer its question again. A wrong answer is a good start: usually you get a hint and a second try, for half the credit, and the explanation starts from your answer.",
         ]
     }
 

@@ -21,9 +21,9 @@ pub(crate) struct Levels {
 pub(crate) enum LevelsAction {
     /// choose a level, and play it
     List(ListAction),
-    /// the next level that was never won
+    /// go to the next level you have never won
     NextToWin,
-    /// back
+    /// go back
     Back,
 }
 
@@ -80,8 +80,8 @@ impl Screen for Levels {
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
             "Each level is a small puzzle on the board: set the shot so that its goals are met. All of them are open; they get harder from the top down.",
-            "A level gives up to three stars: one for winning it, one for at most three shots without a hint, and one for saying first where the discs will go (where nothing is asked: for winning with the first shot). Come back for more as often as you like; the best counts.",
-            "Levels of your own: carrom --levels DIR. A file that cannot be read is listed at the end with what is wrong with it.",
+            "A level gives up to three stars: one for winning it, one for at most three shots without a hint, and one for predicting where the discs will go (in levels without a prediction: for winning with the first shot). Try again as often as you like; the best result counts.",
+            "For your own levels, use carrom --levels DIR. Files that cannot be read are listed at the end with their errors.",
         ]
     }
 

@@ -56,7 +56,7 @@ impl Dials {
         dials
     }
 
-    /// Back to how the level opens.
+    /// Restore the level's initial aim.
     pub(super) fn reset(&mut self) {
         self.set_aim(self.level.start());
     }

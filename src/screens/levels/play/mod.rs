@@ -75,25 +75,25 @@ struct PendingShot {
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum LevelAction {
-    /// go on: say where the discs will go, or shoot
+    /// go on: predict where the discs will go, or shoot
     Go,
     /// set the shot
     Set(FormAction),
-    /// back to how the level opens
+    /// restore the level's initial aim
     Reset,
-    /// a hint; again for the next one
+    /// show a hint; again for the next one
     Hint,
-    /// say first, or just shoot
+    /// predict first, or just shoot
     Predict,
-    /// say where a disc will go
+    /// predict where a disc will go
     Say(RayAction),
     /// watch the shot
     Watch(ShotAction),
-    /// the next level
+    /// go to the next level
     NextLevel,
-    /// back to the aim
+    /// go back to aiming
     AimAgain,
-    /// back
+    /// go back
     Back,
 }
 
@@ -252,10 +252,10 @@ impl Screen for LevelPlay {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "Set the shot so that all goals of the level are met. The dotted line shows the path up to the first thing the disc meets; what happens then is for you to find out.",
-            "Some levels ask first where the discs will go after the first hit. Then watch, read which goals were met and how far off the others were, and look at the impact enlarged.",
-            "Stars: one for winning, one for at most three shots without a hint, one for saying the rays within 4° (where nothing is asked: for winning with the first shot).",
-            "With the mouse: point the shot, drag the disc where it may be placed, turn the wheel for the speed.",
+            "Set the shot so that all goals of the level are met. The dotted line shows the path up to the first contact; find out yourself what happens then.",
+            "Some levels first ask where the discs will go after the first collision. Then watch, read which goals were met and how close the others were, and look at the enlarged impact.",
+            "Stars: one for winning, one for at most three shots without a hint, one for predicting the rays within 4° (in levels without a prediction: for winning with the first shot).",
+            "With the mouse: point to aim, drag the disc within its range, turn the wheel for the speed.",
         ]
     }
 

@@ -15,7 +15,7 @@ use crate::screens::recall::Recall;
 use crate::screens::{Context, Next, Place, Screen, View};
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 
-/// What keys do where a round is chosen.
+/// Actions while choosing a round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum ChoosingAction {
@@ -25,7 +25,7 @@ pub(crate) enum ChoosingAction {
     Begin(usize),
     /// begin at once: find out, quick, mixed, review, hits, topic, exam, what was read, code
     BeginByLetter(usize),
-    /// begin the round of the code that was typed
+    /// begin the round with the typed code
     Enter,
     /// go back
     Back,
@@ -39,45 +39,45 @@ pub(crate) struct Choosing {
     rounds: ListView,
     /// The topics, as in [`CourseKind::topics`].
     topics: ListView,
-    /// The questions of the teacher's own.
+    /// The teacher's own questions.
     own: Arc<Library>,
 }
 
-/// What is being chosen from.
+/// The page of the screen.
 #[derive(Debug, Clone, PartialEq)]
 enum ChoosingPage {
     Rounds,
     Topics,
     /// A code.
     Code {
-        /// As far as it is typed.
+        /// The typed part.
         typed: TextField,
-        /// Whether it was entered as it stands, and is none.
+        /// Whether it was entered and is not a code.
         refused: bool,
     },
 }
 
-/// Letters of a code at most: more than any has.
+/// The longest code that can be typed; no code is this long.
 const LONGEST: usize = 40;
 
 /// A kind of round to choose.
 #[derive(Debug)]
 enum RoundChoice {
-    /// One that is there for everyone.
+    /// A kind that is always available.
     Always(CourseKind),
-    /// What is due.
+    /// A review of what is due.
     Review,
-    /// What the chapters that were read teach.
+    /// Questions about the chapters that the player has read.
     Read,
-    /// One topic, to be chosen.
+    /// One topic, which the player chooses.
     Topic,
-    /// The round of a code, to be typed.
+    /// The round of a typed code.
     Code,
-    /// Questions of a teacher's own.
+    /// A teacher's own questions.
     Own,
 }
 
-/// The kinds of round, each with the letter that chooses it, besides its number.
+/// The kinds of round, each with its letter; its number works too.
 static CHOICES: [(char, RoundChoice); 10] = [
     ('f', RoundChoice::Always(CourseKind::FindOut)),
     ('q', RoundChoice::Always(CourseKind::Quick)),
@@ -92,7 +92,7 @@ static CHOICES: [(char, RoundChoice); 10] = [
 ];
 
 impl Choosing {
-    /// The screen, with what the player has done asked for.
+    /// Requests what the player has done.
     pub(crate) fn ask(cx: &mut Context) -> Self {
         cx.ask_for_marks();
         Self {
@@ -104,7 +104,7 @@ impl Choosing {
         }
     }
 
-    /// The kinds of round to choose from; own questions only where a folder was given.
+    /// The kinds of round to choose from; a teacher's questions only if a folder was given.
     fn choices(&self) -> &'static [(char, RoundChoice)] {
         match *self.own == Library::default() {
             true => &CHOICES[..CHOICES.len() - 1],
@@ -112,13 +112,13 @@ impl Choosing {
         }
     }
 
-    /// The kind of round that is chosen.
+    /// The chosen kind of round.
     fn choice(&self) -> &'static RoundChoice {
         let choices = self.choices();
         &choices[self.rounds.chosen(choices.len())].1
     }
 
-    /// The topic that is chosen.
+    /// The chosen topic.
     fn family(&self) -> Option<Family> {
         CourseKind::topics().nth(self.topics.chosen(CourseKind::topics().count()))
     }
@@ -128,8 +128,8 @@ impl Choosing {
         history.map_or_else(Due::default, |it| Due::of(&it.attempts, &it.calendar))
     }
 
-    /// The kind of the rounds that a choice begins; `None` where there is nothing to ask, and
-    /// where there is more to be chosen.
+    /// The kind of round that a choice begins; `None` if there is nothing to ask, or if the
+    /// player has to choose further.
     fn kind(&self, choice: &RoundChoice, book: &Book) -> Option<CourseKind> {
         match choice {
             RoundChoice::Always(kind) => Some(kind.clone()),
@@ -143,7 +143,7 @@ impl Choosing {
         }
     }
 
-    /// Does what the chosen line says.
+    /// Opens the chosen line.
     fn enter(&mut self, cx: &mut Context) -> Next {
         let kind = match (&self.page, self.choice()) {
             (ChoosingPage::Topics, _) => self.family().map(CourseKind::Topic),
@@ -169,7 +169,7 @@ impl Choosing {
         Next::Stay
     }
 
-    /// Plays the round of the code that was typed, if it is one.
+    /// Plays the round of the typed code, if it is valid.
     fn enter_code(&mut self) -> Next {
         if let ChoosingPage::Code { typed, refused } = &mut self.page {
             if let Some(code) = code(typed.text(), &self.own) {
@@ -186,12 +186,12 @@ fn begin(code: Code) -> Next {
     Next::Replace(Place::Quiz { code: Some(code) })
 }
 
-/// The chapters that were read to their end, if a question is about any.
+/// The finished chapters, if there are questions about any of them.
 fn chapters_read(book: &Book) -> Option<ChaptersRead> {
     ChaptersRead::of(book.read_through().map(|chapter| chapter.id.as_str()))
 }
 
-/// The code that a text is, capitals and blanks around it aside.
+/// Reads a code, ignoring case and spaces around it.
 fn code(text: &str, own: &Arc<Library>) -> Option<Code> {
     let code = Code::parse(&text.trim().to_lowercase())?;
     code.with_own(own).ok()
@@ -235,10 +235,10 @@ impl Screen for Choosing {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "A round is a few questions: you answer, say how sure you are, watch what happens and read why.",
-            "Every answer is kept on this computer. What you knew may rest for 1, 2, 4 … 32 days; what you missed is due at once. A review asks once about each topic that is due, in any of its kinds of question.",
-            "In an exam you hear nothing until the end; then every question can be opened.",
-            "Every round but a review has a code. With the same code a friend, or a whole class, gets the same questions: choose \"a round by its code\", or start with carrom quiz --code CODE.",
+            "A round is a few questions: you answer, choose how sure you are, watch what happens and read why.",
+            "carrom saves every answer on this computer. What you knew rests for 1, 2, 4 … 32 days; what you missed is due at once. A review asks one question about each topic that is due, of any kind that covers it.",
+            "An exam gives no feedback until the end; then you can open every question.",
+            "Every round except a review has a code. With the same code a friend, or a whole class, gets the same questions: choose \"a round by its code\", or start with carrom quiz --code CODE.",
         ]
     }
 
@@ -246,7 +246,7 @@ impl Screen for Choosing {
         let ChoosingPage::Code { typed, refused } = &mut self.page else {
             return false;
         };
-        // A question mark asks for help here: it is in no code.
+        // A question mark opens the help here, because no code contains one.
         let of_code = |c: char| c.is_ascii_alphanumeric() || c == '-';
         let used = !matches!(key, Key::Char(c) if !of_code(c)) && typed.update(key);
         *refused &= !used;

@@ -1,4 +1,4 @@
-//! What choosing a round shows.
+//! The view of choosing a round.
 
 use super::{Choosing, ChoosingAction, ChoosingPage, RoundChoice, chapters_read, code as code_of};
 use crate::lessons::Book;
@@ -11,13 +11,13 @@ use crate::widgets::input::{ListAction, TextField};
 use crate::widgets::panel::Panel;
 
 const WHY_MIXED: &str = "Mixed questions feel harder than many of one kind in a row, and you will \
-    miss more of them. But each time you must see first what kind it is, and that is what stays \
-    with you: weeks later you know more.";
+    miss more of them. But each time you have to recognize the kind of question first, and this \
+    helps you remember: weeks later you know more.";
 
-/// What opens the line that is chosen.
+/// Opens the chosen line.
 const OPEN: ChoosingAction = ChoosingAction::List(ListAction::Open);
 
-/// The list of the page, and what the chosen line is about.
+/// The list of the page, and a description of the chosen line.
 pub(super) fn view<'s>(choosing: &Choosing, book: &Book) -> View<'s, ChoosingAction> {
     let (list, about) = match &choosing.page {
         ChoosingPage::Rounds => (rounds(choosing, book), about_round(choosing, book)),
@@ -45,23 +45,23 @@ fn words(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> ChoiceWords 
             let (beside, about) = match kind {
                 CourseKind::Hits => (
                     "where will they go?".into(),
-                    "Ten hits on the board: say where the striker and the coin will go. Masses and losses change from hit to hit.",
+                    "Ten collisions on the board: predict where the striker and the coin will go. Masses and energy losses change from one to the next.",
                 ),
                 CourseKind::FindOut => (
                     format!("up to {questions}"),
-                    "Up to twelve questions, each chosen by your answers before it. You hear nothing until the end; then you see what you seem to believe about hits, which answers say so, and what settles it.",
+                    "Up to twelve questions, each chosen by your earlier answers. There is no feedback until the end; then you see what you seem to believe about collisions, which answers show it, and where to read more.",
                 ),
                 CourseKind::Quick => (
                     questions,
-                    "Five questions, each of another kind, the first ones in their plainest form. Any kind may come up, even one you have not met yet: just right for a short break.",
+                    "Five questions, each of a different kind, the first ones in their simplest form. Any kind may come up, even one you have not met yet: just right for a short break.",
                 ),
                 CourseKind::Even => (
                     questions,
-                    "Ten questions of all kinds, in any order, so that every idea is met. Nobody tells you what kind comes next.",
+                    "Ten questions of all kinds, in any order, to cover every idea. You do not know which kind comes next.",
                 ),
                 _ => (
                     questions,
-                    "Fifteen questions of all kinds. You hear nothing until the end; then you can open each one with its picture and its why.",
+                    "Fifteen questions of all kinds. There is no feedback until the end; then you can open each one with its picture and its explanation.",
                 ),
             };
             of(kind.name(), beside, about)
@@ -69,7 +69,7 @@ fn words(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> ChoiceWords 
         RoundChoice::Topic => of(
             "one topic",
             format!("{} to choose from", CourseKind::topics().count()),
-            "Six questions of one kind, which get harder: good when you have just read about it. Then come back to mixed rounds.",
+            "Six questions of one kind that get harder: good when you have just read about it. Then return to mixed rounds.",
         ),
         RoundChoice::Read => of(
             "what you have read",
@@ -77,12 +77,12 @@ fn words(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> ChoiceWords 
                 None => "nothing read yet".into(),
                 Some(_) => counted(book.read_through().count(), "chapter"),
             },
-            "Ten questions about what the chapters teach that you have read to their end, in any order.",
+            "Ten questions about the chapters that you have finished, in any order.",
         ),
         RoundChoice::Code => of(
             "a round by its code",
             String::new(),
-            "A friend or a teacher gave you a code? With it you get the very same questions.",
+            "If a friend or a teacher gave you a code, it gives you exactly the same questions.",
         ),
         RoundChoice::Own => {
             let own = &choosing.own;
@@ -102,7 +102,7 @@ fn words(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> ChoiceWords 
     }
 }
 
-/// Whether a choice leads anywhere.
+/// Whether a choice can be opened.
 fn is_open(choosing: &Choosing, choice: &RoundChoice, book: &Book) -> bool {
     matches!(choice, RoundChoice::Topic | RoundChoice::Code)
         || choosing.kind(choice, book).is_some()
@@ -166,12 +166,10 @@ fn about_round(choosing: &Choosing, book: &Book) -> Panel<ChoosingAction> {
 fn about_own(choosing: &Choosing, panel: &mut Panel<ChoosingAction>) {
     let own = &choosing.own;
     let text = match own.concepts.len() {
-        0 => "There are none that can be asked.".into(),
+        0 => "There are no questions to ask.".into(),
         all => {
             let count = all.min(Course::new(CourseKind::Own(own.clone())).count);
-            format!(
-                "{count} of the questions that a teacher wrote and put into a folder, easy ones first."
-            )
+            format!("{count} of the questions in a folder from a teacher, easy ones first.")
         }
     };
     panel.paragraph(text, Role::Text);
@@ -191,12 +189,14 @@ fn about_review(choosing: &Choosing, panel: &mut Panel<ChoosingAction>) {
     let due = choosing.due();
     if due.now.is_empty() {
         let text = match choosing.history.history() {
-            None => "Nothing to come back to yet. Play any round; what you miss will wait here.",
+            None => {
+                "There is nothing to review yet. Play any round; what you miss will appear here."
+            }
             Some(history) if history.calendar.now_s.is_none() => {
-                "The date is not known here, so nothing can be due. Any other round is just as good."
+                "carrom does not know the date here, so nothing can be due. Any other round is just as good."
             }
             Some(_) => {
-                "Nothing is due: well done. Let what you know rest; it comes back here by itself."
+                "Nothing is due: well done. Let what you know rest; it will come back here by itself."
             }
         };
         panel.paragraph(text, Role::Text);
@@ -207,7 +207,7 @@ fn about_review(choosing: &Choosing, panel: &mut Panel<ChoosingAction>) {
         }
         return;
     }
-    let text = "Come back to what you missed and to what has rested long enough. Due now:";
+    let text = "Review what you missed and what has rested long enough. Due now:";
     panel.paragraph(text, Role::Text);
     panel.gap();
     for topic in due.first() {
@@ -219,7 +219,7 @@ fn about_review(choosing: &Choosing, panel: &mut Panel<ChoosingAction>) {
     }
 }
 
-/// What was done with a family, if anything.
+/// The player's answers in a family, if there are any.
 fn known(choosing: &Choosing, family: Family) -> Option<TopicStanding> {
     let attempts = &choosing.history.history()?.attempts;
     let of_family = attempts.iter().filter(|it| it.family == family.id());
@@ -251,7 +251,7 @@ fn about_topic(choosing: &Choosing) -> Panel<ChoosingAction> {
     panel.paragraph(family.name(), Role::Title);
     panel.gap();
     let text = match known(choosing, family) {
-        None => "You have not met it yet.".into(),
+        None => "You have not met this topic yet.".into(),
         Some(TopicStanding { all, lately, .. }) => {
             let text = format!("{} answered, {} right.", all.attempts, all.right);
             match all.attempts > lately.attempts {
@@ -289,10 +289,11 @@ fn code(choosing: &Choosing, typed: &TextField, refused: bool) -> Panel<Choosing
             panel.prompt("begin", ChoosingAction::Enter);
         }
         None if refused => {
-            let text = "That is not the code of a round yet. Look at it once more: a name, a hyphen and a number.";
+            let text =
+                "This is not the code of a round. Check it again: a name, a hyphen and a number.";
             panel.paragraph(text, Role::Warn);
         }
-        None => panel.paragraph("It reads like even-7.", Role::Dim),
+        None => panel.paragraph("A code looks like even-7.", Role::Dim),
     }
     panel
 }
@@ -300,7 +301,7 @@ fn code(choosing: &Choosing, typed: &TextField, refused: bool) -> Panel<Choosing
 fn about_codes() -> Panel<ChoosingAction> {
     let mut panel = Panel::new("codes");
     panel.paragraph(
-        "A code has the kind of round, how many questions if it is not the usual number, and a number that fixes them:",
+        "A code consists of the kind of round, the number of questions if it is not the usual one, and a number that fixes them:",
         Role::Text,
     );
     panel.gap();
@@ -316,7 +317,7 @@ fn about_codes() -> Panel<ChoosingAction> {
         panel.pair((code, Role::Text), (means, Role::Dim));
     }
     panel.gap();
-    let text = "Every round shows its own at the top and at the end.";
+    let text = "Every round shows its code at the top and at the end.";
     panel.paragraph(text, Role::Dim);
     panel
 }

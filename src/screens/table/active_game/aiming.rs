@@ -36,23 +36,23 @@ pub enum AimAction {
     Turn(i16),
     /// turn the aim by 10°
     TurnFar(i16),
-    /// strength; the wheel too
+    /// change the strength; the wheel too
     Strength(i8),
     /// move the striker by 2 mm or by 20 mm
     Place(i8),
-    /// practice: striker up or down
+    /// practice: move the striker up or down
     PlaceUp(i8),
-    /// a number typed: the angle, or by the key after it the strength or the place in millimetres
+    /// type a number: the angle, or with the key after it the strength or the position in millimetres
     Number(EntryAction),
-    /// aim line, ghost, departures on or off
+    /// turn the aim line, the ghost or the predicted paths on or off
     Aid(AimAid),
-    /// call it on or off: before each stroke say where the two of the first hit will go
+    /// turn calls on or off: before each stroke, predict the directions of the two discs in the first collision
     Call,
-    /// hint: where to look; again: the whole stroke; once more: set it
+    /// hint: where to look; again: the whole stroke; a third time: set it
     Hint,
-    /// practice: lay the coins out
+    /// practice: arrange the coins
     LayOut,
-    /// practice: take the last stroke back
+    /// practice: take back the last stroke
     Undo,
 }
 

@@ -36,15 +36,15 @@ pub(in crate::screens::table) struct Arrange {
 pub enum ArrangeAction {
     /// move the hand by 20 mm or by 2 mm
     Hand(i8, i8),
-    /// take the coin under the hand, or lay it down
+    /// pick up the coin under the hand, or put it down
     TakeOrLay,
-    /// put the hand over the next coin
+    /// move the hand to the next coin
     NextCoin,
     /// add a white, a black, or the queen
     Add(Piece),
     /// remove the coin under the hand
     RemoveCoin,
-    /// practice: take the last stroke back
+    /// practice: take back the last stroke
     Undo,
 }
 

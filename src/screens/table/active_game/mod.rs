@@ -80,17 +80,17 @@ enum GamePhase {
     Over,
 }
 
-/// What keys do in more than one phase of a game.
+/// Actions in more than one phase of a game.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum GameAction {
-    /// the last stroke again, with its impacts
+    /// show the last stroke again, with its impacts
     LookBack,
     /// watch the whole game again, stroke by stroke
     WatchAll,
-    /// export: write the game to a file of its own
+    /// export: write the game to a separate file
     Export,
-    /// back
+    /// go back
     Back,
 }
 

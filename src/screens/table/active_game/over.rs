@@ -17,9 +17,9 @@ use crate::widgets::panel::Panel;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum OverAction {
-    /// the next board, or the end of the match
+    /// start the next board, or end the match
     NextBoard,
-    /// the best stroke of the board again
+    /// watch the best stroke of the board again
     WatchBest,
 }
 

@@ -42,7 +42,7 @@ pub(super) struct ShownStroke {
 pub enum ShowAction {
     /// let the computer strike at once
     StrikeShown,
-    /// your call: say first where the two of the computer's hit will go
+    /// call: predict the directions of the two discs in the computer's collision
     CallShown,
 }
 

@@ -61,15 +61,15 @@ pub(super) struct StrokeReplay {
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum StrokeAction {
-    /// time, and the list of impacts
+    /// control the time and the list of impacts
     Replay(ShotAction),
-    /// go on: the next stroke, or back to the game
+    /// go on: to the next stroke, or back to the game
     GoOn,
-    /// to the end of the stroke
+    /// skip to the end of the stroke
     ToTheEnd,
-    /// the stroke before
+    /// go to the previous stroke
     StrokeBefore,
-    /// the stroke after
+    /// go to the next stroke
     StrokeAfter,
 }
 
