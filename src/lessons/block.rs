@@ -7,11 +7,11 @@ use crate::files::{Source, all};
 /// A block of text.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TextBlock {
-    /// Text over as many rows as it takes.
+    /// A paragraph.
     Paragraph(Vec<Inline>),
-    /// A line of a list, with its number in a numbered one.
+    /// A list item, with its number in a numbered list.
     Item(Option<u32>, Vec<Inline>),
-    /// A formula in rows of its own.
+    /// A display formula.
     Formula(Formula),
 }
 
@@ -20,22 +20,22 @@ pub enum TextBlock {
 pub enum Inline {
     /// Words.
     Text(String, Tone),
-    /// A formula in the line.
+    /// An inline formula.
     Formula(Formula),
     /// A number that follows the page's figure.
     Live(Quantity),
 }
 
-/// How words are said.
+/// The emphasis of words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tone {
-    /// As they are.
+    /// None.
     Plain,
-    /// With stress.
+    /// Emphasized.
     Emphasis,
-    /// As a name of what matters.
+    /// Strong, for important terms.
     Strong,
-    /// As a key to press.
+    /// A key to press.
     Key,
 }
 
@@ -80,7 +80,7 @@ pub(super) fn read(
     all(blocks)
 }
 
-/// A paragraph or a line of a list, being read.
+/// A paragraph or a list item that is being read.
 struct OpenBlock {
     line: usize,
     item: Option<Option<u32>>,
@@ -97,7 +97,7 @@ impl OpenBlock {
     }
 }
 
-/// Whether a line begins an item, with which number, and the rest of it.
+/// The item that a line begins: its number, and the rest of the line.
 fn item(text: &str) -> (Option<Option<u32>>, &str) {
     if let Some(rest) = text.strip_prefix("- ") {
         return (Some(None), rest);

@@ -12,11 +12,11 @@ const MOST_PAGES: usize = 60;
 pub struct Chapter {
     /// Its number in the book, from 1.
     pub number: u32,
-    /// Its name, by which it is opened and under which progress is kept.
+    /// Its name on the command line and in stored progress.
     pub id: String,
     /// Its title.
     pub title: String,
-    /// What it is about, in one line.
+    /// Its description, in one line.
     pub about: String,
     /// Its pages, at least one; no two have the same title.
     pub pages: Vec<ChapterPage>,
@@ -28,7 +28,7 @@ impl Chapter {
     /// Reads a chapter; its number and its id are in the name of the file.
     ///
     /// # Errors
-    /// All that is wrong with the file.
+    /// All errors in the file.
     pub fn read(file: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(file, bytes, files::LARGEST)?;
         let (number, id) = number_and_id(file).ok_or_else(|| {
@@ -53,7 +53,7 @@ impl Chapter {
         source.finish(made)
     }
 
-    /// How many checkpoints it has.
+    /// The number of its checkpoints.
     pub fn checkpoints(&self) -> usize {
         let pages = self.pages.iter();
         pages.filter(|page| page.checkpoint.is_some()).count()
@@ -65,7 +65,7 @@ impl Chapter {
     }
 }
 
-/// Reads the pages that begin after a header which ends before the line `first`.
+/// Reads the pages after the header, from the line `first` on.
 fn pages(source: &Source, first: usize, shots: &Shots) -> Option<Vec<ChapterPage>> {
     let lines: Vec<SourceLine> = source.lines().skip(first - 1).collect();
     let is_heading = |(_, text): &SourceLine| text.starts_with("# ") || *text == "#";

@@ -1,7 +1,7 @@
-//! Formulas: how they are written in a chapter, and what they are made of.
+//! Formulas: their notation in a chapter, and their structure.
 //!
-//! The grammar is a small one of our own; `docs/lessons.md` lists it. How a formula
-//! looks over several rows is the business of `widgets::formula`.
+//! The grammar is our own; `docs/lessons.md` lists it. `widgets::formula` lays out a formula
+//! over several rows.
 
 mod inline;
 mod letters;
@@ -13,16 +13,16 @@ use letters::letter;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Formula(pub Vec<Term>);
 
-/// A part of a formula, and whether a blank stands before it.
+/// A part of a formula, with the space before it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Term {
-    /// Whether a blank stands before it.
+    /// Whether there is a space before it.
     pub apart: bool,
-    /// What it is.
+    /// The part.
     pub node: Node,
 }
 
-/// What a formula is made of.
+/// A part of a formula.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Node {
     /// A letter, a number, a sign or a word, as Unicode writes it.
@@ -37,7 +37,7 @@ pub enum Node {
     Vector(Formula),
     /// Something with a subscript, a superscript or both.
     Scripts {
-        /// What they are written at.
+        /// The base.
         base: Box<Node>,
         /// The subscript.
         below: Option<Formula>,

@@ -1,4 +1,4 @@
-//! The header of a chapter: format, title, what it is about, its shots.
+//! The header of a chapter: format, title, description, shots.
 
 use std::collections::BTreeMap;
 
@@ -8,14 +8,14 @@ use crate::quiz::concepts::read_hit;
 
 /// The format of chapters that this program reads.
 const FORMAT: u32 = 1;
-/// What stands before and after a header.
+/// The line before and after a header.
 const FENCE: &str = "+++";
-/// Most letters of a title.
+/// The longest title.
 const TITLE: usize = 32;
-/// Most letters of what a chapter is about.
+/// The longest description.
 const ABOUT: usize = 100;
 
-/// The header of a chapter; `None` for what is none.
+/// The header of a chapter; invalid parts are `None`.
 pub(super) struct Header {
     pub(super) title: Option<String>,
     pub(super) about: Option<String>,
@@ -29,8 +29,8 @@ pub(super) struct Header {
 pub(super) struct Shots(BTreeMap<String, CollisionSpec>);
 
 impl Shots {
-    /// Takes a shot out of the words of a directive: its name, or else `usual`, and
-    /// the fields that change it. `None` if none of these is there.
+    /// Takes a shot from the words of a directive: its name, or `usual` without one, and the
+    /// fields that change it. `None` if the words contain none of these.
     pub(super) fn take(
         &self,
         words: &mut Words,
@@ -67,7 +67,7 @@ impl Shots {
     }
 }
 
-/// Reads the header of a file; `None` if it has none of this format.
+/// Reads the header of a file; `None` if it has no header of this format.
 pub(super) fn read(source: &Source) -> Option<Header> {
     let mut lines = source.text().split_inclusive('\n');
     let first = lines.next().unwrap_or_default();

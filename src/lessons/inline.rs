@@ -1,4 +1,4 @@
-//! What stands in a line of text: words with stress, formulas, numbers.
+//! Inline text: words with emphasis, formulas, numbers.
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
@@ -6,7 +6,7 @@ use super::{CollisionSpec, Formula, Inline, Quantity, Tone};
 use super::{header::Shots, words::Words, written::WrittenFigure};
 use crate::files::{Source, all};
 
-/// What names in a text stand for.
+/// The shots that names in a text refer to.
 pub(super) struct Meaning<'a> {
     /// The shots of the chapter.
     pub(super) shots: &'a Shots,
@@ -14,8 +14,8 @@ pub(super) struct Meaning<'a> {
     pub(super) figure: Option<CollisionSpec>,
 }
 
-/// A letter that no text holds stands for each formula and number while the Markdown
-/// is read: the first of Unicode's private ones.
+/// The placeholder for each formula and number while the Markdown is read: Unicode's first
+/// private character, which no text contains.
 const STAND_IN: u32 = 0xe000;
 
 /// Reads a paragraph that begins at a line.
@@ -61,7 +61,7 @@ fn stand_in(number: usize) -> Option<char> {
     char::from_u32(STAND_IN + u32::try_from(number).ok()?).filter(|c| *c <= '\u{f8ff}')
 }
 
-/// A number: `v1 carrom alpha_deg=40: 2.57`, or `v1` for one that lives.
+/// A number: `v1 carrom alpha_deg=40: 2.57`, or `v1` for a live one.
 fn number(text: &str, meaning: &Meaning) -> Result<Inline, String> {
     let (what, written) = match text.split_once(':') {
         Some((what, written)) => (what, Some(WrittenFigure::read(written)?)),
@@ -105,7 +105,7 @@ fn agreed(name: &str, written: &WrittenFigure, truth: Option<f64>) -> Result<Inl
     }
 }
 
-/// The pieces of a text with stand-ins for those that are kept.
+/// The pieces of a text, with placeholders for formulas and numbers.
 fn markdown(text: &str, kept: &[Inline]) -> Result<Vec<Inline>, String> {
     let mut pieces = Vec::new();
     let mut tones = vec![Tone::Plain];
@@ -132,14 +132,14 @@ fn markdown(text: &str, kept: &[Inline]) -> Result<Vec<Inline>, String> {
     Ok(pieces)
 }
 
-/// Adds a text, with what is kept in the place of its stand-ins.
+/// Adds a text, with its placeholders replaced.
 fn substitute(text: &str, tone: Tone, kept: &[Inline], pieces: &mut Vec<Inline>) {
     let mut words = String::new();
     for letter in text.chars() {
         let number = (letter as u32).checked_sub(STAND_IN);
         match number.and_then(|number| kept.get(number as usize)) {
             None => words.push(letter),
-            // A number takes the tone of what is around it.
+            // A number takes the emphasis of its surroundings.
             Some(Inline::Text(figure, _)) => words.push_str(figure),
             Some(piece) => {
                 if !words.is_empty() {

@@ -4,7 +4,7 @@ use super::{Checkpoint, Figure, SourceLine, TextBlock, block};
 use super::{header::Shots, inline::Meaning};
 use crate::files::Source;
 
-/// Most letters of a page's title.
+/// The longest title of a page.
 const TITLE: usize = 40;
 
 /// A page: a figure, text, and a checkpoint at its end.
@@ -16,7 +16,7 @@ pub struct ChapterPage {
     pub figure: Option<Figure>,
     /// Its text.
     pub text: Vec<TextBlock>,
-    /// What it asks.
+    /// Its checkpoint.
     pub checkpoint: Option<Checkpoint>,
     /// Its line in the file.
     pub line: usize,
@@ -62,7 +62,7 @@ impl ChapterPage {
     }
 }
 
-/// Reads a checkpoint and sees that nothing comes after it.
+/// Reads a checkpoint and checks that nothing follows it.
 fn checkpoint(
     source: &Source,
     (line, words): SourceLine,
@@ -88,7 +88,7 @@ fn is_figure((_, text): SourceLine) -> bool {
     text.starts_with("::") && !text.starts_with(":::")
 }
 
-/// The figure of a page, if it has one; `None` if that is none.
+/// The figure of a page, if it has one; `None` if it is invalid.
 fn figure(source: &Source, lines: &[SourceLine], shots: &Shots) -> Option<Option<Figure>> {
     let mut figures = lines.iter().copied().filter(|line| is_figure(*line));
     let Some((line, text)) = figures.next() else {

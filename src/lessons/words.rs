@@ -2,7 +2,7 @@
 
 use super::Constant;
 
-/// The words of a directive, taken one by one by whoever knows them.
+/// The words of a directive, taken one by one by the code that knows them.
 #[derive(Debug, Clone)]
 pub(super) struct Words {
     bare: Vec<String>,
@@ -10,7 +10,7 @@ pub(super) struct Words {
 }
 
 impl Words {
-    /// Splits a directive at blanks; a value with blanks stands in double quotes.
+    /// Splits a directive at spaces; a value with spaces is in double quotes.
     ///
     /// # Errors
     /// What was expected.
@@ -39,18 +39,18 @@ impl Words {
         Ok(words)
     }
 
-    /// Takes the first word that is no field.
+    /// Takes the first word that is not a field.
     pub(super) fn first(&mut self) -> Option<String> {
         (!self.bare.is_empty()).then(|| self.bare.remove(0))
     }
 
-    /// Takes the word `flag`, if it is there.
+    /// Takes the word `flag`, if present.
     pub(super) fn flag(&mut self, flag: &str) -> bool {
         let at = self.bare.iter().position(|word| word == flag);
         at.map(|at| self.bare.remove(at)).is_some()
     }
 
-    /// Takes the value of a field, if it is there.
+    /// Takes the value of a field, if present.
     pub(super) fn field(&mut self, name: &str) -> Option<String> {
         let at = self.fields.iter().position(|(known, _)| known == name)?;
         Some(self.fields.remove(at).1)
@@ -65,7 +65,7 @@ impl Words {
         taken
     }
 
-    /// The constant of this name, if there is one, with its fields taken.
+    /// The constant of this name, if there is one; takes its fields.
     ///
     /// # Errors
     /// What was expected of a field.
@@ -82,7 +82,7 @@ impl Words {
     /// Takes a field that is a number between two bounds.
     ///
     /// # Errors
-    /// What was expected, if it is none.
+    /// What was expected instead.
     pub(super) fn number(
         &mut self,
         name: &str,
@@ -98,7 +98,7 @@ impl Words {
         number.map(Some).ok_or_else(expected)
     }
 
-    /// Checks that nothing is left over.
+    /// Checks that no words are left.
     ///
     /// # Errors
     /// What was found.

@@ -1,4 +1,4 @@
-//! A figure as it is written in a text, and whether it is what the engine computes.
+//! A figure written in a text, and its comparison with the engine's value.
 
 use super::formula::superscript;
 
@@ -7,11 +7,11 @@ pub(super) struct WrittenFigure {
     /// As the screen shows it.
     pub(super) shown: String,
     value: f64,
-    /// How far the truth may be from it.
+    /// The largest allowed difference from the true value.
     margin: f64,
 }
 
-/// Rounding noise beside a figure that is exact.
+/// The rounding noise of an exact figure.
 const NOISE: f64 = 1e-9;
 
 impl WrittenFigure {
@@ -62,12 +62,12 @@ impl WrittenFigure {
         })
     }
 
-    /// Whether it is `truth`, rounded to as many places.
+    /// Whether it is `truth`, rounded to the same number of places.
     pub(super) fn agrees(&self, truth: f64) -> bool {
         (truth - self.value).abs() <= self.margin
     }
 
-    /// `truth` with as many places, for a message.
+    /// `truth` with the same number of places, for a message.
     pub(super) fn corrected(&self, truth: f64) -> String {
         let places = (-self.margin.log10()).floor().clamp(0.0, 12.0) as usize;
         if self.shown.contains("×10") {

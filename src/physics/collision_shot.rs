@@ -4,12 +4,12 @@ use super::engine::{Limits, check, play};
 use super::{Board, Bond, Collision, Motion, Shot};
 
 impl Collision {
-    /// The two discs as a shot that starts `lead` seconds before they meet (or pass
-    /// nearest to each other) and is followed for `duration` seconds, with the
-    /// contact point at the origin. Smooth discs are played by the engine.
+    /// The two discs as a shot that starts `lead` seconds before the contact (or the closest
+    /// approach) and lasts `duration` seconds, with the contact point at the origin. The engine
+    /// plays smooth discs.
     ///
-    /// `None` where the numbers make no shot: values that are not finite, or a `lead` below 0,
-    /// with which the discs would overlap at the start.
+    /// `None` for numbers that make no shot: values that are not finite, or a `lead` below 0, with
+    /// which the discs would overlap at the start.
     pub fn shot(&self, lead: f64, duration: f64) -> Option<Shot> {
         let (p1, p2) = self.positions_before(lead);
         let discs = [self.striker, self.target];

@@ -1,18 +1,18 @@
-//! The unit vector at an angle, the same on every machine to the last bit.
+//! The unit vector at an angle, bit-for-bit the same on every machine.
 //!
-//! Each machine's own library rounds sines in its own way, and a board on which discs hit
-//! each other many times makes another stroke of one last bit. So they are computed here with
-//! twice the digits, from the series, and then rounded once.
+//! Each machine's library rounds sines differently, and after many collisions on a board a
+//! difference in the last bit becomes a different stroke. Therefore sines are computed here
+//! from the series with twice the digits, and then rounded once.
 
 use glam::DVec2;
 
-/// A number as the sum of two, of which the second is below the last bit of the first.
+/// A number as a sum of two; the second is below the last bit of the first.
 #[derive(Clone, Copy)]
 struct Twofold(f64, f64);
 
-/// π/2 in twice the digits.
+/// π/2 with twice the digits.
 const QUARTER: Twofold = Twofold(std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
-/// Terms of a series; at an eighth of a turn the next one is below the last digit of both.
+/// Terms of a series; up to an eighth of a turn the next term is below the last digit.
 const TERMS: u32 = 14;
 
 impl Twofold {
@@ -35,7 +35,7 @@ impl Twofold {
         Self(quotient, 0.0).with(left / number)
     }
 
-    /// The same with a small number added.
+    /// The sum with a small number.
     fn with(self, small: f64) -> Self {
         let sum = self.0 + small;
         Self(sum, small - (sum - self.0))
@@ -54,7 +54,7 @@ impl Twofold {
     }
 }
 
-/// The unit vector at an angle in radians from +x, anticlockwise, of at most some turns.
+/// The unit vector at an angle in radians from +x, anticlockwise, of at most a few turns.
 pub(crate) fn direction(angle: f64) -> DVec2 {
     let quarters = (angle / QUARTER.0).round();
     let turned = QUARTER.times(Twofold(-quarters, 0.0));

@@ -1,27 +1,27 @@
-//! The same collision seen from other frames.
+//! The same collision in other reference frames.
 //!
-//! A frame moves with a constant velocity; a velocity seen from it is the velocity
-//! less the frame's. Offset, impact angle, line of impact and impulse are the same in
-//! all of them; speeds, scattering angles and energies are not.
+//! A frame moves with a constant velocity, which is subtracted from every velocity. Offset,
+//! impact angle, line of impact and impulse are the same in all frames; speeds, scattering
+//! angles and energies are not.
 
 use glam::DVec2;
 
 use super::Collision;
 
-/// From where velocities are looked at.
+/// A reference frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Frame {
-    /// The board.
+    /// The laboratory frame: the board is at rest.
     #[default]
     Laboratory,
-    /// Moving with the common centre of mass: momentum is zero before and after.
+    /// The centre-of-mass frame: the total momentum is zero before and after.
     CentreOfMass,
-    /// Moving as the target moved before the hit: it starts at rest.
+    /// The frame in which the target is at rest before the collision.
     Target,
 }
 
 impl Frame {
-    /// Velocity of the frame itself in the laboratory, in m/s.
+    /// Velocity of the frame in the laboratory, in m/s.
     pub fn velocity(self, collision: &Collision) -> DVec2 {
         match self {
             Self::Laboratory => DVec2::ZERO,
@@ -30,9 +30,8 @@ impl Frame {
         }
     }
 
-    /// The collision as seen from this frame; its [`outcome`](Collision::outcome) is
-    /// the laboratory's with this frame's velocity taken off, and its angles are
-    /// those seen here.
+    /// The collision in this frame; its [`outcome`](Collision::outcome) is the laboratory's with
+    /// this frame's velocity subtracted, and its angles are those in this frame.
     #[must_use]
     pub fn view(self, collision: &Collision) -> Collision {
         let frame = self.velocity(collision);
@@ -44,11 +43,11 @@ impl Frame {
     }
 }
 
-/// Angle Θ in radians by which both velocities turn in the centre-of-mass frame, in
+/// Scattering angle Θ in radians of both discs in the centre-of-mass frame, in
 /// (−π, π], positive anticlockwise, for smooth discs of restitution `restitution`.
 ///
 /// Θ = atan2((1+e) sin α cos α, 1 − (1+e) cos²α), which at e = 1 is 180° − 2α.
-/// `None` where both stop (head-on at e = 0).
+/// `None` if both stop (head-on at e = 0).
 pub(crate) fn cm_scattering_angle(alpha: f64, restitution: f64) -> Option<f64> {
     let (sin, cos) = alpha.sin_cos();
     let along = sin * sin - restitution * cos * cos;
@@ -56,9 +55,9 @@ pub(crate) fn cm_scattering_angle(alpha: f64, restitution: f64) -> Option<f64> {
     (along.hypot(across) > 4.0 * f64::EPSILON).then(|| across.atan2(along))
 }
 
-/// Scattering angle θ₁ in the laboratory, where the target was at rest, from the
+/// Scattering angle θ₁ in the laboratory frame, for a target at rest, from the scattering
 /// angle Θ in the centre-of-mass frame at e = 1: θ₁ = atan2(sin Θ, cos Θ + m₁/m₂).
-/// `None` where the striker stops.
+/// `None` if the striker stops.
 pub(crate) fn lab_scattering_angle(cm_angle: f64, m1: f64, m2: f64) -> Option<f64> {
     let (sin, cos) = cm_angle.sin_cos();
     let along = m2 * cos + m1;

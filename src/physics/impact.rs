@@ -1,11 +1,11 @@
 //! One contact of two smooth bodies with restitution.
 //!
-//! Along the line of impact n the two exchange an impulse; across it, along the
-//! tangent t, smooth bodies exert no force and nothing changes.
+//! Along the line of impact n the two bodies exchange an impulse. Along the tangent t smooth
+//! bodies exert no force, so the tangential components do not change.
 
 use glam::DVec2;
 
-/// Two bodies at the instant they touch.
+/// Two bodies at the instant of contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Contact {
     /// Mass of body 1 in kilograms, positive.
@@ -22,7 +22,7 @@ pub(crate) struct Contact {
     pub restitution: f64,
 }
 
-/// What a contact did.
+/// The result of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Impact {
     /// Velocity of body 1 after, in m/s.
@@ -31,13 +31,13 @@ pub(crate) struct Impact {
     pub v2: DVec2,
     /// Impulse J on body 2 along n (and on body 1 against it), in N·s.
     pub impulse: f64,
-    /// Kinetic energy that is gone, in joules: ½ μ (1 − e²) (u₁ₙ − u₂ₙ)².
+    /// Kinetic energy lost, in joules: ½ μ (1 − e²) (u₁ₙ − u₂ₙ)².
     pub energy_lost: f64,
 }
 
 impl Contact {
     /// Speed of approach along the line of impact, u₁ₙ − u₂ₙ, in m/s; positive
-    /// while the two close in.
+    /// while they approach.
     pub(crate) fn approach_speed(&self) -> f64 {
         (self.u1 - self.u2).dot(self.normal)
     }
@@ -45,8 +45,8 @@ impl Contact {
     /// Resolves the contact; `None` unless the two are approaching.
     ///
     /// v₁ = u₁ − (J/m₁) n and v₂ = u₂ + (J/m₂) n with J = (1+e) μ (u₁ₙ − u₂ₙ), which
-    /// is the decomposition in n and t put together again. A body that is brought
-    /// to rest comes out with a velocity of exactly zero, not with rounding noise.
+    /// combines the components along n and t. A body that comes to rest gets a velocity of
+    /// exactly zero, without rounding noise.
     #[inline]
     pub(crate) fn resolve(&self) -> Option<Impact> {
         let approach = self.approach_speed();
@@ -78,9 +78,9 @@ pub(crate) fn kinetic_energy(mass: f64, velocity: DVec2) -> f64 {
     0.5 * mass * velocity.length_squared()
 }
 
-/// `before + change · direction`, or exactly zero where the two cancel but for
-/// rounding: the normal, the product and the sum are each good to an ulp or two.
-/// (The sum of the components' sizes stands for the length: no root to draw.)
+/// `before + change · direction`, or exactly zero if the two cancel except for rounding: the
+/// normal, the product and the sum are each accurate to an ulp or two. (The sum of the
+/// components' absolute values replaces the length, which would need a root.)
 fn changed(before: DVec2, change: f64, direction: DVec2) -> DVec2 {
     let after = before + change * direction;
     let size = before.x.abs() + before.y.abs() + change.abs();

@@ -1,5 +1,5 @@
-// In the script of old browsers (ES5), so that they can run it: where they cannot run the
-// program's own script, the page says what it needs.
+// Written in ES5, so that old browsers can run it. If a browser cannot run the program's own
+// script, the page shows what it needs.
 function tooOld() {
   document.getElementById("words").textContent =
     "This browser is too old for carrom.\n" +

@@ -1,18 +1,17 @@
-// What is kept: files by their paths in a database of the browser's, as a carrom with a
-// folder has them. All is read and written in transactions with a number that counts the
-// changes, so two tabs never overwrite each other: who finds another number than its own
-// takes the other's files in first.
+// The saved data: files by their paths in a database of the browser, the same files that carrom
+// keeps in a folder on other systems. Everything is read and written in transactions with a
+// number that counts the changes, so two tabs never overwrite each other: a tab that finds a
+// number other than its own reads the other tab's files first.
 
 const keeper = (() => {
-  // The number of changes that the program knows of; of none for certain before it has
-  // been told the files.
+  // The number of changes that the program knows; unknown before it has received the files.
   const UNKNOWN = -1;
   let base = null;
   let known = UNKNOWN;
   let busy = false, safe = 0;
   let opened = connect();
 
-  // Opens the browser's database; there is none then if it keeps nothing for this page.
+  // Opens the browser's database; there is none if the browser saves no data for this page.
   function connect() {
     return new Promise((resolve) => {
       let opening;
@@ -25,7 +24,7 @@ const keeper = (() => {
       opening.onsuccess = () => {
         const found = opening.result;
         base = found;
-        // The browser closes it when its user clears what pages keep, or its disk fails.
+        // The browser closes it if the user clears the data of pages, or if its disk fails.
         found.onclose = () => base === found && (base = null);
         resolve();
       };
@@ -34,7 +33,7 @@ const keeper = (() => {
     });
   }
 
-  // Reads everything in a transaction, then goes on with it: [path, bytes] and the number.
+  // Reads everything in a transaction and passes it on: [path, bytes] pairs and the number.
   function read(transaction, then) {
     const files = transaction.objectStore("files");
     const paths = files.getAllKeys();
@@ -50,7 +49,7 @@ const keeper = (() => {
     };
   }
 
-  // The files there are, all behind each other, with their lengths.
+  // The files in one buffer, with their lengths.
   function packed(all) {
     const files = all.map(([path, bytes]) => ({ path, bytes: bytes.length }));
     const bytes = new Uint8Array(all.reduce((sum, [, bytes]) => sum + bytes.length, 0));
@@ -62,11 +61,11 @@ const keeper = (() => {
     return { files, bytes };
   }
 
-  // The files there are, once all that is being kept is.
+  // The files, once pending changes are saved.
   async function files() {
     await opened;
     while (busy) await new Promise((later) => setTimeout(later, 10));
-    // If they cannot be read now, the next change is made upon them, not in their place.
+    // If they cannot be read now, the next change is added to them and does not replace them.
     known = UNKNOWN;
     try {
       const transaction = base.transaction("files", "readonly");
@@ -82,8 +81,8 @@ const keeper = (() => {
     }
   }
 
-  // Brings what has changed into the browser's database; calls `slow` if that takes long, and
-  // `done` with the reason if it could not be kept. When it is tried again is the program's.
+  // Saves the changes in the browser's database; calls `slow` if that takes long, and `done`
+  // with the reason if it failed. The program decides when to try again.
   async function keep(done, slow = () => {}) {
     if (busy) return;
     busy = true;
@@ -98,7 +97,7 @@ const keeper = (() => {
       safe += 1;
     } catch (error) {
       failed = reason(error);
-      // Never before this is left: who is told at once would ask for the same again.
+      // Not before this function returns: the program would repeat its request at once.
       await new Promise((later) => setTimeout(later, 0));
     }
     clearTimeout(patience);
@@ -106,8 +105,7 @@ const keeper = (() => {
     done(failed);
   }
 
-  // One transaction with all that has changed; what goes wrong in it ends it, and nothing of
-  // it is kept.
+  // One transaction with all changes; an error aborts it, and nothing of it is saved.
   function write() {
     return new Promise((resolve, reject) => {
       const transaction = base.transaction("files", "readwrite", { durability: "strict" });
@@ -148,11 +146,11 @@ const keeper = (() => {
     files.put(known + 1, "");
   }
 
-  // Why something is not kept, in words; a text says so itself.
+  // Why saving failed, in words; a text is its own reason.
   function reason(error) {
     if (typeof error === "string") return error;
     const name = error?.name;
-    // The browser has closed it without a word.
+    // The browser has closed it without notice.
     if (name === "InvalidStateError") base = null;
     if (name === "QuotaExceededError") return "the browser's storage is full";
     return `the browser cannot save it (${name || "no reason given"})`;

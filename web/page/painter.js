@@ -1,38 +1,38 @@
-// The painter: pictures as vectors, each on a canvas of its own; where a picture is made of
-// cells alone, its cells.
+// The painter: draws pictures as vectors, each on a canvas of its own; a picture that consists
+// only of cells is drawn cell by cell.
 
 const painter = (() => {
   const VECTOR = 1 << 16, BOLD = 1, ITALIC = 4, UNDERLINED = 8;
   const MONO = "'DejaVu Sans Mono', Menlo, Consolas, 'Cascadia Mono', 'Roboto Mono', 'Liberation Mono', monospace";
   const SANS = "'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', Roboto, 'DejaVu Sans', sans-serif";
-  // Fewest CSS pixels of a column: with fewer, letters in a picture would be below 14.
+  // Smallest width of a column in CSS pixels: letters in a picture must not be below 14.
   const LEAST = 9;
-  // Columns of the panel's cells, which nobody sees, and rows, so that nothing gives way.
+  // Columns of the panel's cells, which nobody sees, and rows: enough that no block is dropped.
   const PANEL = 62, ROWS = 100;
   // Picture and panel side by side, and the space around both.
   const BESIDE = matchMedia("(min-width: 44.5rem) and (min-aspect-ratio: 5/6)");
   const AIR = 16;
   let pen = null;
-  // A cell in pixels of the device, the font that fits it, and where its letters stand.
+  // A cell in pixels of the device, the font that fits it, and the baseline of its letters.
   let cell = { width: 9, height: 18, size: 15, base: 14 };
   let ratio = 1, squareColumns = 0;
   // The pictures by their numbers: canvas, area, vectors, cells.
   const all = [];
   const shapes = new Map(), widths = new Map();
-  // The greatest height of the window at a width: a keyboard on it hides a part.
+  // The greatest height of the window at a width: an on-screen keyboard hides a part.
   const heights = new Map();
 
   const hex = (colour) => "#" + colour.toString(16).padStart(6, "0");
 
-  // How large pictures are in a place of so many CSS pixels: the cells of the whole, and of
-  // pictures that take what there is and of square ones. A cell is twice as high as wide, so
-  // that what is round is round.
+  // The size of pictures in an area of this many CSS pixels: the cells of the whole area, of
+  // pictures that fill it and of square ones. A cell is twice as high as wide, so circles are
+  // round.
   function fit(width, height) {
     ratio = window.devicePixelRatio || 1;
     const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
     heights.set(width, Math.max(height, heights.get(width) || 0));
     height = heights.get(width);
-    // Above a picture stands its title, below it may be a line.
+    // There is a title above a picture, and there may be a line below it.
     const room = BESIDE.matches
       ? [Math.max(360, Math.min(width - 22 * rem, 0.68 * width) - 2 * AIR), height - 4.5 * rem]
       : [width - AIR, Math.min(0.78 * width, 0.46 * height)];
@@ -71,7 +71,7 @@ const painter = (() => {
     return drawn.canvas;
   }
 
-  // Paints what has changed.
+  // Paints the changes.
   function paint(painted) {
     const [columns, rows] = painted.size;
     const cells = program.cells(columns * rows);
@@ -137,7 +137,7 @@ const painter = (() => {
     }
     const font = `${bits & ITALIC ? "italic " : ""}${bits & BOLD ? "bold " : ""}${cell.size}px ${MONO}`;
     if (pen.font !== font) pen.font = font;
-    // What another font lends may be wider than its cell.
+    // A glyph from a fallback font may be wider than its cell.
     const key = letter + (bits & (BOLD | ITALIC));
     if (!widths.has(key)) widths.set(key, pen.measureText(letter).width);
     const width = widths.get(key);
@@ -152,7 +152,7 @@ const painter = (() => {
     }
   }
 
-  // Braille, blocks and box lines are shapes, so that no font spoils what is made of them.
+  // Braille, blocks and box lines are drawn as shapes, because fonts leave gaps between them.
   function shapeOf(letter) {
     if (letter < "\u2500" || letter > "\u28ff") return null;
     if (!shapes.has(letter)) {
@@ -162,7 +162,7 @@ const painter = (() => {
     return shapes.get(letter);
   }
 
-  // Paints the vectors of a picture that begins at a cell.
+  // Paints the vectors of a picture whose origin is at a cell.
   function paintPicture(svg, [x, y]) {
     pen.save();
     pen.scale(cell.width / 9, cell.height / 18);
@@ -180,7 +180,7 @@ const painter = (() => {
   // The colour of the disc drawn last: a letter on it needs no rim of that colour.
   let disc = "";
 
-  // Draws an element of SVG, of those that carrom writes.
+  // Draws an SVG element; only those that carrom writes.
   function element(name, of, text) {
     const number = (key, otherwise = 0) => (key in of ? Number(of[key]) : otherwise);
     if (name === "text") return writing(of, text, number);
@@ -194,7 +194,7 @@ const painter = (() => {
     if (name === "circle") {
       if (filled) disc = of.fill;
       if (filled && stroked) {
-        // A rim lies under its disc: to fill is less work than to stroke.
+        // A rim is under its disc: filling is less work than stroking.
         pen.fillStyle = of.stroke;
         circle(number("r") + wide / 2);
         pen.fill();
@@ -240,7 +240,7 @@ const painter = (() => {
     pen.textAlign = "left";
   }
 
-  // The place in cells of a point of the window, on a canvas or beside it.
+  // The position in cells of a point of the window, on a canvas or beside it.
   function cellsAt(canvas, clientX, clientY) {
     const box = canvas.getBoundingClientRect();
     const [x, y, w, h] = all[canvas.carromPicture].area;

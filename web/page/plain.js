@@ -5,7 +5,7 @@ const plain = (() => {
   const form = document.getElementById("answer");
   const line = document.getElementById("line");
 
-  // Begins, where `say` says a line to the program.
+  // Begins; `say` sends a line to the program.
   function begin(say) {
     log.textContent = "";
     form.hidden = false;
@@ -18,7 +18,7 @@ const plain = (() => {
     };
   }
 
-  // Shows what is said.
+  // Shows lines of the program.
   function show(lines) {
     if (!lines.length) return;
     lines.forEach((text) => write(text));

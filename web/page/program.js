@@ -1,4 +1,4 @@
-// The program: it is unpacked, and then says and is told everything by call().
+// The program: unpacks it; all communication with it goes through call().
 
 const program = (() => {
   const encoder = new TextEncoder();
@@ -11,7 +11,7 @@ const program = (() => {
     crypto.getRandomValues(memory(at, length));
     return length;
   };
-  // What SQLite asks of its host; 0 is "done" and 1 "there is none".
+  // The functions that SQLite needs from its host; 0 means "done" and 1 "not available".
   const host = {
     rust_sqlite_wasm_host_sleep() {},
     rust_sqlite_wasm_host_random: random,
@@ -33,9 +33,9 @@ const program = (() => {
     wasm = instance.exports;
   }
 
-  // Says a command, and bytes of files behind it; gives what is told, with its bytes.
+  // Sends a command, followed by bytes of files; returns the reply, with its bytes.
   function call(command, bytes) {
-    // Who begins anew knows no time yet.
+    // A program that has just opened does not know the time.
     if (command.do === "open") told = 0;
     const json = encoder.encode(JSON.stringify(command));
     const length = json.length + (bytes ? 1 + bytes.length : 0);
@@ -52,7 +52,7 @@ const program = (() => {
     return reply;
   }
 
-  // The day begins so many seconds before that of UTC.
+  // The day begins this many seconds before the day in UTC.
   function tellTime() {
     const now = Date.now();
     if (now - told < 500) return;

@@ -1,9 +1,8 @@
-//! Names of letters and signs, and which of them Unicode can raise or lower.
+//! Names of letters and signs, and the superscripts and subscripts that Unicode has.
 
 use crate::numbers::RAISED_DIGITS;
 
-/// The letter or sign that a word in a formula stands for; words without one stand
-/// for themselves.
+/// The letter or sign for a word in a formula; other words stay as they are.
 pub(super) fn letter(word: &str) -> Option<&'static str> {
     Some(match word {
         "alpha" => "α",

@@ -1,17 +1,17 @@
-//! From the text of a formula to its parts.
+//! The parser of formulas.
 
 use super::{Formula, Node, Term, letter};
 
-/// The longest formula that is looked at, in characters.
+/// The longest formula that is read, in characters.
 const LONGEST: usize = 300;
-/// How deep brackets may lie within brackets.
+/// The deepest nesting of brackets.
 const DEEPEST: usize = 12;
 
 impl Formula {
     /// Reads a formula.
     ///
     /// # Errors
-    /// What was expected, in words.
+    /// What was expected.
     ///
     /// ```
     /// use carrom::lessons::Formula;
@@ -72,7 +72,7 @@ impl FormulaReader<'_> {
                 None | Some(')') => return Ok(Formula(terms)),
                 Some(_) => {
                     let node = self.term()?;
-                    // A degree sign stands at its number.
+                    // A degree sign directly follows its number.
                     let apart = apart && node != Node::Word("°".into());
                     terms.push(Term { apart, node });
                 }
@@ -80,7 +80,7 @@ impl FormulaReader<'_> {
         }
     }
 
-    /// One term, with a fraction where a slash joins two without blanks.
+    /// One term; a slash without spaces makes a fraction.
     fn term(&mut self) -> Result<Node, String> {
         let over = self.scripted()?;
         let is_operand = |c: char| c.is_alphanumeric() || c == '(' || c == '"';
@@ -92,7 +92,7 @@ impl FormulaReader<'_> {
         Ok(over)
     }
 
-    /// An atom with what is written below and above it.
+    /// An atom with its subscript and superscript.
     fn scripted(&mut self) -> Result<Node, String> {
         let base = self.atom()?;
         let (mut below, mut above) = (None, None);
@@ -161,7 +161,7 @@ impl FormulaReader<'_> {
         self.sign(first)
     }
 
-    /// What a root or an arrow goes over: a bracket, which goes, or one atom.
+    /// The part below a root or an arrow: one atom, or the contents of a bracket.
     fn argument(&mut self) -> Result<Formula, String> {
         self.take_while(|c| c == ' ');
         self.deeper(|reader| match reader.peek() {
@@ -219,7 +219,7 @@ impl FormulaReader<'_> {
     }
 }
 
-/// A node by itself; of a bracket what is in it.
+/// A node, or the contents of a bracket.
 fn unbracketed(node: Node) -> Formula {
     match node {
         Node::Group(inside) => inside,

@@ -1,32 +1,32 @@
-//! A disc in flight, with the slide it is on.
+//! A moving disc and its present slide.
 
 use glam::DVec2;
 
 use super::super::slide::{parabola, relative_deceleration};
 use super::super::{Disc, Motion};
 
-/// What the engine holds of a disc.
+/// The engine's state of a disc.
 ///
-/// Its place is kept as the start of its present slide and is never stepped: only an event
-/// of its own gives it a new start.
+/// It stores the start of the present slide, which is never stepped: only an event of the
+/// disc's own gives it a new start.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Body {
-    /// How its slide began.
+    /// The start of its slide.
     pub(super) start: Motion,
     pub(super) acceleration: DVec2,
     /// When its slide began.
     pub(super) since: f64,
     pub(super) radius: f64,
     pub(super) mass: f64,
-    /// The part of its first speed it loses each second of its slide, a/v.
+    /// The share of its initial speed that it loses per second of its slide, a/v.
     pub(super) relative_deceleration: f64,
-    /// Counts its slides, so that a forecast can tell that it is out of date.
+    /// Counts its slides, so that outdated forecasts can be recognized.
     pub(super) version: u32,
     pub(super) moving: bool,
 }
 
 impl Body {
-    /// A disc that sets off at time 0.
+    /// A disc that starts at time 0.
     pub(super) fn new(disc: &Disc, start: Motion, deceleration: f64) -> Self {
         let mut body = Self {
             radius: disc.radius,
@@ -37,7 +37,7 @@ impl Body {
         body
     }
 
-    /// Sends it on a new slide.
+    /// Starts a new slide.
     pub(super) fn launch(&mut self, now: f64, start: Motion, deceleration: f64) {
         let speed = start.velocity.length();
         self.relative_deceleration = relative_deceleration(speed, deceleration);
@@ -48,7 +48,7 @@ impl Body {
         self.version = self.version.wrapping_add(1);
     }
 
-    /// Its motion at a time not beyond its stop.
+    /// Its motion at a time up to its stop.
     #[inline(always)]
     pub(super) fn at(&self, time: f64) -> Motion {
         parabola(self.start, self.acceleration, time - self.since)

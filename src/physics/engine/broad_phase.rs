@@ -1,8 +1,8 @@
-//! Which discs could meet a given one at all: a quick look at every pair that never
-//! turns away one that meets, and turns away nearly all others.
+//! Finds the discs that a given one could meet: a quick test of every pair that never rules
+//! out a pair that meets, and rules out nearly all others.
 //!
-//! It looks twice, at two discs at a time: at the boxes of all discs, and then, at those whose
-//! boxes overlap, by how they move.
+//! It has two stages, each for two discs at a time: it compares the boxes of all discs, and
+//! then the motion of those whose boxes overlap.
 
 use glam::DVec2;
 use wide::f64x2;
@@ -14,13 +14,13 @@ use super::lanes::{TwoVectors, of_both};
 use super::schedule::SAME_TIME;
 use super::work::Work;
 
-/// How much wider than a disc its box is, in metres: far more than rounding takes away.
+/// How much wider than a disc its box is, in metres: far more than rounding errors.
 const MARGIN: f64 = 1e-9;
 
-/// How far ahead a seeker without an end looks, in seconds: 0 · ∞ would be no number.
+/// How far ahead a seeker without an end looks, in seconds: 0 · ∞ would be NaN.
 const FOREVER: f64 = 1e100;
 
-/// How many boxes are looked at before the discs in them: one a bit.
+/// How many boxes are compared before the discs in them: one per bit.
 const AT_ONCE: usize = u64::BITS as usize;
 
 /// The boxes of all discs, and the working memory of a scan for partners.
@@ -35,20 +35,19 @@ impl BroadPhase {
     pub(super) fn begin(&mut self, discs: usize) {
         self.boxes.clear();
         self.boxes.resize(discs.div_ceil(2), TwoBoxes::NOWHERE);
-        // Two more, as the last ones are written down whether they count or not.
+        // Two more, because the last ones are written whether they count or not.
         self.partners.resize(discs + 2, 0);
     }
 
-    /// Takes down where a disc can be from a time until its slide ends by itself. A meeting
-    /// may end it before: the box stays as it is, as a new one costs more than it saves.
+    /// Records where a disc can be from a time until its slide ends by itself. A contact may
+    /// end the slide earlier; the box stays, because a new one costs more than it saves.
     #[inline]
     pub(super) fn expect(&mut self, i: usize, body: &Body, from: f64, until: f64) {
         self.boxes[i / 2].set(i % 2, sides(body, from, until));
     }
 
-    /// Finds the discs that the seeker could meet before either's forecast, and returns how
-    /// many: see [`Self::partner`]. They come in the order of their numbers, or of the cells of
-    /// the grid.
+    /// Finds the discs that the seeker could meet before either's forecast, and returns their
+    /// number (see [`Self::partner`]), in the order of their indices or of the cells of the grid.
     #[inline]
     pub(super) fn find(&mut self, scan: &Scan, grid: &Grid, work: &mut Work) -> usize {
         let i = scan.disc;
@@ -96,26 +95,26 @@ impl BroadPhase {
     }
 }
 
-/// What a seeker looks through.
+/// The input of a scan.
 pub(super) struct Scan<'a> {
     pub(super) seeker: &'a Seeker,
     /// The seeker's number.
     pub(super) disc: usize,
-    /// Others that are passed over: they have looked at the seeker.
+    /// Discs to skip, because they have already scanned for the seeker.
     pub(super) have_looked: &'a [usize],
     pub(super) bodies: &'a [Body],
     /// The times of their forecasts, and padding.
     pub(super) times: &'a [f64],
 }
 
-/// Discs whose boxes overlap the seeker's: a bit each.
+/// Discs whose boxes overlap the seeker's, one bit each.
 struct Candidates(u64);
 
 impl Candidates {
-    /// Writes down those that can meet the seeker and returns how many.
+    /// Writes the discs that can meet the seeker and returns their number.
     ///
-    /// Each is written in any case, and the next one over it unless it passes: which of them
-    /// pass a processor cannot guess, and so there is no branch at which to guess.
+    /// Every disc is written, and the next one overwrites it unless it passes. There is no
+    /// branch, because a processor cannot predict which discs pass.
     #[inline(always)]
     fn sift(mut self, disc: impl Fn(usize) -> usize, scan: &Scan, partners: &mut [usize]) -> usize {
         let (seeker, bodies) = (scan.seeker, scan.bodies);
@@ -132,7 +131,7 @@ impl Candidates {
         count
     }
 
-    /// Takes the next two away, or the last one twice.
+    /// Removes the next two, or the last one twice.
     #[inline(always)]
     fn next_two(&mut self) -> Option<(usize, usize)> {
         if self.0 == 0 {
@@ -147,11 +146,11 @@ impl Candidates {
     }
 }
 
-/// The boxes of two discs. A box, with its sides along the axes, is around all that a disc can
-/// touch from one time of its slide to another.
+/// The boxes of two discs. A box is axis-aligned and contains everything that a disc can touch
+/// between two times of its slide.
 ///
-/// Four numbers each: the least x and y, and the greatest with the other sign, so that all
-/// four compare alike.
+/// Each box has four numbers: the least x and y, and the greatest with the sign reversed, so
+/// that all four are compared in the same way.
 #[derive(Debug, Clone, Copy)]
 struct TwoBoxes([f64x2; 4]);
 
@@ -161,14 +160,14 @@ impl TwoBoxes {
 
     #[inline]
     fn set(&mut self, lane: usize, sides: [f64; 4]) {
-        // Both lanes are written as they will be read: a processor waits for what it has
-        // written in parts.
+        // Both lanes are written in one piece, as they will be read: reading a value that was
+        // written in parts stalls the processor.
         let is_it = f64x2::splat(lane as f64).simd_eq(f64x2::new([0.0, 1.0]));
         let set = |at: usize| (is_it & f64x2::splat(sides[at])) | (!is_it & self.0[at]);
         self.0 = [set(0), set(1), set(2), set(3)];
     }
 
-    /// How far the sides of other boxes may go to overlap this one.
+    /// The limits for the sides of boxes that overlap this one.
     #[inline]
     fn limits(&self, lane: usize) -> [f64x2; 4] {
         let limit = |side: f64x2| f64x2::splat(-side.to_array()[lane]);
@@ -176,7 +175,7 @@ impl TwoBoxes {
         [limit(right), limit(top), limit(left), limit(bottom)]
     }
 
-    /// Which of the two overlap the box with these limits, a bit each.
+    /// Which of the two overlap the box with these limits, one bit each.
     #[inline(always)]
     fn overlap(&self, limits: &[f64x2; 4]) -> u64 {
         let [left, bottom, right, top] = self.0;
@@ -188,11 +187,11 @@ impl TwoBoxes {
     }
 }
 
-/// The box of a disc from one time of its slide to another: as it goes straight, the two ends
-/// of its way span it.
+/// The box of a disc between two times of its slide. The path is straight, so its two ends
+/// determine the box.
 #[inline]
 fn sides(body: &Body, from: f64, until: f64) -> [f64; 4] {
-    // Contacts are sought a little beyond the forecast. A way without end is followed for the
+    // Contacts are sought slightly beyond the forecast. An endless path is followed for the
     // longest finite time.
     let until = (until + SAME_TIME).min(f64::MAX);
     let (a, b) = (body.at(from).position, body.at(until).position);
@@ -201,11 +200,11 @@ fn sides(body: &Body, from: f64, until: f64) -> [f64; 4] {
     [least.x, least.y, -greatest.x, -greatest.y]
 }
 
-/// The disc whose partners are sought, as it is now.
+/// The present state of the disc whose partners are sought.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seeker {
     pub(super) now: f64,
-    /// Its own forecast: later meetings do not matter.
+    /// Its own forecast: later contacts do not matter.
     until: f64,
     pub(super) here: Motion,
     pub(super) acceleration: DVec2,
@@ -214,7 +213,7 @@ pub(super) struct Seeker {
 }
 
 impl Seeker {
-    /// A disc as a seeker of meetings between `now` and `until`.
+    /// A disc as a seeker of contacts between `now` and `until`.
     #[inline]
     pub(super) fn new(body: &Body, now: f64, until: f64) -> Self {
         Self {
@@ -228,9 +227,9 @@ impl Seeker {
     }
 
     /// Which of two others cannot be met before the earlier of both forecasts, theirs being for
-    /// `times`: a bit each.
+    /// `times`: one bit each.
     ///
-    /// Seen from the seeker the other moves by Δ(τ) = d + w τ + ½ a τ² for τ up to h.
+    /// In the seeker's frame the other moves by Δ(τ) = d + w τ + ½ a τ² for τ up to h.
     /// There is no contact if
     /// - it stays far along d: contact needs d·Δ ≤ R |d| ≤ (R² + d²)/2, and d·Δ stays
     ///   above the least of its three Bernstein coefficients (as in
@@ -279,8 +278,8 @@ mod tests {
     use super::*;
     use crate::physics::Disc;
 
-    /// Discs strewn over a board, every other one at rest; odd counts and more than there are
-    /// bits among them.
+    /// Discs scattered over a board, every other one at rest; the counts include odd ones and
+    /// one above the number of bits.
     #[test]
     fn no_disc_that_meets_the_seeker_is_turned_away() {
         let mut rng = Pcg64::seed_from_u64(7);

@@ -1,11 +1,11 @@
-//! What the engine asks of a shot before it plays it.
+//! The checks of a shot before the engine plays it.
 
 use super::super::{Board, Disc, Motion};
 use super::grid::WORTHWHILE;
 use super::{EngineError, Limits};
 
-/// How far, in metres, discs may overlap each other or the frame at the start:
-/// what rounding leaves of positions meant to touch.
+/// How far, in metres, discs may overlap each other or the frame at the start: the rounding
+/// error of positions that are meant to touch.
 const ROUNDING: f64 = 1e-10;
 
 pub(in super::super) fn check(
@@ -87,8 +87,8 @@ fn check_apart(discs: &[Disc], start: &[Motion]) -> Result<(), EngineError> {
     Ok(())
 }
 
-/// In order of their left edges, a disc can overlap only those that begin before it
-/// ends.
+/// In the order of their left edges, a disc can overlap only those that begin before its right
+/// edge.
 fn check_many_apart(discs: &[Disc], start: &[Motion]) -> Result<(), EngineError> {
     let left = |i: usize| start[i].position.x - discs[i].radius;
     let right = |i: usize| start[i].position.x + discs[i].radius;

@@ -1,4 +1,4 @@
-//! When two discs next meet.
+//! The time of the next contact of two discs.
 
 use glam::DVec2;
 
@@ -7,27 +7,27 @@ use super::body::Body;
 use super::broad_phase::Seeker;
 use super::quartic::first_root;
 
-/// A gap in metres below which two discs count as touching: far above what rounding
-/// leaves after an impact, far below anything that could be seen.
+/// A gap in metres below which two discs count as touching: far above the rounding error after
+/// an impact, far below anything visible.
 pub(super) const TOUCHING: f64 = 1e-13;
 
-/// How far in metres a pair that slides in contact may be pressed together before it
-/// counts as an impact again. Discs that touch and lose speed differently can press
-/// against each other for a while; taken strictly they would meet infinitely often.
+/// How far in metres a pair that slides in contact may overlap before that counts as another
+/// impact. Discs that touch and decelerate differently can press against each other for a
+/// while; strictly, they would collide infinitely often.
 pub(super) const PRESS: f64 = 3e-10;
 
-/// A touching pair that slows down and closes in no faster than this (m/s) is left to
-/// press, or to stop: discs that hand on ever less to one another come to an end here.
+/// A touching pair that slows down and approaches no faster than this (m/s) presses or stops
+/// without an impact. This ends series of ever smaller impacts.
 const PRESSING_SPEED: f64 = 1e-6;
 
-/// No pair may come deeper than this, in metres.
+/// The largest overlap of a pair, in metres.
 const DEEPEST: f64 = 9e-10;
 
-/// Speeds of approach below this part of the discs' own are rounding.
+/// Speeds of approach below this share of the discs' own speeds are rounding errors.
 const ROUNDING: f64 = 1e-14;
 
-/// Seconds until a seeker and another disc meet, approaching, if they do so within
-/// `end` seconds and neither changes its slide before.
+/// Seconds until a seeker and another disc meet, approaching, if that happens within `end`
+/// seconds and neither changes its slide before.
 #[inline]
 pub(super) fn contact(a: &Seeker, b: &Body, end: f64) -> Option<f64> {
     let (at_a, at_b) = (a.here, b.at(a.now));
@@ -42,7 +42,7 @@ pub(super) fn contact(a: &Seeker, b: &Body, end: f64) -> Option<f64> {
         let speed = at_a.velocity.length() + at_b.velocity.length();
         pair.touching(gap, speed, end)
     } else if !b.moving || !a.moving {
-        // Seen from the one at rest, the other goes straight.
+        // In the frame of the disc at rest, the other moves in a straight line.
         pair.straight(gap)
     } else {
         pair.apart(gap, end)
@@ -50,7 +50,7 @@ pub(super) fn contact(a: &Seeker, b: &Body, end: f64) -> Option<f64> {
     time.filter(|&t| t <= end)
 }
 
-/// Two discs seen from the first: Δ(t) = d + w t + ½ a t².
+/// Two discs in the frame of the first: Δ(t) = d + w t + ½ a t².
 struct Pair {
     d: DVec2,
     w: DVec2,
@@ -70,7 +70,7 @@ impl Pair {
         ]
     }
 
-    /// A pair with room between them: |d|² − reach² = `gap` > 0.
+    /// A pair with a gap between them: |d|² − reach² = `gap` > 0.
     fn apart(&self, gap: f64, end: f64) -> Option<f64> {
         if self.a == DVec2::ZERO {
             self.straight(gap)
@@ -79,13 +79,13 @@ impl Pair {
         }
     }
 
-    /// A pair in contact but for rounding. `speed` is the sum of the discs' speeds.
+    /// A pair in contact, except for rounding. `speed` is the sum of the discs' speeds.
     #[cold]
     fn touching(&self, gap: f64, speed: f64, end: f64) -> Option<f64> {
         let parting = self.d.dot(self.w) / self.contact_distance;
         let pressing = -(self.w.length_squared() + self.d.dot(self.a)) / self.contact_distance;
-        // A pair that starts pressing from rest passes PRESS with twice this speed: an
-        // impact there sends it apart fast enough not to be taken for gentle again.
+        // A pair that starts pressing from rest passes PRESS with twice this speed: an impact
+        // there separates it fast enough not to count as gentle again.
         let gentle = parting * parting <= 0.5 * PRESS * pressing || parting.abs() <= PRESSING_SPEED;
         let slides = self.a != DVec2::ZERO;
         if (gentle && slides) || parting.abs() <= ROUNDING * speed {
@@ -112,16 +112,16 @@ impl Pair {
         first_root([gap, c1, c2, c3, c4], end)
     }
 
-    /// A pair that touches and parts: the root at zero is divided out and what is
-    /// left of the quartic, a cubic, says when they meet again.
+    /// A pair that touches and separates: the root at zero is divided out, and the remaining
+    /// cubic gives the time of the next contact.
     fn after_touch(&self, end: f64) -> Option<f64> {
         let [c1, c2, c3, c4] = self.quartic();
         let parts = self.a != DVec2::ZERO && c1 > 0.0;
         parts.then(|| first_root([c1, c2, c3, c4, 0.0], end))?
     }
 
-    /// A pair with room between them, if a is against w or zero: the path is straight, so
-    /// the way to go comes from a triangle and the time from s = v t − ½ a t².
+    /// A pair with a gap between them, if a is opposite to w or zero: the path is straight, so
+    /// the distance follows from a triangle and the time from s = v t − ½ a t².
     fn straight(&self, gap: f64) -> Option<f64> {
         let time = time_to_distance(self.d, self.w, self.contact_distance, gap)?;
         slowed(time, -self.a.dot(self.w) / self.w.length_squared())

@@ -1,18 +1,18 @@
-//! What can be wrong with a shot.
+//! Errors of a shot.
 
 use thiserror::Error;
 
 use crate::numbers::four_figures;
 
-/// Why a shot cannot be played, or not to its end. Discs are numbered from 0.
+/// Why a shot cannot be played to its end. Discs are numbered from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum EngineError {
-    /// Not one motion a disc.
+    /// The numbers of discs and motions differ.
     #[error("{discs} discs but {motions} motions: expected one motion a disc")]
     Count {
-        /// How many discs.
+        /// The number of discs.
         discs: usize,
-        /// How many motions.
+        /// The number of motions.
         motions: usize,
     },
     /// The board has an unusable number.
@@ -21,17 +21,17 @@ pub enum EngineError {
     /// A disc has an unusable number.
     #[error("disc {disc}: the {expected}")]
     Disc {
-        /// Which disc.
+        /// The disc.
         disc: usize,
-        /// The quantity and what was expected of it.
+        /// The quantity and its expected range.
         expected: &'static str,
     },
-    /// A disc does not lie wholly within the frame.
+    /// A disc is not wholly within the frame.
     #[error("disc {disc} reaches {beyond_mm} mm beyond the frame: expected it on the board")]
     OffBoard {
-        /// Which disc.
+        /// The disc.
         disc: usize,
-        /// How far beyond, in millimetres.
+        /// How far outside, in millimetres.
         beyond_mm: f64,
     },
     /// Two discs overlap.
@@ -41,28 +41,28 @@ pub enum EngineError {
         first: usize,
         /// The other.
         second: usize,
-        /// How far, in millimetres.
+        /// The overlap, in millimetres.
         depth_mm: f64,
     },
     /// The horizon is not a time.
     #[error("the horizon must be a number of seconds, at least 0")]
     Horizon,
-    /// Nothing would ever stop the discs.
+    /// The discs would never stop.
     #[error("without friction discs in a frame never stop: expected a finite horizon")]
     Endless,
-    /// The cap on events was reached: the discs have most likely collapsed onto one
-    /// another (restitution below 1 and no friction to end it).
+    /// The limit on events was reached: most likely an inelastic collapse (restitution below 1
+    /// and no friction to end it).
     #[error("more than {events} events by {} s: given up", four_figures(*time))]
     TooManyEvents {
-        /// The cap.
+        /// The limit.
         events: usize,
         /// Time reached, in seconds.
         time: f64,
     },
-    /// The shot took more work than was allowed.
+    /// The shot took more work than allowed.
     #[error("more than {work} looks at pairs of discs by {} s: given up", four_figures(*time))]
     TooMuchWork {
-        /// How much was allowed, in looks at a pair of discs.
+        /// The allowed work, in tests of a pair of discs.
         work: u64,
         /// Time reached, in seconds.
         time: f64,

@@ -1,4 +1,4 @@
-//! What a disc meets on its own: its stop, the cushions, the pockets.
+//! Events of a single disc: its stop, the cushions, the pockets.
 
 use glam::DVec2;
 
@@ -8,30 +8,30 @@ use super::super::{Board, Motion};
 /// How a slide ends if no other disc interferes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum SlideEnd {
-    /// Never: nothing slows the disc and nothing stands in its way.
+    /// Never: nothing slows the disc and nothing is in its path.
     Never,
     Stop,
-    /// It meets the cushion on this side.
+    /// It hits the cushion on this side.
     Cushion(FrameSide),
     /// It falls into the pocket of this corner (0 lower left, 1 lower right, 2 upper
     /// left, 3 upper right).
     Pocket(usize),
-    /// It passes into the next cell of the grid; the slide itself goes on.
+    /// It passes into the next cell of the grid; the slide itself continues.
     Cell(FrameSide),
 }
 
 /// A side of the frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FrameSide {
-    /// The axis across it: 0 for left and right, 1 for bottom and top.
+    /// The axis perpendicular to it: 0 for left and right, 1 for bottom and top.
     pub(super) axis: usize,
     /// Whether it is the side of greater coordinates: right or top.
     pub(super) beyond: bool,
 }
 
 impl FrameSide {
-    /// The side that something at this velocity comes to first, and when, if it takes `x`
-    /// seconds to the one ahead of it along x and `y` to the one along y.
+    /// The side that is reached first at this velocity, and when, if the one ahead along x is
+    /// `x` seconds away and the one along y is `y` seconds away.
     #[inline]
     pub(super) fn ahead(velocity: DVec2, x: f64, y: f64) -> (f64, Self) {
         let (time, axis) = if x <= y { (x, 0) } else { (y, 1) };
@@ -55,10 +55,10 @@ impl FrameSide {
 }
 
 /// Seconds from the start of a slide to its end, and what ends it. `relative_deceleration` is the
-/// part of its speed the disc loses a second, a/v.
+/// share of its speed that the disc loses per second, a/v.
 ///
-/// Everything in the way is first timed at the constant first speed: what comes
-/// first so comes first with friction too.
+/// Everything in the path is first timed at the constant initial speed: the order is the same
+/// with friction.
 #[inline]
 pub(super) fn end(
     board: &Board,
@@ -95,14 +95,14 @@ pub(super) fn end(
 }
 
 /// Time to the first of the lines |x| = `wall` and |y| = `wall` at constant velocity;
-/// 0 for a disc that is past it by rounding and still going outward.
+/// 0 for a disc that is past it by rounding and still moving outward.
 #[inline]
 fn cushion_ahead(position: DVec2, velocity: DVec2, wall: f64) -> (f64, FrameSide) {
     let to = |place: f64, speed: f64| {
         if speed == 0.0 {
             f64::INFINITY
         } else {
-            // The wall ahead lies on the side the disc moves to.
+            // The wall ahead is on the side towards which the disc moves.
             let place = if speed < 0.0 { -place } else { place };
             ((wall - place) / speed.abs()).max(0.0)
         }
@@ -111,8 +111,8 @@ fn cushion_ahead(position: DVec2, velocity: DVec2, wall: f64) -> (f64, FrameSide
     FrameSide::ahead(velocity, x, y)
 }
 
-/// Time until a point at constant velocity, now at `place` as seen from a centre, comes
-/// within `radius` of it; 0 if it is there already, `None` if it passes by.
+/// Time until a point at constant velocity, now at `place` relative to a centre, comes within
+/// `radius` of it; 0 if it is already within, `None` if it passes by.
 #[inline]
 fn time_to_circle(place: DVec2, velocity: DVec2, radius: f64) -> Option<f64> {
     let outside = place.length_squared() - radius * radius;

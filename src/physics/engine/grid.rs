@@ -1,13 +1,13 @@
-//! A grid of cells over a large board: who is near whom.
+//! A grid of cells over a large board, to find neighbouring discs.
 //!
-//! Cells are at least as wide as the widest disc, so discs that touch lie in the same
-//! cell or in neighbouring ones. A disc's forecast then needs to look at nine cells
-//! only, and is made anew when the disc passes into another cell.
+//! Cells are at least as wide as the widest disc, so discs that touch are in the same cell or
+//! in neighbouring ones. A disc's forecast then needs only nine cells, and is repeated when the
+//! disc passes into another cell.
 
 use super::super::{Board, Disc, Motion};
 use super::frame::FrameSide;
 
-/// From this many discs on a grid is quicker than looking at all pairs.
+/// From this many discs on a grid is faster than testing all pairs.
 pub(super) const WORTHWHILE: usize = 48;
 
 /// The cells of a board; none if all discs count as near.
@@ -26,8 +26,7 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// Lays the grid if the board has sides and enough discs, with about one disc a
-    /// cell.
+    /// Creates the grid if the board has sides and enough discs, with about one disc per cell.
     pub(super) fn begin(&mut self, board: &Board, discs: &[Disc], start: &[Motion]) {
         self.columns = 0;
         if discs.len() < WORTHWHILE || !board.side.is_finite() {
@@ -43,7 +42,7 @@ impl Grid {
         self.cells.resize(self.columns * self.columns, Vec::new());
         self.places.clear();
         for (i, motion) in start.iter().enumerate() {
-            // A cast of a float saturates: what lies outside by rounding is inside.
+            // A cast of a float saturates, so positions outside by rounding are inside.
             let along = |x: f64| (((x + self.half) / self.size) as usize).min(self.columns - 1);
             let place = [along(motion.position.x), along(motion.position.y)];
             self.places.push(place);
@@ -101,7 +100,7 @@ impl Grid {
         self.cell(self.places[i]).push(i);
     }
 
-    /// Takes a disc out of its cell.
+    /// Removes a disc from its cell.
     pub(super) fn remove(&mut self, i: usize) {
         if let Some(&place) = self.places.get(i).filter(|_| self.is_laid()) {
             self.cell(place).retain(|&disc| disc != i);

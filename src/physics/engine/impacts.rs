@@ -1,4 +1,4 @@
-//! Discs that meet: one pair, or several at the same instant.
+//! Impacts of one pair of discs, or of several at the same instant.
 
 use glam::DVec2;
 
@@ -16,7 +16,7 @@ impl ShotInPlay<'_> {
     /// share a disc with it.
     pub(super) fn impact(&mut self, i: usize, k: usize, time: f64) {
         let pair = [i.min(k), i.max(k)];
-        // Whoever meets now is due now; most often these are just the two.
+        // All discs in contact now are due now; usually just these two.
         if self.schedule.due(time + SAME_TIME) > 2 {
             let pairs = self.gather(pair, time);
             if pairs.len() > 1 {
@@ -50,9 +50,9 @@ impl ShotInPlay<'_> {
         }
     }
 
-    /// The places of two discs that have met. A pair that slid in contact may have been
-    /// pressed together a little (see [`PRESS`](super::contact::PRESS)): it is moved
-    /// apart about its centre of mass, or many small presses would add up.
+    /// The positions of two discs in contact. A pair that slid in contact may overlap slightly
+    /// (see [`PRESS`](super::contact::PRESS)): it is moved apart about its centre of mass,
+    /// otherwise many small overlaps would add up.
     fn unpressed(&self, [i, k]: [usize; 2], [a, b]: [DVec2; 2]) -> [DVec2; 2] {
         let apart = b - a;
         let distance = apart.length();
@@ -79,7 +79,7 @@ impl ShotInPlay<'_> {
         contact
     }
 
-    /// The pair and all others that meet at the same time and share a disc with it,
+    /// The pair and all other pairs in contact at the same time that share a disc with it,
     /// directly or through others.
     fn gather(&mut self, pair: [usize; 2], time: f64) -> Vec<[usize; 2]> {
         let mut pairs = vec![pair];

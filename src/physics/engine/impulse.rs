@@ -1,10 +1,10 @@
 //! Impulses at several contacts at once.
 //!
-//! Contacts of one disc at the very same instant cannot be taken one after another:
-//! the order would decide, and a symmetric break would come out lopsided. Each wants
-//! its own approach speed turned around with its own e, all at once, and none may
-//! pull: a linear complementarity problem, Σ K J = (1+e) w with J ≥ 0. Energy never
-//! rises: it changes by −½ Σ (1−e) J w.
+//! Contacts of one disc at the same instant cannot be resolved one after another: the result
+//! would depend on the order, and a symmetric break would become asymmetric. Each contact has
+//! to reverse its own approach speed with its own e, all at once, and none may pull: a linear
+//! complementarity problem, Σ K J = (1+e) w with J ≥ 0. Energy never increases: it changes by
+//! −½ Σ (1−e) J w.
 //!
 //! Such problems: R. W. Cottle, J.-S. Pang and R. E. Stone, *The Linear Complementarity
 //! Problem* (1992); this one for several impacts at once: F. Pfeiffer and C. Glocker,
@@ -21,11 +21,11 @@ pub(super) struct Touch {
     pub(super) discs: [usize; 2],
     /// Unit vector from the first centre to the second.
     pub(super) normal: DVec2,
-    /// What this contact wants: the change (1+e) w of its normal speed in m/s.
+    /// The required change (1+e) w of its normal speed in m/s.
     pub(super) wanted: f64,
 }
 
-/// The impulses of contacts at the same instant, one a contact, in N s; `None` if finding
+/// The impulses of contacts at the same instant, one per contact, in N s; `None` if finding
 /// them takes too much work.
 pub(super) fn simultaneous(
     touches: &[Touch],
@@ -57,7 +57,7 @@ fn yielding(touch: &Touch, bodies: &[Body]) -> f64 {
     1.0 / bodies[touch.discs[0]].mass + 1.0 / bodies[touch.discs[1]].mass
 }
 
-/// Cramer's rule; it treats both alike to the last bit.
+/// Cramer's rule, which treats both contacts identically, bit for bit.
 fn two_at_once(a: &Touch, b: &Touch, bodies: &[Body]) -> [f64; 2] {
     let (k_a, k_b) = (yielding(a, bodies), yielding(b, bodies));
     let k_ab = coupling(a, b, bodies);
@@ -73,7 +73,7 @@ fn two_at_once(a: &Touch, b: &Touch, bodies: &[Body]) -> [f64; 2] {
     }
 }
 
-/// Projected Gauss–Seidel: sweep over the contacts, giving each what it lacks.
+/// Projected Gauss–Seidel: sweeps over the contacts and corrects each.
 fn many_at_once(touches: &[Touch], bodies: &[Body], work: &mut Work) -> Option<Vec<f64>> {
     let coupled = coupled(touches, bodies);
     work.add(touches.len() * touches.len());
@@ -100,7 +100,7 @@ fn many_at_once(touches: &[Touch], bodies: &[Body], work: &mut Work) -> Option<V
     Some(impulses)
 }
 
-/// Which contacts share a disc with each one, itself among them, and how strongly their
+/// For each contact, those that share a disc with it, including itself, and how strongly their
 /// impulses change its normal speed.
 fn coupled(touches: &[Touch], bodies: &[Body]) -> Vec<Vec<(usize, f64)>> {
     let shares = |a: &Touch, b: &Touch| a.discs.iter().any(|disc| b.discs.contains(disc));

@@ -1,12 +1,12 @@
-//! Two things at a time: most processors do to two numbers in one step what they do to one,
-//! and round each as they round a single one.
+//! Two values at a time: most processors handle two numbers in one step, and round each like a
+//! single one.
 
 use std::ops::{Add, Mul, Sub};
 
 use glam::DVec2;
 use wide::f64x2;
 
-/// A number of each of two things.
+/// One number for each of two objects.
 #[inline(always)]
 pub(super) fn of_both<T>([a, b]: [&T; 2], number: impl Fn(&T) -> f64) -> f64x2 {
     f64x2::new([number(a), number(b)])
@@ -19,7 +19,7 @@ pub(super) struct TwoVectors {
 }
 
 impl TwoVectors {
-    /// A vector of each of two things.
+    /// One vector for each of two objects.
     #[inline(always)]
     pub(super) fn of_both<T>(things: [&T; 2], vector: impl Fn(&T) -> DVec2) -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! The loop: from event to event until nothing is left to happen.
+//! The event loop of a shot.
 
 use glam::DVec2;
 
@@ -14,9 +14,9 @@ use super::schedule::{Forecast, SAME_TIME, Schedule};
 use super::work::Work;
 use super::{EngineError, Limits};
 
-/// On a board with friction discs that approach slower than this (m/s) part again as
-/// fast as they came, whatever e is: otherwise they could meet infinitely often
-/// before friction stops them.
+/// On a board with friction, discs that approach more slowly than this (m/s) separate at the
+/// same speed, whatever e is: otherwise they could collide infinitely often before friction
+/// stops them.
 const ELASTIC_BELOW: f64 = 2e-3;
 
 /// One shot that is being played.
@@ -85,8 +85,8 @@ impl ShotInPlay<'_> {
         }
     }
 
-    /// Forecasts what comes next for discs that are on a new slide, or whose
-    /// forecast was out of date.
+    /// Forecasts the next event of discs that are on a new slide, or whose forecast was
+    /// outdated.
     pub(super) fn forecast(&mut self, discs: &[usize], now: f64) {
         for &disc in discs {
             self.forecast_alone(disc, now);
@@ -118,8 +118,8 @@ impl ShotInPlay<'_> {
         self.broad_phase.expect(i, &self.bodies[i], now, time);
     }
 
-    /// Forecasts whom a disc meets, for it and for them; not those that have looked at it
-    /// already in the same breath.
+    /// Forecasts the contacts of a disc, for it and for its partners, except discs that have
+    /// just scanned for it.
     fn forecast_meetings(&mut self, i: usize, now: f64, have_looked: &[usize]) {
         let seeker = Seeker::new(&self.bodies[i], now, self.schedule.time(i));
         let scan = Scan {
@@ -135,14 +135,14 @@ impl ShotInPlay<'_> {
         }
     }
 
-    /// Forecasts when two discs, one of them the seeker, meet, if nothing else is known to
-    /// come before.
+    /// Forecasts the contact of the seeker and another disc, if no other known event comes
+    /// before.
     fn forecast_meeting(&mut self, seeker: &Seeker, i: usize, k: usize) {
         if !(seeker.moving || self.bodies[k].moving) {
             return;
         }
         let known = self.schedule.time(i).min(self.schedule.time(k));
-        // A little beyond, so that contacts at the same time are found by both.
+        // Slightly beyond, so that both discs find contacts at the same time.
         let until = known - seeker.now + SAME_TIME;
         if let Some(time) = contact(seeker, &self.bodies[k], until) {
             let time = seeker.now + time;
@@ -203,7 +203,7 @@ impl ShotInPlay<'_> {
         }
     }
 
-    /// Sends a disc on from an event.
+    /// Starts a disc's motion after an event.
     pub(super) fn release(&mut self, disc: usize, time: f64, motion: Motion) {
         let moved = self.bodies[disc].moving;
         self.bodies[disc].launch(time, motion, self.deceleration);
@@ -219,8 +219,8 @@ impl ShotInPlay<'_> {
     }
 }
 
-/// Where the engine leaves a disc that has fallen: far beyond the reach of any other, each
-/// in a place of its own.
+/// Where the engine puts a pocketed disc: beyond the reach of any other, each at a different
+/// position.
 fn off_the_board(i: usize) -> Motion {
     Motion::at_rest(DVec2::new(1e9 * (i + 1) as f64, 1e9))
 }

@@ -1,17 +1,17 @@
 //! The first root of a quartic on an interval.
 
-/// How often an interval is halved before what is left is taken for a touch without
-/// contact: 2⁻⁵⁰ of the interval.
+/// How often an interval is halved before the rest counts as a graze without contact: 2⁻⁵⁰ of
+/// the interval.
 const DEPTH: u32 = 50;
 
-/// The first t in [0, `end`] at which c₀ + c₁t + c₂t² + c₃t³ + c₄t⁴ comes down to
-/// zero, for c₀ > 0 and a finite `end`.
+/// The first t in [0, `end`] at which c₀ + c₁t + c₂t² + c₃t³ + c₄t⁴ falls to zero, for c₀ > 0
+/// and a finite `end`.
 ///
 /// In Bernstein form on an interval the polynomial lies within the hull of its
 /// coefficients: all positive means no root there, one change of sign means exactly
 /// one root (J. M. Lane and R. F. Riesenfeld, "Bounds on a polynomial", BIT 21 (1981)
 /// 112). Otherwise the interval is halved and the left half searched first, so
-/// no root is passed over. A double root (a graze) counts as no root.
+/// no root is missed. A double root (a graze) counts as no root.
 #[inline]
 pub(super) fn first_root(c: [f64; 5], end: f64) -> Option<f64> {
     // On the unit interval.
@@ -58,8 +58,8 @@ fn halve(b: [f64; 5]) -> ([f64; 5], [f64; 5]) {
 
 /// The root in an interval that holds exactly one, positive before it: Newton's
 /// steps, each kept inside the bracket by halving it where a step would leave. The
-/// first guess is the root of the quadratic part, most of the truth where friction
-/// bends the path little.
+/// first guess is the root of the quadratic part, a good approximation if friction bends the
+/// path only slightly.
 fn polish(c: &[f64; 5], mut low: f64, mut high: f64) -> f64 {
     let quadratic = 2.0 * c[0] / ((c[1] * c[1] - 4.0 * c[2] * c[0]).max(0.0).sqrt() - c[1]);
     let mut x = if quadratic > low && quadratic < high {
@@ -80,7 +80,7 @@ fn polish(c: &[f64; 5], mut low: f64, mut high: f64) -> f64 {
         let next = if inside { newton } else { 0.5 * (low + high) };
         let step = (next - x).abs();
         x = next;
-        // Newton's error goes with the square of the step: nothing is left of it.
+        // Newton's error is proportional to the square of the step, so it is negligible.
         if step <= 1e-11 * x && inside || high - low <= f64::EPSILON * high {
             break;
         }
@@ -100,7 +100,7 @@ mod tests {
         c.iter().rev().fold(0.0, |sum, c| sum * x + c)
     }
 
-    /// What rounding may make of the polynomial's value at x.
+    /// The rounding error of the polynomial's value at x.
     fn noise(c: &[f64; 5], x: f64) -> f64 {
         1e-14 * c.iter().rev().fold(0.0, |sum, c| sum * x + c.abs())
     }
@@ -116,7 +116,7 @@ mod tests {
         let close = [1.0 - 1e-12, -2.0, 1.0, 0.0, 0.0];
         assert!((first_root(close, 3.0).unwrap() - (1.0 - 1e-6)).abs() < 1e-9);
         assert_eq!(first_root([1.0, -2.0, 1.0, 0.0, 0.0], 3.0), None);
-        // Lower degrees, and a root next to nothing away.
+        // Lower degrees, and a root very close to zero.
         assert!((first_root([3.0, -2.0, 0.0, 0.0, 0.0], 2.0).unwrap() - 1.5).abs() < 1e-15);
         let near = first_root([1e-30, -1.0, 1.0, 1.0, 1.0], 0.5).unwrap();
         assert!((near / 1e-30 - 1.0).abs() < 1e-12);
@@ -133,7 +133,7 @@ mod tests {
             let end = rng.random_range(0.05..2.0);
             let first = aberth(&c, 100, 1e-14)
                 .iter()
-                // A real root, and not one of a pair that all but touches the axis.
+                // A real root, and not one of a pair that nearly touches the axis.
                 .filter(|root| root.im.abs() <= 1e-9 * root.re.abs())
                 .map(|root| root.re)
                 .filter(|&x| x > 0.0 && x < end)

@@ -1,4 +1,4 @@
-//! What comes next: one forecast a disc.
+//! The schedule of events: one forecast per disc.
 
 use wide::f64x2;
 
@@ -8,11 +8,11 @@ use super::frame::SlideEnd;
 /// break reaches both sides at times that differ only by rounding.
 pub(super) const SAME_TIME: f64 = 1e-12;
 
-/// How many discs share a remembered earliest time. A board of carrom has one such
-/// block; the search for the first of thousands of discs looks at few.
+/// How many discs share a stored earliest time. A carrom board is one such block; with
+/// thousands of discs the search for the first event checks only a few.
 const BLOCK: usize = 24;
 
-/// What a disc is forecast to do next.
+/// The forecast of a disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Forecast {
     /// Its slide ends by itself.
@@ -23,11 +23,11 @@ pub(super) enum Forecast {
 
 /// The earliest forecast of each disc.
 ///
-/// A forecast may be out of date, when the partner has been sent elsewhere since.
-/// It is then too early, never too late, and is made anew when its time comes.
+/// A forecast may be outdated because its partner's motion has changed since. It is then too
+/// early, never too late, and is repeated when its time comes.
 #[derive(Debug, Default, Clone)]
 pub(super) struct Schedule {
-    /// One a disc, filled up with infinities to whole blocks.
+    /// One per disc, padded with infinities to whole blocks.
     pub(super) times: Vec<f64>,
     forecasts: Vec<Forecast>,
     /// The earliest time of each block, unless it has changed since.
@@ -103,8 +103,8 @@ fn minimum(block: &[f64; BLOCK]) -> f64 {
     a.min(b)
 }
 
-/// The place of the first time in a block that is not beyond `time`: without a branch, as a
-/// processor cannot guess where it is.
+/// The index of the first time in a block that is not beyond `time`. There is no branch,
+/// because a processor cannot predict the index.
 #[inline]
 fn first_up_to(block: &[f64; BLOCK], time: f64) -> usize {
     let mut found = 0;

@@ -1,7 +1,7 @@
-//! What playing a shot costs.
+//! The cost of playing a shot.
 
-/// The work done on a shot, counted in looks at a pair of discs: the same count on every
-/// machine, so that a shot which is too much for one is too much for all.
+/// The work done on a shot, counted in tests of a pair of discs: the count is the same on every
+/// machine, so a shot that exceeds the limit on one exceeds it on all.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Work {
     done: u64,

@@ -1,9 +1,9 @@
-//! The record of two discs that meet and stick.
+//! The record of a perfectly inelastic collision: two discs that meet and stick together.
 //!
 //! Sticking is not e = 0. The pair becomes one body: its centre of mass keeps the
-//! velocity V = (m₁u₁ + m₂u₂)/(m₁+m₂) and, if they met off-centre, it turns with
+//! velocity V = (m₁u₁ + m₂u₂)/(m₁+m₂) and, after an off-centre contact, it rotates with
 //! ω = μ b w / (½m₁r₁² + ½m₂r₂² + μ(r₁+r₂)²), w the relative speed, b the impact
-//! parameter, μ the reduced mass: angular momentum about the centre of mass is kept.
+//! parameter, μ the reduced mass: angular momentum about the centre of mass is conserved.
 
 use glam::DVec2;
 
@@ -11,7 +11,7 @@ use super::super::capture::capture;
 use super::super::slide::time_to_distance;
 use super::{Board, Disc, Event, EventKind, Leg, Motion, Shot};
 
-/// Two discs stuck together, turning about their centre of mass without friction.
+/// Two discs stuck together, rotating about their centre of mass without friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct StuckPair {
     pub(super) time: f64,
@@ -55,7 +55,7 @@ impl StuckPair {
         )
     }
 
-    /// The way of a disc from the contact to `end` in chords of at most 3°.
+    /// The path of a disc from the contact to `end` in chords of at most 3°.
     pub(super) fn chords(&self, disc: usize, end: f64) -> impl Iterator<Item = Leg> + use<> {
         let pair = *self;
         let turned = (pair.omega * (end - pair.time)).abs();
@@ -76,9 +76,9 @@ impl StuckPair {
 }
 
 impl Shot {
-    /// The record of two discs on a frictionless open sheet that stick to each other
-    /// where they meet, followed for `duration` seconds. If they miss, it is the
-    /// record of the miss. The numbers must be fit for a shot, the time finite.
+    /// The record, `duration` seconds long, of two discs on a frictionless open sheet that stick
+    /// together when they meet. If they miss, it is the record of the miss. The numbers must be
+    /// valid for a shot, the time finite.
     pub(in super::super) fn captured(
         board: &Board,
         discs: [Disc; 2],
@@ -170,7 +170,7 @@ mod tests {
         let time = shot.events()[0].time;
         let spin = shot.at(1, time).velocity - shot.at(0, time).velocity;
         assert!((spin.length() / 0.036 - omega).abs() < 1e-12);
-        // The target lies to the right, so the pair turns clockwise.
+        // The target is on the right, so the pair rotates clockwise.
         let arm = shot.at(1, time).position - shot.at(0, time).position;
         assert!(arm.perp_dot(spin) < 0.0);
         let centre = 0.5 * 0.020 * 1.5 * 1.5;
