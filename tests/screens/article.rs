@@ -97,7 +97,7 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
     (
         SPEEDS,
         "From the offset",
-        &[("{theta1_deg radius: 60}", "turns by 60°")],
+        &[("{theta1_deg radius: 60}", "deflected by 60°")],
     ),
     // What the article leaves out: masses as on a real board.
     (
@@ -107,7 +107,7 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
     ),
     (
         OFFSET,
-        "No sharper than this",
+        "The greatest deflection",
         &[("{largest_deflection_deg real: 21.5}", "21.5°, at α = 34°")],
     ),
     // Rutherford's 1/sin⁴, and what was counted.
@@ -168,7 +168,7 @@ const EQUATIONS: [(&str, &str, &[&str]); 17] = [
     ),
     (
         "the-line-of-impact",
-        "What can",
+        "What can change",
         &[
             "v_1n = (m_1 - m_2)/(m_1 + m_2) u_1n",
             "v_2n = (2 m_1)/(m_1 + m_2) u_1n",

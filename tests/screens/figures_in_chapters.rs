@@ -62,25 +62,25 @@ impl Claim {
 
 /// Numbers that nothing is computed from: years, what a legend says, what was measured by others.
 const NAMED: [&str; 24] = [
-    "(A real coin has about 5.5 g;",
+    "(A real coin has a mass of about 5.5 g;",
     "a real coin: 5.5 g,",
     "a target of 25 g,",
     "angle between the paths is 120°.",
-    "Nitrogen: 14 u.",
+    "Nitrogen: mass 14.",
     "in 1909 Rutherford and Royds",
     "Before 1911",
     "In 1911 Rutherford",
     "In 1913 Geiger",
     "One in 8000",
     "In 1909 Geiger and Marsden found that about 1 α-particle in 8000",
-    "The 1 in 8000 is often told",
+    "The 1 in 8000 is often quoted",
     "The same: 1 in 8000.",
     "(1 fm is 10⁻¹⁵ m)",
     "a screen of 1 mm² at 1 cm.",
-    "Head-on, 15 g on 15 g at rest,",
-    "Two head-on hits, 15 g each,",
-    "and the striker has 15 g.",
-    "so it is 15 g divided by",
+    "Head-on, 15 g hits 15 g at rest,",
+    "Two head-on collisions, 15 g each,",
+    "and the striker has a mass of 15 g.",
+    "so the mass is 15 g divided by",
     "their thin gold foil of 0.21 micrometres",
     "gold of 0.21 micrometres",
     "to within 20 %.",
@@ -141,26 +141,34 @@ fn claims() -> Vec<Claim> {
     let sine = |deg: f64| rad_from_deg(deg).sin();
 
     // 1 to 4: equal masses, and 10 g on 30 g.
-    claim(1, "but [half] of the energy would be gone", 2.0 * 1.0 / 4.0);
     claim(
         1,
-        "three times the mass needs a [third] of the speed",
-        10.0 / 30.0,
+        "but [half] of the energy would be missing",
+        2.0 * 1.0 / 4.0,
     );
     claim(
+        1,
+        "three times the mass, so it has a [third] of the speed",
+        10.0 / 30.0,
+    );
+    // As on the table, in a contact of a millisecond.
+    let slowing = 0.12 * 9.80665;
+    claim(1, "may slow a disc by [1.2] m/s in a second.", slowing);
+    claim(1, "that is only [0.0012] m/s.", slowing / 1000.0);
+    claim(
         2,
-        "[60]° and 30°: there is a right angle",
+        "[60]° and 30° make a right angle",
         degrees(equal(30.0).theta1),
     );
     claim(
         2,
-        "60° and [30]°: there is a right angle",
+        "60° and [30]° make a right angle",
         degrees(equal(30.0).theta2),
     );
     claim(3, "number answer=[90]", degrees(equal(40.0).separation));
     claim(
         4,
-        "[half] of the energy, even this far off-centre",
+        "[half] of it, even this far off-centre",
         share_of_target(equal(45.0)),
     );
     claim(
@@ -175,20 +183,20 @@ fn claims() -> Vec<Claim> {
     let uneven = after(30.0, 10.0, 2.0, 60.0, 1.0);
     let came = uneven.normal.unwrap().x * 2.0;
     let across = uneven.v1.dot(uneven.tangent.unwrap());
-    claim(5, "The striker keeps 20/40 of its [1.00]:", came);
+    claim(5, "The striker keeps 20/40 of its [1.00] m/s:", came);
     claim(
         5,
-        "The striker keeps [20]/40 of its 1.00:",
+        "The striker keeps [20]/40 of its 1.00 m/s:",
         40.0 * along(&uneven) / came,
     );
     claim(
         5,
-        "(Adding the parts would give [2.23],",
+        "(The sum of the components, [2.23] m/s,",
         along(&uneven) + across,
     );
     claim(
         5,
-        "the striker keeps the other [quarter]",
+        "The striker keeps the other [quarter]",
         1.0 - share_of_target(equal(30.0)),
     );
 
@@ -196,27 +204,50 @@ fn claims() -> Vec<Claim> {
     let marbles = after(20.0, 40.0, 3.0, 45.0, 1.0);
     let came = 3.0 * sine(45.0);
     claim(6, "or minus one [third]", -along(&marbles) / came);
-    claim(6, "The heavy one gets 40/60 of [2.12]", came);
+    claim(6, "The heavy puck gets 40/60 of [2.12] m/s", came);
     claim(
         6,
-        "The heavy one gets [40]/60 of 2.12",
+        "The heavy puck gets [40]/60 of 2.12 m/s",
         60.0 * marbles.v2.length() / came,
     );
-    claim(6, "$t_x$ and $t_y$ are [0.71],", marbles.normal.unwrap().x);
-    claim(6, "and $n_y$ is [−0.71].", marbles.normal.unwrap().y);
+    claim(6, "$t_x$ and $t_y$ are [0.707],", marbles.normal.unwrap().x);
+    claim(6, "and $n_y$ is [−0.707].", marbles.normal.unwrap().y);
     let heavy = after(40.0, 20.0, 3.0, 45.0, 1.0);
-    claim(6, "with a [third] of what it had", along(&heavy) / came);
+    claim(
+        6,
+        "the heavy puck keeps a [third] of its velocity",
+        along(&heavy) / came,
+    );
+    // Rolling balls keep their spin in the collision and roll again in the end: 5/7 of the
+    // velocity after it, and 2/7 of the velocity before it.
+    let ball = equal(30.0);
+    claim(
+        6,
+        "at α = [30]° equal balls end up at 34°, not 60°.",
+        degrees(ball.theta2),
+    );
+    let rolling = 5.0 / 7.0 * ball.v1 + 2.0 / 7.0 * DVec2::new(1.0, 0.0);
+    claim(
+        6,
+        "at α = 30° equal balls end up at [34]°, not 60°.",
+        deg_from_rad(rolling.to_angle()),
+    );
+    claim(
+        6,
+        "at α = 30° equal balls end up at 34°, not [60]°.",
+        degrees(ball.theta1),
+    );
 
     // 7 and 8
     claim(
         7,
-        "Yes: 90° less [20]°.",
+        "Yes: $90 deg - [20] deg$.",
         90.0 - degrees(equal(20.0).theta1),
     );
     claim(7, "By [140]°.", 180.0 - 2.0 * 20.0);
     claim(
         7,
-        "but [three quarters] are handed over",
+        "the striker transfers [three quarters] of its energy",
         share_of_target(equal(30.0)),
     );
     claim(8, "It is not 0.6 of 90°, which would be [54]°", 0.6 * 90.0);
@@ -227,14 +258,14 @@ fn claims() -> Vec<Claim> {
     );
 
     // 9: weighing.
-    claim(9, "$sin 153.4 deg$ is [0.447]", sine(63.435 + 2.0 * 45.0));
-    claim(9, "$sin 63.4 deg$ is [0.894]", sine(63.435));
+    claim(9, "$sin 153.4 deg$ is [0.448]", sine(153.4));
+    claim(9, "$sin 63.4 deg$ is [0.894]", sine(63.4));
     let unknown = after(15.0, 10.0, 4.0, 35.0, 1.0);
     let (theta1, theta2) = (degrees(unknown.theta1), degrees(unknown.theta2));
     let ratio = sine(theta1 + 2.0 * theta2) / sine(theta1);
     claim(9, "number answer=[10]", 15.0 / ratio);
-    claim(9, "15 g divided by [1.5]: 10 g.", ratio);
-    claim(9, "15 g divided by 1.5: [10] g.", 15.0 / ratio);
+    claim(9, "15 g divided by [1.50]: 10 g.", ratio);
+    claim(9, "15 g divided by 1.50: [10] g.", 15.0 / ratio);
 
     // 10: shots without aiming.
     let on_board = Beam::Board.share_beyond(rad_from_deg(60.0));
@@ -246,11 +277,14 @@ fn claims() -> Vec<Claim> {
         rad_from_deg(60.0).cos(),
     );
     let in_space = Beam::Space.share_beyond(rad_from_deg(60.0));
-    claim(10, "Half the radius is a [quarter] of the area", in_space);
+    claim(
+        10,
+        "Half the radius gives a [quarter] of the area",
+        in_space,
+    );
     // Gold.
     let gold = Rutherford::radium_c_on_gold();
     let d = gold.head_on_approach;
-    claim(10, "Gold is [49] times as heavy", 197.0 / 4.0);
     claim(
         10,
         "number answer=[90]",
@@ -269,13 +303,13 @@ fn claims() -> Vec<Claim> {
     let charged = Rutherford::new(2.0, 2.0 * GOLD_CHARGE, RADIUM_C_ENERGY).head_on_approach;
     claim(
         10,
-        "A nucleus of twice the charge: [four times] the count.",
+        "Twice the charge of the nucleus: [four times] the count.",
         (charged / d).powi(2),
     );
     let thicker = gold_foil(RADIUM_C_ENERGY, 4.2e-7);
     claim(
         10,
-        "A foil twice as thick: [twice] the count.",
+        "Twice the thickness of the foil: [twice] the count.",
         at_60(thicker),
     );
     // What was counted in 1913.
@@ -284,12 +318,12 @@ fn claims() -> Vec<Claim> {
     let (low, high) = Series::new(&angles, |angle| angle.gold).unwrap().band();
     claim(
         10,
-        "at angles φ from [15]° to 150°",
+        "at angles Θ from [15]° to 150°",
         deg_from_rad(most.angle),
     );
     claim(
         10,
-        "at angles φ from 15° to [150]°",
+        "at angles Θ from 15° to [150]°",
         deg_from_rad(least.angle),
     );
     claim(10, "fell from [132 000] to 33.1", most.gold);
@@ -297,6 +331,9 @@ fn claims() -> Vec<Claim> {
     claim(10, "falls by a factor of [4000]", most.gold / least.gold);
     claim(10, "within [−15] % and +23 % of its mean", 100.0 * low);
     claim(10, "within −15 % and +[23] % of its mean", 100.0 * high);
+    let (low, high) = Series::new(&angles, |angle| angle.silver).unwrap().band();
+    claim(10, "the range is [−15] % to +41 %", 100.0 * low);
+    claim(10, "the range is −15 % to +[41] %", 100.0 * high);
     // Shares of the thin foil.
     let law = gold_foil(RADIUM_C_ENERGY, 2.1e-7);
     claim(
@@ -316,9 +353,9 @@ fn claims() -> Vec<Claim> {
     );
 
     // 11 and 12
-    claim(11, "[60] g m/s shared by 60 g", 20.0 * 3.0);
-    claim(11, "60 g m/s shared by [60] g", 20.0 + 40.0);
-    claim(11, "That is one [half], and", 10.0 / 20.0);
+    claim(11, "[60] g m/s divided by 60 g", 20.0 * 3.0);
+    claim(11, "60 g m/s divided by [60] g", 20.0 + 40.0);
+    claim(11, "This is one [half], and", 10.0 / 20.0);
     claim(
         11,
         "The [21.5]° of chapter 8",
@@ -335,7 +372,7 @@ fn claims() -> Vec<Claim> {
     let came = 3.0 * rad_from_deg(35.0).cos();
     claim(
         12,
-        "At e = 0 it keeps [half] of its part along n",
+        "At e = 0 it keeps [half] of its component along n",
         along(&soft) / came,
     );
     claims

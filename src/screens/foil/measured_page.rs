@@ -57,9 +57,9 @@ fn series() -> Result<[Option<Series>; 2], String> {
     Ok(METALS.map(|metal| Series::new(&angles, metal.count)))
 }
 
-/// The counts: against 1/sin⁴(φ/2), or as what they are above the law.
+/// The counts: against 1/sin⁴(Θ/2), or as what they are above the law.
 pub(super) fn picture(levelled: bool, area: Rect, look: Look) -> Picture {
-    let law = Axis::log("1/sin⁴(φ/2), small φ right", 1.0, 5000.0);
+    let law = Axis::log("1/sin⁴(Θ/2), small Θ right", 1.0, 5000.0);
     let mut plot = if levelled {
         let excess = Axis::linear("above the law (%)", -25.0, 50.0).every(25.0);
         Plot::new(area, look, law, excess)
@@ -149,12 +149,12 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
         Err(fault) => return panel.paragraph(fault, Role::Warn),
     };
     panel.paragraph(
-        "Hans Geiger and Ernest Marsden sat in the dark and counted by eye the flashes of single α particles on a screen, at one angle φ after another.",
+        "Hans Geiger and Ernest Marsden sat in the dark and counted by eye the flashes of single α particles on a screen, at one angle Θ after another.",
         Role::Text,
     );
     panel.gap();
     panel.paragraph(
-        "If all the charge of an atom sits in one small place, the counts must grow as 1/sin⁴(φ/2): the straight lines.",
+        "If all the charge of an atom sits in one small place, the counts must grow as 1/sin⁴(Θ/2): the straight lines.",
         Role::Text,
     );
     panel.gap();
@@ -164,7 +164,7 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
     let ((low, high), (silver_low, silver_high)) = (gold.band(), silver.band());
     panel.paragraph(
         format!(
-            "The counts for gold go from {least} to {}, a factor of {}, and stay between {} and {} of the law. The difference is real: at small angles the counts are too high. Silver: {} to {}. The second plot enlarges it.",
+            "The counts for gold go from {least} to {}, a factor of {}, and stay between {} and {} of the law. Silver: {} to {}. Both are too high at small angles; Geiger and Marsden thought that this was probably within their errors. The second plot enlarges it.",
             words::count(most as u64),
             words::count(words::rounded(most / least) as u64),
             signed(low),
