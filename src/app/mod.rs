@@ -37,7 +37,7 @@ use crate::screens::{
     table::Table,
 };
 use crate::widgets::input::KeyTable;
-use crate::widgets::{Outcome, PictureSizes};
+use crate::widgets::{Outcome, Palette, PictureSizes};
 
 use layer::AppLayer;
 
@@ -156,6 +156,15 @@ impl App {
         app
     }
 
+    /// The name of where one is and how many screens are open, the first one among them. By the
+    /// name [`Data::place`] finds the same again, as far as it can be left and come back to.
+    pub fn address(&self) -> (String, usize) {
+        let cx = &self.context;
+        let top = self.stack.last().map(|screen| screen.place(cx));
+        let address = top.map_or_else(String::new, |place| route::address(&place, cx));
+        (address, self.stack.len())
+    }
+
     /// What the player has set.
     pub fn settings(&self) -> &Settings {
         &self.context.settings
@@ -164,6 +173,19 @@ impl App {
     /// What the player has set, to be changed.
     pub fn settings_mut(&mut self) -> &mut Settings {
         &mut self.context.settings
+    }
+
+    /// What the player's system would have: it holds for what the player has not chosen.
+    pub fn prefer(&mut self, palette: Palette, reduced_motion: bool) {
+        let preferred = Settings {
+            palette,
+            reduced_motion,
+            ..self.context.settings.clone()
+        };
+        self.context.settings = match &self.context.kept {
+            Some(kept) => kept.over(preferred),
+            None => preferred,
+        };
     }
 
     /// Gives pictures sizes of their own, whatever the size of the screen: for a page that
@@ -519,6 +541,11 @@ impl App {
             },
             Place::Quiz { code: Some(code) } => hosted(Quiz::new(code)),
             Place::Quiz { code: None } => hosted(Choosing::ask(cx)),
+            Place::OpenRound {
+                code,
+                answers,
+                is_explained,
+            } => hosted(Quiz::left_at(code, &answers, is_explained, cx)),
             Place::Levels => hosted(Levels::new(cx)),
             Place::Level { number } => match LevelPlay::new(number, cx) {
                 Some(play) => hosted(play),

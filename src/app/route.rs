@@ -1,8 +1,9 @@
 //! Places by their names, as the command line and links have them.
 
 use super::Data;
-use crate::quiz::Code;
-use crate::screens::Place;
+use crate::physics::CollisionSpec;
+use crate::quiz::{Answer, Code, CourseKind};
+use crate::screens::{Context, FoilPage, Place};
 
 impl Data {
     /// The place of this name. `value` is what is to be seen there, a chapter, a level or the
@@ -15,15 +16,33 @@ impl Data {
             "home" => Place::Home,
             "learn" | "lesson" if value.is_empty() => Place::Learn,
             "learn" | "lesson" => {
-                let number = self.book.library().find(value);
                 let expected =
                     "the number or the name of a chapter, such as 2 or the-line-of-impact";
-                Place::Chapter {
-                    number: number.ok_or(expected)?,
+                let (name, page) = value.split_once(':').unwrap_or((value, ""));
+                let number = self.book.library().find(name).ok_or(expected)?;
+                match page
+                    .parse()
+                    .ok()
+                    .and_then(|page: usize| page.checked_sub(1))
+                {
+                    Some(page) => Place::Page { number, page },
+                    None => Place::Chapter { number },
                 }
             }
-            "lab" => Place::Lab,
-            "foil" => Place::Foil,
+            "lab" if value.is_empty() => Place::Lab,
+            "lab" => Place::LabOf {
+                setup: CollisionSpec::from_link(value)?,
+            },
+            "foil" if value.is_empty() => Place::Foil,
+            "foil" => {
+                let page = value
+                    .parse()
+                    .ok()
+                    .and_then(|page: usize| page.checked_sub(1));
+                let page = page.and_then(|page| FoilPage::ALL.get(page));
+                let page = *page.ok_or("a page of the foil, 1 to 3")?;
+                Place::FoilAt { page }
+            }
             "table" => Place::Table,
             "quiz" => Place::Quiz {
                 code: self.round(value)?,
@@ -59,5 +78,177 @@ impl Data {
         }
         let code = Code::parse(code).ok_or("the code of a round, such as mixed-7")?;
         code.with_own(&self.own).map(Some)
+    }
+}
+
+/// What stands between the address of a round and the answers that were given in it.
+const ANSWERS: &str = "&said=";
+
+/// The name of a place, by which [`Data::place`] finds it again; with the answers behind
+/// [`ANSWERS`], where they can be given again.
+pub(super) fn address(place: &Place, cx: &Context) -> String {
+    let named = |name: &str, value: &str| match value {
+        "" => name.to_owned(),
+        value => format!("{name}={value}"),
+    };
+    let round = |name: &str, code: &Code| match code.course.kind {
+        // What is due is another matter at every review.
+        CourseKind::Review(_) => name.to_owned(),
+        _ => named(name, &code.to_string()),
+    };
+    let chapter = |number: usize| cx.book.chapter(number).map_or("", |it| &it.id);
+    match place {
+        Place::Home => String::new(),
+        Place::Lab => "lab".into(),
+        Place::LabOf { setup } => named("lab", &setup.to_link()),
+        Place::Learn => "learn".into(),
+        Place::Chapter { number } => named("lesson", chapter(*number)),
+        Place::Page { number, page } => format!("lesson={}:{}", chapter(*number), page + 1),
+        Place::Quiz { code: None } => "quiz".into(),
+        Place::Quiz { code: Some(code) } => round("quiz", code),
+        Place::OpenRound {
+            code,
+            answers,
+            is_explained,
+        } => {
+            let address = round("quiz", code);
+            if answers.is_empty() || matches!(code.course.kind, CourseKind::Review(_)) {
+                return address;
+            }
+            let answers: Vec<_> = answers.iter().map(|it| it.to_text()).collect();
+            let said = answers.join(";").replace(' ', "+");
+            let explained = if *is_explained { ";" } else { "" };
+            format!("{address}{ANSWERS}{said}{explained}")
+        }
+        Place::Class { code: None, .. } | Place::Host { code: None, .. } => "class".into(),
+        Place::Class {
+            code: Some(code), ..
+        }
+        | Place::Host {
+            code: Some(code), ..
+        } => round("class", code),
+        Place::Join { code: None, .. } => "join".into(),
+        Place::Join {
+            code: Some(code), ..
+        } => format!("code={code}"),
+        Place::Foil => "foil".into(),
+        Place::FoilAt { page } => match page {
+            FoilPage::Tracks => "foil".into(),
+            page => format!("foil={}", *page as usize + 1),
+        },
+        Place::Table => "table".into(),
+        Place::Progress => "progress".into(),
+        Place::Settings => "settings".into(),
+        Place::Levels => "levels".into(),
+        Place::Level { number } => {
+            let level = cx.shelf.get(*number);
+            level.map_or("levels".into(), |(pack, level)| {
+                format!("level={}/{}", pack.name, level.id)
+            })
+        }
+    }
+}
+
+impl Place {
+    /// A round with the answers that its address says were given in it.
+    ///
+    /// # Errors
+    /// What was expected instead.
+    pub fn with_answers(self, said: &str) -> Result<Self, String> {
+        let Self::Quiz { code: Some(code) } = self else {
+            return Err("answers only behind the code of a round".into());
+        };
+        let is_explained = said.ends_with(';');
+        let said = said.split(';').filter(|said| !said.is_empty());
+        let answers: Option<_> = said.map(Answer::parse).collect();
+        Ok(Self::OpenRound {
+            code,
+            answers: answers.ok_or("answers such as choice 2 sure")?,
+            is_explained,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::App;
+    use crate::messages::{Input, Key};
+    use crate::screens::Settings;
+
+    fn opened(place: Place) -> App {
+        App::new(place, Settings::default(), 1)
+    }
+
+    /// What a link of this address opens.
+    fn linked(address: &str) -> App {
+        let (address, said) = address.split_once(ANSWERS).unwrap_or((address, ""));
+        let (name, value) = address.split_once('=').unwrap_or((address, ""));
+        let place = Data::default().place(name, value).expect(address);
+        opened(match said {
+            "" => place,
+            said => place.with_answers(&said.replace('+', " ")).expect(said),
+        })
+    }
+
+    #[test]
+    fn every_screen_is_found_again_by_its_address() {
+        for address in [
+            "home",
+            "lab",
+            "lab=m2:5.5,b:12,e:0.8",
+            "learn",
+            "lesson=the-line-of-impact",
+            "lesson=the-line-of-impact:3",
+            "quiz",
+            "quiz=mixed-7",
+            "class",
+            "join",
+            "foil",
+            "foil=2",
+            "table",
+            "levels",
+            "level=first-hits/dead-stop",
+            "progress",
+            "settings",
+        ] {
+            let (found, depth) = linked(address).address();
+            let expected = if address == "home" { "" } else { address };
+            assert_eq!(found, expected);
+            assert!((1..=3).contains(&depth), "{address}: {depth}");
+        }
+    }
+
+    /// A round goes on at the same question with the answers that were given, also where the next
+    /// question follows from them.
+    #[test]
+    fn a_round_goes_on_where_it_was_left() {
+        for code in ["mixed-7", "find-out-3", "exam-4", "hits-2"] {
+            let mut app = linked(&format!("quiz={code}"));
+            app.update(&Input::Resize(120, 40));
+            for _ in 0..12 {
+                for key in [Key::Char('1'), Key::Enter, Key::Enter] {
+                    app.update(&Input::Key(key));
+                    let (address, _) = app.address();
+                    let again = linked(&address);
+                    assert_eq!(again.address().0, address);
+                    let status = |app: &App| {
+                        let top = app.stack.last().expect("a screen");
+                        top.status(&app.context)
+                    };
+                    assert_eq!(status(&again), status(&app), "{address}");
+                }
+            }
+            assert!(app.address().0.contains(ANSWERS), "{code}");
+        }
+    }
+
+    #[test]
+    fn answers_that_do_not_fit_are_left_out() {
+        let address = "quiz=mixed-7&said=choice+99+sure;choice+1+sure";
+        assert_eq!(linked(address).address().0, "quiz=mixed-7");
+        let round = || Data::default().place("quiz", "mixed-7").expect("a round");
+        assert!(round().with_answers("rays nan still sure").is_err());
+        assert!(Place::Lab.with_answers("choice 1 sure").is_err());
     }
 }

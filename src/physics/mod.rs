@@ -23,6 +23,7 @@ pub mod rutherford;
 mod shot;
 mod slide;
 mod spec;
+mod spec_link;
 pub mod units;
 pub(crate) mod worked;
 

@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::view::{Part, View};
-use super::{Context, Next, Screen};
+use super::{Context, Next, Place, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::{Panel, Placed, Writing};
@@ -65,6 +65,8 @@ enum Pressed<A> {
 pub trait AnyScreen {
     /// See [`Screen::title`].
     fn title(&self) -> String;
+    /// See [`Screen::place`].
+    fn place(&self, cx: &Context) -> Place;
     /// See [`Screen::status`].
     fn status(&self, cx: &Context) -> String;
     /// The keys that mean something just now, as the player has them: the screen's own,
@@ -340,6 +342,10 @@ impl<S: Screen> Hosted<S> {
 impl<S: Screen> AnyScreen for Hosted<S> {
     fn title(&self) -> String {
         self.screen.title()
+    }
+
+    fn place(&self, cx: &Context) -> Place {
+        self.screen.place(cx)
     }
 
     fn status(&self, cx: &Context) -> String {

@@ -29,7 +29,7 @@ pub use context::Context;
 pub use hosted::{AnyScreen, Hosted, SharedAction};
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use join::{code_of, host_of};
-pub use place::Place;
+pub use place::{FoilPage, Place};
 pub use settings::{KeptSettings, Settings};
 pub use view::View;
 
@@ -48,6 +48,11 @@ pub trait Screen {
 
     /// Its name for the title line, in lower case.
     fn title(&self) -> String;
+
+    /// Where one comes back to what is shown here, as far as that has a name.
+    fn place(&self, _cx: &Context) -> Place {
+        Place::Home
+    }
 
     /// The rest of the title line: what is set up.
     fn status(&self, _cx: &Context) -> String {

@@ -2,7 +2,7 @@
 
 use crate::class::DoorCode;
 use crate::physics::CollisionSpec;
-use crate::quiz::Code;
+use crate::quiz::{Answer, Code};
 
 /// A screen to open, with what it is to show.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +34,15 @@ pub enum Place {
     Quiz {
         /// The code of the round to play; with `None` one is chosen there.
         code: Option<Code>,
+    },
+    /// A round of the quiz that goes on where it was left.
+    OpenRound {
+        /// The code of the round.
+        code: Code,
+        /// What has been answered, in the order of its questions. It is noted already.
+        answers: Vec<Answer>,
+        /// Whether the last of them is still being explained.
+        is_explained: bool,
     },
     /// A round for a class round one screen.
     Class {

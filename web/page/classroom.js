@@ -53,7 +53,7 @@ const classroom = (() => {
 
   // What this page opens with: who was in this class before is not asked again.
   function fragment() {
-    const given = location.hash.slice(1);
+    const given = address.fragment();
     if (!isHere()) return given;
     if (/^plain(&|$)/.test(given)) {
       return `plain&${placeHere(given.replace(/^plain&?/, ""))}`;
@@ -65,7 +65,7 @@ const classroom = (() => {
   function placeHere(given) {
     const before = kept();
     const link = /(^|&)code=([^&]*)/.exec(given);
-    if (before && (!given || (link && link[2].toUpperCase() === before.code))) {
+    if (before && (!given || given === "join" || (link && link[2].toUpperCase() === before.code))) {
       return `player=${encodeURIComponent(before.name)}&code=${before.code}&again`;
     }
     return given || "join";

@@ -77,6 +77,7 @@ const input = (() => {
       return node;
     });
     document.getElementById("choices").replaceChildren(...choices);
+    document.querySelector("[data-does=share]").hidden = !navigator.share;
     document.getElementById("menu").showModal();
   }
 
@@ -269,5 +270,11 @@ const input = (() => {
     return [primary, row];
   }
 
-  return { start, show, key };
+  // Goes back, or leaves what lies over the screen.
+  function back() {
+    const row = last.find(({ id, keys }) => id === "everywhere.back" || keys[0] === "Escape");
+    key(row ? row.keys[0] : "Escape");
+  }
+
+  return { start, show, key, back };
 })();

@@ -12,6 +12,10 @@ const page = (() => {
   // The most bytes of a file that is opened. A progress.db has about 200 for each answer.
   const LARGEST = 64 * 2 ** 20;
 
+  // What the player's system would have.
+  const LIGHT = matchMedia("(prefers-color-scheme: light)");
+  const STILL = matchMedia("(prefers-reduced-motion: reduce)");
+
   // For tests: when the first frame was there, frames drawn, and how often the page woke.
   const seen = { first: 0, frames: 0, wakes: 0 };
 
@@ -28,7 +32,7 @@ const page = (() => {
     classroom.start(speak);
     addEventListener("resize", fit);
     (self.visualViewport || self).addEventListener("resize", fit);
-    addEventListener("hashchange", reopen);
+    address.start({ back, reopen });
     addEventListener("dragover", (event) => event.preventDefault());
     addEventListener("drop", (event) => {
       event.preventDefault();
@@ -39,6 +43,9 @@ const page = (() => {
       chooser.value = "";
     });
     menu.addEventListener("click", chosen);
+    for (const query of [LIGHT, STILL]) {
+      query.addEventListener("change", () => speak({ do: "prefer", light: LIGHT.matches, still: STILL.matches }));
+    }
     // What could not be kept is lost with the page.
     addEventListener("beforeunload", (event) => {
       if (!last.owed) return;
@@ -59,6 +66,13 @@ const page = (() => {
 
   const reopen = () => open().catch(fail);
 
+  // The browser's own way back.
+  function back() {
+    if (menu.open) menu.close();
+    else if (isPlain) speak({ do: "line", text: "back" });
+    else input.back();
+  }
+
   async function open() {
     const kept = await keeper.files();
     const own = kept.filter(([path]) => path.startsWith("own/") || path === "settings.toml");
@@ -67,11 +81,10 @@ const page = (() => {
     for (const [path, text] of given) own.push([path, encoder.encode(text)]);
     const packed = keeper.packed(own);
     measure();
-    const wants = (what) => matchMedia(`(prefers-${what})`).matches;
     const reply = program.call({
       do: "open", fragment: classroom.fragment(), ...room(), own: packed.files,
       seed: crypto.getRandomValues(new Uint32Array(1))[0] % 1000000,
-      light: wants("color-scheme: light"), still: wants("reduced-motion: reduce"),
+      light: LIGHT.matches, still: STILL.matches,
     }, packed.bytes);
     const all = keeper.packed(kept);
     program.tellTime();
@@ -81,6 +94,7 @@ const page = (() => {
     game.hidden = isPlain;
     document.getElementById("plain").hidden = !isPlain;
     body.style.overflow = isPlain ? "auto" : "";
+    body.classList.toggle("plain", isPlain);
     outdated = true;
     if (isPlain) plain.begin(speak);
     heed(reply);
@@ -137,6 +151,7 @@ const page = (() => {
   function heed(reply) {
     if (reply.fault) throw new Error(reply.fault);
     last = reply;
+    address.show(reply);
     for (const { name, content } of reply.downloads) give(name, content);
     for (const call of reply.calls) classroom.does(call);
     if (isPlain) plain.show(reply.lines);
@@ -145,15 +160,16 @@ const page = (() => {
     }
     // A page is not left: it begins again.
     if (reply.quit && isPlain) plain.over();
-    else if (reply.quit) {
-      if (location.hash) location.hash = "";
-      else reopen();
-    }
+    else if (reply.quit) reopen();
   }
 
   function kept(failed) {
+    // Without that a browser may drop what is kept when the disk is full.
+    if (!failed && !isAsked) navigator.storage?.persist?.()?.catch?.(() => {});
+    isAsked = true;
     speak({ do: "kept", failed });
   }
+  let isAsked = false;
 
   // Lets the time pass that has passed, while something moves.
   function pass() {
@@ -245,12 +261,30 @@ const page = (() => {
     if (does === "open") chooser.click();
     if (does === "type") typing.focus();
     if (does === "plain") location.hash = "plain";
+    if (does === "copy") copy(address.link());
+    if (does === "share") navigator.share({ title: document.title, url: address.link() }).catch(() => {});
     if (does === "take") {
       const { fault, files, bytes } = program.call({ do: "progress" });
       if (fault) tell(`Your progress cannot be read: ${fault}.`);
       else if (files.length) give("progress.db", bytes);
       else tell("There is no progress to download yet: answer a question first.");
     }
+  }
+
+  // Copies a text, also where a page may not write to the clipboard by itself.
+  async function copy(text) {
+    try {
+      await navigator.clipboard.writeText(text);
+    } catch {
+      const field = panels.make("textarea");
+      field.value = text;
+      document.body.append(field);
+      field.select();
+      const isCopied = document.execCommand("copy");
+      field.remove();
+      if (!isCopied) return tell(`It could not be copied. The link is ${text}`);
+    }
+    tell("The link is copied.");
   }
 
   const say = (text) => (words.textContent = text);
@@ -269,7 +303,7 @@ const page = (() => {
     draw();
   }
 
-  return { start, step, isReady: () => ready, seen: () => ({ ...seen }) };
+  return { start, step, copy, isReady: () => ready, seen: () => ({ ...seen }) };
 })();
 
 // For tests, which drive a carrom of their own with these.

@@ -245,6 +245,18 @@ const panels = (() => {
         return node;
       });
     }],
+    code: () => {
+      const text = make("span");
+      const link = make("a");
+      const copy = make("button", "", "Copy the link");
+      copy.type = "button";
+      pressed(copy, () => page.copy(link.href));
+      return [make("p", "code", text, link, copy), ([item]) => {
+        write(text, `${item.text}: `);
+        link.href = `#${item.address}`;
+        write(link, item.address.replace(/^.*=/, ""));
+      }];
+    },
     tab: () => {
       const node = make("div", "tabs");
       return [node, (items) => {
@@ -483,9 +495,29 @@ const panels = (() => {
     lastChosen = chosen;
     moveFocus();
     isFollowing = false;
+    announce(under);
     showLayer(over[over.length - 1]);
   }
   let lastChosen = null;
+
+  // Says what is new to whoever does not see it: another screen by its name, and sentences that
+  // were not there before; not that a number in them has changed, as a clock's does.
+  const news = document.getElementById("news");
+  let known = new Set(), fresh = [], called = "", timer = 0;
+  function announce({ title, sections }) {
+    const items = sections.flatMap((it) => it.items).filter((it) => it.is === "text" && it.chosen === null);
+    const sentences = items.map((it) => it.runs.map(({ text }) => text).join("").trim()).filter((text) => text.length > 2);
+    const shape = (text) => text.replace(/[\d.,]+/g, "0");
+    if (title !== called) fresh = [`${capital(title)}.`];
+    called = title;
+    fresh.push(...sentences.filter((text) => !known.has(shape(text))));
+    known = new Set(sentences.map(shape));
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      if (fresh.length) write(news, fresh.join(" ").slice(0, 600));
+      fresh = [];
+    }, 500);
+  }
 
   // Scrolling to what is seen anyway would move the place from which Tab goes on.
   function isSeen(node) {

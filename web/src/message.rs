@@ -57,6 +57,13 @@ pub enum Command {
         /// "none", "16", "256" or "truecolor".
         color: Option<String>,
     },
+    /// The player's system would have it light, or still.
+    Prefer {
+        /// Whether the player likes it light.
+        light: bool,
+        /// Whether the player does not like things to move.
+        still: bool,
+    },
     /// Draw the screen.
     Paint {
         /// The number of the last one that was painted: only what has changed since is told.
@@ -214,6 +221,10 @@ pub struct Reply {
     pub gone: Vec<String>,
     /// What is said in plain lines, or how a glyph is drawn.
     pub lines: Vec<String>,
+    /// The name of where one is, as a link has it; behind `&said=` the answers given there.
+    pub address: String,
+    /// How many screens are open.
+    pub depth: usize,
     /// Something that is wrong, in words.
     pub fault: Option<String>,
     /// The bytes of the files.

@@ -21,11 +21,7 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
         settings: kept.over(Settings {
             charset: Charset::Unicode,
             depth: Depth::True,
-            palette: if opening.light {
-                Palette::Light
-            } else {
-                Palette::Dark
-            },
+            palette: palette(opening.light),
             reduced_motion: opening.still,
             ..Settings::default()
         }),
@@ -55,6 +51,14 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
         app.tell(faults.join(" "));
     }
     app
+}
+
+/// The colours of a player who likes it light or dark.
+pub(crate) const fn palette(light: bool) -> Palette {
+    match light {
+        true => Palette::Light,
+        false => Palette::Dark,
+    }
 }
 
 /// Whether a link asks for plain lines.
@@ -89,6 +93,10 @@ impl LinkTarget {
                     code: Some(value.parse().map_err(|_| expected)?),
                     again: false,
                 };
+            }
+            "said" => {
+                let round = std::mem::replace(&mut self.place, Place::Home);
+                self.place = round.with_answers(value)?;
             }
             "again" => {
                 if let Place::Join { again, .. } = &mut self.place {

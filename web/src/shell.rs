@@ -147,6 +147,9 @@ impl Shell {
                 let depth = color.and_then(|name| name.parse().ok());
                 settings.depth = depth.unwrap_or(settings.depth);
             }
+            Command::Prefer { light, still } => {
+                self.app.prefer(opening::palette(light), still);
+            }
             Command::Paint { since } => told.painted = Some(self.paint(since)),
             Command::Files { files } => {
                 for answer in self.keeping.take_files(&split(&files, bytes)) {
@@ -251,11 +254,14 @@ impl Shell {
     fn reply(&mut self) -> Reply {
         let exports = self.keeping.store().take_exports().into_iter();
         let exports = exports.map(|(name, content)| Download { name, content });
+        let (address, depth) = self.app.address();
         Reply {
             wake_ms: self.app.wake().map(|wake| wake.as_secs_f64() * 1e3),
             keep: self.keeping.is_to_keep(),
             owed: self.keeping.owed(),
             quit: self.quit,
+            address,
+            depth,
             calls: self.calls.drain(..).map(call).collect(),
             downloads: self.downloads.drain(..).chain(exports).collect(),
             ..Reply::default()

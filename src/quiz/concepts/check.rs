@@ -10,6 +10,8 @@ const ENOUGH: usize = 8;
 /// By how many letters and by what factor a right choice may at most be longer or shorter
 /// than all others of its question.
 const STANDING_OUT: (usize, f64) = (8, 1.5);
+/// What a sentence ends with, also in Hindi and Bengali, in Chinese and in Arabic and Urdu.
+const STOPS: [char; 8] = ['.', '?', '!', '।', '。', '？', '！', '؟'];
 /// Words that make a choice sound wrong.
 const BROAD: [&str; 3] = ["always", "never", "nothing can"];
 
@@ -40,13 +42,13 @@ impl Concept {
             .into_iter()
             .chain(says)
         {
-            let end = text.trim_end_matches(['”', '"']);
-            if !end.ends_with(['.', '?', '!']) {
+            let end = text.trim_end_matches(['”', '"', '」', '»']);
+            if !end.ends_with(STOPS) {
                 found(field, format!("expected whole sentences, found \"{text}\""));
             }
         }
         for (text, _) in self.choices() {
-            if text.ends_with('.') {
+            if text.ends_with(['.', '।', '。']) {
                 found("choice", format!("expected no full stop after \"{text}\""));
             }
         }

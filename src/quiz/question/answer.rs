@@ -82,6 +82,20 @@ impl Answer {
     pub const fn new(said: Response, confidence: Confidence) -> Self {
         Self { said, confidence }
     }
+
+    /// The text of what is said, then how sure the player is: "choice 2 think-so".
+    pub fn to_text(self) -> String {
+        format!("{} {}", self.said.to_text(), self.confidence.id())
+    }
+
+    /// The answer of such a text; `None` if it is none.
+    pub fn parse(text: &str) -> Option<Self> {
+        let (said, confidence) = text.rsplit_once(' ')?;
+        Some(Self {
+            said: Response::parse(said)?,
+            confidence: Confidence::with_id(confidence)?,
+        })
+    }
 }
 
 #[cfg(test)]

@@ -31,7 +31,7 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::kept_files::KeptAction;
-use super::{Confirmation, Context, Next, Screen, View};
+use super::{Confirmation, Context, Next, Place, Screen, View};
 use crate::class::ClassRound;
 use crate::messages::{Input, Key, Mouse};
 use crate::quiz::Code;
@@ -223,6 +223,17 @@ impl Screen for Class {
 
     fn title(&self) -> String {
         "class".into()
+    }
+
+    fn place(&self, _cx: &Context) -> Place {
+        Place::Class {
+            code: match &self.scene {
+                ClassScene::Play(play) => Some(play.round().code().clone()),
+                _ => None,
+            },
+            teams: Vec::new(),
+            name: String::new(),
+        }
     }
 
     fn status(&self, _cx: &Context) -> String {

@@ -17,7 +17,7 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 
 use super::place::FoilPage;
-use super::{Context, Next, Screen, View};
+use super::{Context, Next, Place, Screen, View};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::quiz::Response;
 use crate::widgets::input::{FormAction, KeyTable, SettingsForm};
@@ -243,6 +243,10 @@ impl Screen for FoilScreen {
 
     fn title(&self) -> String {
         "foil".into()
+    }
+
+    fn place(&self, _cx: &Context) -> Place {
+        Place::FoilAt { page: self.page }
     }
 
     fn status(&self, _cx: &Context) -> String {

@@ -150,6 +150,11 @@ impl DoorForm {
         }
     }
 
+    /// The code of the class, once it is one.
+    pub(super) fn code(&self) -> Option<DoorCode> {
+        self.code.text().parse().ok()
+    }
+
     /// The entry, if it is complete.
     pub(super) fn entry(&mut self) -> Option<Entry> {
         let address = match &self.address {
@@ -164,7 +169,7 @@ impl DoorForm {
             },
             None => String::new(),
         };
-        let Ok(code) = self.code.text().parse::<DoorCode>() else {
+        let Some(code) = self.code() else {
             return self.refuse(
                 DoorRow::Code,
                 "The code is the six letters on the board, such as BCDFGH.",

@@ -14,7 +14,7 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::recall::Recall;
-use super::{Confirmation, Context, Next, Screen, Settings, SharedAction, View};
+use super::{Confirmation, Context, Next, Place, Screen, Settings, SharedAction, View};
 use crate::class::DoorCode;
 use crate::class::protocol::{PupilStep, Refusal};
 use crate::files::tidy_name;
@@ -164,6 +164,14 @@ impl Screen for Join {
 
     fn title(&self) -> String {
         "class".into()
+    }
+
+    fn place(&self, _cx: &Context) -> Place {
+        Place::Join {
+            address: None,
+            code: self.form.code(),
+            again: false,
+        }
     }
 
     fn status(&self, _cx: &Context) -> String {

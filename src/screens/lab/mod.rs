@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use ratatui::layout::Rect;
 
-use super::{Context, Next, Screen, Settings, View};
+use super::{Context, Next, Place, Screen, Settings, View};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::{CollisionSpec, Frame};
 use crate::quiz::{Rays, RaysGrade};
@@ -138,6 +138,15 @@ impl Screen for Lab {
 
     fn title(&self) -> String {
         "lab".into()
+    }
+
+    fn place(&self, _cx: &Context) -> Place {
+        match self.hides_mass() {
+            true => Place::Lab,
+            false => Place::LabOf {
+                setup: self.settings.setup,
+            },
+        }
     }
 
     fn status(&self, _cx: &Context) -> String {

@@ -176,6 +176,10 @@ impl Screen for Progress {
         "progress".into()
     }
 
+    fn place(&self, _cx: &Context) -> Place {
+        Place::Progress
+    }
+
     fn status(&self, cx: &Context) -> String {
         let player = text::clipped(&cx.settings.player, 24);
         match self.history() {

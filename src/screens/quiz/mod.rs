@@ -124,6 +124,37 @@ impl Quiz {
         quiz
     }
 
+    /// The round of a code that goes on after these answers, which are noted already.
+    /// `is_explained` if the last of them is still being explained. Answers that do not fit
+    /// their questions are left out, with all behind them.
+    pub(crate) fn left_at(
+        code: Code,
+        answers: &[Answer],
+        is_explained: bool,
+        cx: &Context,
+    ) -> Self {
+        let mut quiz = Self::new(code);
+        for answer in answers {
+            let question = quiz.round.questions().get(quiz.answers.len());
+            if question.is_none_or(|question| !question.form.accepts(&answer.said)) {
+                break;
+            }
+            quiz.answers.push(*answer);
+            quiz.round.go_on(&quiz.answers);
+        }
+        quiz.ask();
+        if let Some(last) = quiz.answers.len().checked_sub(1)
+            && is_explained
+            && !quiz.tells_at_end()
+        {
+            quiz.open(last, cx);
+            if let QuizPhase::Watch(watched) = &mut quiz.phase {
+                watched.opened = None;
+            }
+        }
+        quiz
+    }
+
     /// Asks the next question, or shows the summary after the last.
     fn ask(&mut self) {
         let phase = match self.round.questions().get(self.answers.len()) {
@@ -333,6 +364,14 @@ impl Screen for Quiz {
 
     fn title(&self) -> String {
         "quiz".into()
+    }
+
+    fn place(&self, _cx: &Context) -> Place {
+        Place::OpenRound {
+            code: self.round.code().clone(),
+            answers: self.answers.clone(),
+            is_explained: matches!(&self.phase, QuizPhase::Watch(it) if it.opened.is_none()),
+        }
     }
 
     fn status(&self, _cx: &Context) -> String {

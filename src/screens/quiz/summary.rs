@@ -42,22 +42,25 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
         let check = "check with two questions whether you still believe it";
         panel.prompt(check, QuizAction::Check);
     }
-    if let Some(command) = for_a_friend(quiz.round.code()) {
+    if let Some((text, command)) = for_a_friend(quiz.round.code()) {
         panel.worth(3, Panel::gap);
-        panel.paragraph(command, Role::Dim);
+        let address = format!("quiz={}", quiz.round.code());
+        panel.code(text, command, address);
     }
     panel
 }
 
 /// How a friend gets the same round; a review is personal.
-fn for_a_friend(code: &Code) -> Option<String> {
+fn for_a_friend(code: &Code) -> Option<(&'static str, String)> {
     match code.course.kind {
         CourseKind::Review(_) | CourseKind::Own(_) => None,
-        CourseKind::Hits => Some(format!(
-            "The same ten for a friend: carrom quiz --seed {code}"
+        CourseKind::Hits => Some((
+            "The same ten for a friend",
+            format!("carrom quiz --seed {code}"),
         )),
-        _ => Some(format!(
-            "The same round for a friend: carrom quiz --code {code}"
+        _ => Some((
+            "The same round for a friend",
+            format!("carrom quiz --code {code}"),
         )),
     }
 }

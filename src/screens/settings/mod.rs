@@ -10,7 +10,7 @@ pub use values::Settings;
 
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Context, Next, Screen, View};
+use super::{Context, Next, Place, Screen, View};
 use crate::files::tidy_name;
 use crate::game::is_player_name;
 use crate::messages::{Input, Key};
@@ -75,6 +75,10 @@ impl Screen for SettingsScreen {
 
     fn title(&self) -> String {
         "settings".into()
+    }
+
+    fn place(&self, _cx: &Context) -> Place {
+        Place::Settings
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<SettingsAction> {

@@ -18,7 +18,7 @@ use std::time::Duration;
 
 use ratatui::layout::Rect;
 
-use super::{Context, Next, Screen, View};
+use super::{Context, Next, Place, Screen, View};
 use crate::messages::{Input, Mouse};
 use crate::widgets::input::{FormAction, KeyTable, RayAction};
 use active_game::{
@@ -103,6 +103,10 @@ impl Screen for Table {
 
     fn title(&self) -> String {
         "table".into()
+    }
+
+    fn place(&self, _cx: &Context) -> Place {
+        Place::Table
     }
 
     fn status(&self, _cx: &Context) -> String {

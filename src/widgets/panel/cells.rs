@@ -338,6 +338,20 @@ fn write(content: &Content, lines: &mut Lines) {
         Content::Large(texts, role) => lines.large(texts, *role),
         Content::Line(text, role) => lines.line(text, *role),
         Content::Paragraph(text, role) => lines.paragraph(text, *role),
+        Content::Code {
+            text,
+            command,
+            address,
+        } => {
+            let recorded = |_| Words::Code {
+                text: text.clone(),
+                command: command.clone(),
+                address: address.clone(),
+            };
+            lines.written_as(recorded, |lines| {
+                lines.paragraph(&format!("{text}: {command}"), Role::Dim);
+            });
+        }
         Content::Fact { name, value, roles } => lines.pair(name, value, roles[0], roles[1]),
         Content::Columns { name, values } => {
             let values: Vec<_> = values

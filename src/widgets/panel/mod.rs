@@ -55,6 +55,13 @@ enum Content {
     Line(String, Role),
     /// A text.
     Paragraph(String, Role),
+    /// Something to be given to others: what it is, the command that opens it, and its
+    /// address for a link.
+    Code {
+        text: String,
+        command: String,
+        address: String,
+    },
     /// What something is called, and its value.
     Fact {
         name: String,
@@ -272,6 +279,21 @@ impl<A> Panel<A> {
     /// A text over as many rows as it takes.
     pub(crate) fn paragraph(&mut self, text: impl Into<String>, role: Role) {
         self.push(Content::Paragraph(text.into(), role));
+    }
+
+    /// Something to be given to others: what it is, the command that opens it, and its address,
+    /// which a page makes a link of.
+    pub(crate) fn code(
+        &mut self,
+        text: impl Into<String>,
+        command: impl Into<String>,
+        address: impl Into<String>,
+    ) {
+        self.push(Content::Code {
+            text: text.into(),
+            command: command.into(),
+            address: address.into(),
+        });
     }
 
     /// What something is called, and its value.

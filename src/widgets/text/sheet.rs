@@ -152,6 +152,15 @@ pub enum Words {
         /// Its colour.
         role: Role,
     },
+    /// Something to be given to others.
+    Code {
+        /// What it is.
+        text: String,
+        /// The command that opens it.
+        command: String,
+        /// The address that a link to it has behind its `#`.
+        address: String,
+    },
     /// Words for the back row.
     Large {
         /// The words.

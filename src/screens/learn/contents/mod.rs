@@ -96,6 +96,10 @@ impl Screen for Contents {
         "learn".into()
     }
 
+    fn place(&self, _cx: &Context) -> Place {
+        Place::Learn
+    }
+
     fn status(&self, cx: &Context) -> String {
         if !cx.book.is_known() {
             return String::new();

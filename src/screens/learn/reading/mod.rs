@@ -325,6 +325,17 @@ impl Screen for Reading {
         format!("{} {}", self.chapter.number, self.chapter.title)
     }
 
+    fn place(&self, _cx: &Context) -> Place {
+        let number = self.number;
+        match self.visited {
+            Some(_) => Place::Page {
+                number,
+                page: self.at,
+            },
+            None => Place::Chapter { number },
+        }
+    }
+
     fn status(&self, _cx: &Context) -> String {
         match self.open {
             Some(_) => format!("page {} of {}", self.at + 1, self.chapter.pages.len()),

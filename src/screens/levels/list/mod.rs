@@ -64,6 +64,10 @@ impl Screen for Levels {
         "levels".into()
     }
 
+    fn place(&self, _cx: &Context) -> Place {
+        Place::Levels
+    }
+
     fn status(&self, cx: &Context) -> String {
         let shelf = &cx.shelf;
         let won = (0..shelf.count()).filter(|number| shelf.stars(*number) > 0);

@@ -191,6 +191,12 @@ impl Screen for LevelPlay {
         self.level().title.clone()
     }
 
+    fn place(&self, _cx: &Context) -> Place {
+        Place::Level {
+            number: self.number,
+        }
+    }
+
     fn status(&self, cx: &Context) -> String {
         let place = format!("level {} of {}", self.number + 1, cx.shelf.count());
         match cx.shelf.stars(self.number) {

@@ -204,6 +204,10 @@ impl Screen for Choosing {
         "quiz".into()
     }
 
+    fn place(&self, _cx: &Context) -> Place {
+        Place::Quiz { code: None }
+    }
+
     fn status(&self, _cx: &Context) -> String {
         match self.due().now.len() {
             0 => "choose a round".into(),
