@@ -328,9 +328,9 @@ impl Screen for Reading {
     fn place(&self, _cx: &Context) -> Place {
         let number = self.number;
         match self.visited {
-            Some(_) => Place::Page {
+            Some(visited) => Place::Page {
                 number,
-                page: self.at,
+                page: self.open.as_ref().map_or(visited, |_| self.at),
             },
             None => Place::Chapter { number },
         }
