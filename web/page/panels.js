@@ -18,6 +18,8 @@ const panels = (() => {
     return node;
   }
 
+  // A question of one's own may be written from the right to the left.
+  const anyWay = (node) => Object.assign(node, { dir: "auto" });
   const write = (node, text) => node.textContent === text || (node.textContent = text);
   const mark = (node, kind, is) => node.classList.toggle(kind, Boolean(is));
   const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
@@ -151,13 +153,13 @@ const panels = (() => {
       let node = null;
       return [make("div", "text"), function ([{ runs: list }]) {
         const is = list.every(({ role }) => role === "title") ? "h3" : "p";
-        if (!node || node.localName !== is) this.replaceChildren((node = make(is)));
+        if (!node || node.localName !== is) this.replaceChildren((node = anyWay(make(is))));
         runs(node, list);
       }];
     },
     list: () => [make("ul", "list"), function (items) {
       sync(this, items, () => "li", () => {
-        const [sign, words] = [make("span", "mark"), make("span", "words")];
+        const [sign, words] = [make("span", "mark"), anyWay(make("span", "words"))];
         const node = make("li", "", sign, words);
         node.update = (item) => {
           write(sign, item.mark);
@@ -210,7 +212,7 @@ const panels = (() => {
     },
     choices: () => [make("div", "choices"), function (items) {
       sync(this, items, (item) => item.is, () => {
-        const [name, side] = [make("span", "name"), make("span", "side")];
+        const [name, side] = [anyWay(make("span", "name")), make("span", "side")];
         const node = button("choice", does);
         node.append(name, side);
         node.update = (item) => {
