@@ -173,17 +173,24 @@ const input = (() => {
     const node = panels.make("button", "", label);
     node.type = "button";
     node.dataset.key = name;
-    node.setAttribute("aria-label", help || label);
+    named(node, help || label, below);
     if (below) node.append(panels.make("small", "", below));
     if (below || name in ARROWS) panels.repeats(node, () => key(name));
     else panels.pressed(node, () => key(name));
     return node;
   }
 
+  // A button is called what is written on it, where that is words; the rest is its description.
+  function named(node, help, below = "") {
+    const isWords = /\p{L}{2}/u.test(node.textContent);
+    if (isWords && !below) node.title = help;
+    else node.setAttribute("aria-label", below && !help.includes(below) ? `${below}: ${help}` : help);
+  }
+
   function doing(kind, label, help, act) {
     const node = panels.make("button", kind, label);
     node.type = "button";
-    node.setAttribute("aria-label", help);
+    named(node, help);
     panels.pressed(node, act);
     return node;
   }

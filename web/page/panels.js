@@ -145,7 +145,10 @@ const panels = (() => {
       const node = make("div", "picture");
       return [node, ([{ number, shows = [] }]) => {
         const canvas = painter.canvas(number);
-        canvas.setAttribute("aria-label", shows.join(" "));
+        const title = node.closest("section")?.carromTitle || document.getElementById("title").textContent;
+        // Where a picture has no words of its own, those beside it say as much.
+        const words = shows.join(" ") || `Picture of the ${title}. The words beside it say what it shows.`;
+        canvas.setAttribute("aria-label", words);
         if (canvas.parentNode !== node) node.replaceChildren(canvas);
       }];
     },
@@ -490,10 +493,13 @@ const panels = (() => {
     sync(left, under.sections.filter((it) => isPicture(it)), () => "section", fresh);
     sync(right, under.sections.filter((it) => !isPicture(it)), () => "section", fresh);
     const at = [under.title, ...under.sections.map(({ title }) => title)].join("\n");
-    if (at !== wasAt) for (const node of [screen, left, right]) node.scrollTop = 0;
+    const isNew = at !== wasAt;
+    if (isNew) for (const node of [screen, left, right]) node.scrollTop = 0;
     wasAt = at;
     const chosen = screen.querySelector(".field.chosen, .choice.chosen");
-    if (chosen && chosen !== lastChosen && !isSeen(chosen)) chosen.scrollIntoView({ block: "nearest" });
+    // What is new is read from its top; a list shows what is marked in it.
+    const isSought = chosen && chosen !== lastChosen && !(isNew && chosen.matches(".field"));
+    if (isSought && !isSeen(chosen)) chosen.scrollIntoView({ block: "nearest" });
     lastChosen = chosen;
     moveFocus();
     isFollowing = false;
