@@ -70,9 +70,17 @@ fn back_goes_back_and_forward_finds_the_same_again() {
     expect_hash(&mut browser, "#levels&player=Ana");
     // A question that lies over the screen is left first.
     press(&mut browser, &["?"]);
-    expect(&mut browser, "return String(document.getElementById('layer').open)", "true");
+    expect(
+        &mut browser,
+        "return String(document.getElementById('layer').open)",
+        "true",
+    );
     browser.run("history.back()", &[]);
-    expect(&mut browser, "return String(document.getElementById('layer').open)", "false");
+    expect(
+        &mut browser,
+        "return String(document.getElementById('layer').open)",
+        "false",
+    );
     expect_hash(&mut browser, "#levels&player=Ana");
 }
 
@@ -126,6 +134,7 @@ fn a_link_opens_exactly_the_hit_it_was_taken_from() {
         assert!(shown.split(' ').any(|it| it == value), "{shown}");
     }
     let mut browser = opened("lab=m1:1e9");
-    let said = "return document.querySelector('#layer[open]')?.textContent.includes('expected') + ''";
+    let said =
+        "return document.querySelector('#layer[open]')?.textContent.includes('expected') + ''";
     expect(&mut browser, said, "true");
 }

@@ -34,7 +34,11 @@ fn answer(mut stream: std::net::TcpStream, folder: &Path) {
     if BufReader::new(&stream).read_line(&mut line).is_err() {
         return;
     }
-    let path = line.split(' ').nth(1).unwrap_or("/").trim_start_matches('/');
+    let path = line
+        .split(' ')
+        .nth(1)
+        .unwrap_or("/")
+        .trim_start_matches('/');
     let path = if path.is_empty() { "index.html" } else { path };
     let kind = match path.rsplit('.').next() {
         Some("html") => "text/html; charset=utf-8",
@@ -59,7 +63,8 @@ fn answer(mut stream: std::net::TcpStream, folder: &Path) {
 #[ignore = "needs the site: .ci/site builds it, and CARROM_TEST_SITE names it"]
 fn the_site_is_installed_and_plays_a_round_without_a_network() {
     let site = env::var_os("CARROM_TEST_SITE");
-    let site = PathBuf::from(site.expect("a site: .ci/site builds it, and CARROM_TEST_SITE names it"));
+    let site =
+        PathBuf::from(site.expect("a site: .ci/site builds it, and CARROM_TEST_SITE names it"));
     let (port, down) = serve(fs::canonicalize(site).unwrap());
     let mut browser = Chromium::start((390, 664), true);
     browser.open(&format!("http://localhost:{port}/"));
@@ -99,5 +104,11 @@ fn the_site_is_installed_and_plays_a_round_without_a_network() {
     }
     thread::sleep(Duration::from_millis(300));
     let screen = browser.run(SCREEN, &[]);
-    assert!(screen.as_str().unwrap().contains("The same round for a friend"), "{screen}");
+    assert!(
+        screen
+            .as_str()
+            .unwrap()
+            .contains("The same round for a friend"),
+        "{screen}"
+    );
 }

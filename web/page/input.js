@@ -19,6 +19,7 @@ const input = (() => {
   function start(speak) {
     say = speak;
     addEventListener("keydown", pressed);
+    addEventListener("resize", markEdge);
     addEventListener("paste", (event) => {
       const text = event.clipboardData.getData("text");
       if (text && isOurs(event)) say({ do: "paste", text });
@@ -163,9 +164,21 @@ const input = (() => {
     if (state.isCovered) return answers(rows);
     own = rows;
     const told = JSON.stringify([rows, state, digits]);
-    if (told !== shown) bar.replaceChildren(...layout(rows, state));
+    if (told !== shown) {
+      bar.replaceChildren(...layout(rows, state));
+      markEdge();
+    }
     shown = told;
     panels.leaveOut(likely);
+  }
+
+  // Fades the edge behind which there are more buttons.
+  function markEdge() {
+    const row = bar.querySelector(".row");
+    if (!row) return;
+    const fade = () => row.classList.toggle("more", row.scrollLeft + row.clientWidth < row.scrollWidth - 2);
+    row.addEventListener("scroll", fade, { passive: true });
+    fade();
   }
 
   // A button for a key, with what it does below or beside its name.

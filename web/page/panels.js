@@ -145,10 +145,7 @@ const panels = (() => {
       const node = make("div", "picture");
       return [node, ([{ number, shows = [] }]) => {
         const canvas = painter.canvas(number);
-        const title = node.closest("section")?.carromTitle || document.getElementById("title").textContent;
-        // Where a picture has no words of its own, those beside it say as much.
-        const words = shows.join(" ") || `Picture of the ${title}. The words beside it say what it shows.`;
-        canvas.setAttribute("aria-label", words);
+        canvas.carromShows = shows.join(" ");
         if (canvas.parentNode !== node) node.replaceChildren(canvas);
       }];
     },
@@ -291,7 +288,8 @@ const panels = (() => {
     },
   };
 
-  const isNumber = ({ value }) => /^[−-]?[\d.,]*_|^[−-]?\d/.test(value);
+  // "15.0 mm right", and not "15 g on 5.5 g", which is one of a few values.
+  const isNumber = ({ value }) => /^[−-]?[\d.,]*_|^[−-]?\d[\d.,]*\D*$/.test(value);
 
   // Chooses a field, unless it is chosen, or was since the last frame.
   let justChosen = null;
@@ -367,6 +365,7 @@ const panels = (() => {
         less.setAttribute("aria-label", `less ${item.name}`);
         more.setAttribute("aria-label", `more ${item.name}`);
         name.htmlFor = input.id = input.id || `field-${(count += 1)}`;
+        input.style.width = shown.length > 6 ? `${shown.length + 3}ch` : "";
         if (input.value === shown) return;
         input.value = shown;
         if (document.activeElement === input && !isTyped) input.select();
@@ -465,8 +464,12 @@ const panels = (() => {
       title.hidden = !told.title;
       mark(node, "pictured", told.items.some(({ is }) => is === "picture"));
       mark(node, "tabbed", told.items.every(({ is }) => is === "tab"));
-      node.carromTitle = told.title;
       drawItems(body, told.items);
+      for (const canvas of body.querySelectorAll("canvas")) {
+        // Where a picture has no words of its own, those beside it say as much.
+        const words = canvas.carromShows || `Picture: ${title.textContent}. The words beside it say what it shows.`;
+        canvas.setAttribute("aria-label", words);
+      }
     };
     return node;
   }
