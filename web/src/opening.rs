@@ -36,7 +36,11 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
             && faults.len() < MOST_FAULTS
         {
             let found = escape_control(&format!("{name}={value}"), LONGEST_QUOTE);
-            faults.push(format!("The link contains {found}: expected {expected}."));
+            let expected = match expected.contains("expected") {
+                true => expected,
+                false => format!("expected {expected}"),
+            };
+            faults.push(format!("The link contains {found}: {expected}."));
         }
     }
     // As on the command line: a seed alone means ten hits.

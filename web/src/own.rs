@@ -71,7 +71,7 @@ pub(crate) fn path(name: &str, bytes: &[u8]) -> Option<String> {
         () if name.ends_with(".md") => format!("lessons/{name}"),
         () if !name.ends_with(".toml") => return None,
         () if begins("[[disc]]") => format!("levels/own/{name}"),
-        () if begins("[[question]]") && !begins("teams") => format!("concepts/{name}"),
+        () if begins("[[item]]") && !begins("teams") => format!("concepts/{name}"),
         () => return None,
     })
 }
@@ -123,4 +123,27 @@ pub(crate) fn take_in(
         "carrom cannot open {name}. It opens progress.db, a saved game, a round of a class, a level, a \
          chapter and a file of questions."
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_kind_of_a_teachers_file_is_known_by_what_is_in_it() {
+        let questions = include_bytes!("../../assets/examples/questions/our-coins.toml");
+        let level = include_bytes!("../../assets/examples/levels/our-pack/a-glance.toml");
+        let chapter = include_bytes!("../../assets/examples/chapters/01-our-coins.md");
+        for (name, bytes, expected) in [
+            ("our-coins.toml", &questions[..], "concepts/our-coins.toml"),
+            ("a-glance.toml", level, "levels/own/a-glance.toml"),
+            ("01-our-coins.md", chapter, "lessons/01-our-coins.md"),
+        ] {
+            assert_eq!(path(name, bytes).as_deref(), Some(expected));
+        }
+        let own = data(&[("own/concepts/our-coins.toml".into(), questions.to_vec())]).own;
+        assert!(own.problems.is_empty() && !own.concepts.is_empty());
+        assert_eq!(path("saved.toml", b"format = 1\nmoves = []\n"), None);
+        assert_eq!(path("picture.png", b"\x89PNG"), None);
+    }
 }
