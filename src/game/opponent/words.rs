@@ -31,12 +31,13 @@ pub(super) enum Teller {
 
 /// Which pocket is in a corner, numbered as the engine does: "top right pocket".
 pub(super) const fn pocket(corner: usize) -> &'static str {
-    match corner {
-        0 => "bottom left pocket",
-        1 => "bottom right pocket",
-        2 => "top left pocket",
-        _ => "top right pocket",
-    }
+    let pockets = [
+        "bottom left pocket",
+        "bottom right pocket",
+        "top left pocket",
+        "top right pocket",
+    ];
+    pockets[corner & 3]
 }
 
 /// A side of a way, as it is seen on the screen.
@@ -66,22 +67,12 @@ impl Side {
 
     /// "45° to the left".
     const fn towards(self) -> &'static str {
-        match self {
-            Self::Left => "to the left",
-            Self::Right => "to the right",
-            Self::Above => "upwards",
-            Self::Below => "downwards",
-        }
+        ["to the left", "to the right", "upwards", "downwards"][self as usize]
     }
 
     /// "20 mm to the left of its centre".
     const fn beside(self) -> &'static str {
-        match self {
-            Self::Left => "to the left of",
-            Self::Right => "to the right of",
-            Self::Above => "above",
-            Self::Below => "below",
-        }
+        ["to the left of", "to the right of", "above", "below"][self as usize]
     }
 }
 

@@ -31,13 +31,9 @@ pub(super) fn face_of(scene: &Scene, disc: usize) -> Face {
 
 /// A disc of a scene in one word.
 pub(super) fn short(scene: &Scene, disc: usize) -> &'static str {
-    match scene.pieces.get(disc).map(|piece| piece.kind) {
-        Some(DiscKind::Striker) => "striker",
-        Some(DiscKind::White | DiscKind::Black) => "coin",
-        Some(DiscKind::Queen) => "queen",
-        Some(DiscKind::Marble) => "marble",
-        None => "disc",
-    }
+    let piece = scene.pieces.get(disc);
+    let name = piece.map_or("disc", |piece| piece.kind.name());
+    name.trim_start_matches("white ").trim_start_matches("black ")
 }
 
 /// What a dial is called on the screen, its unit, and what it sets, in a few words before

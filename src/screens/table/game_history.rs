@@ -6,8 +6,7 @@ use super::calls::Called;
 use super::computer_stroke::ComputerStroke;
 use crate::game::opponent::Story;
 use crate::game::{
-    ByTeam, Game, GameSetup, Move, MoveError, Piece, Record, RecordError, Ruling, Seat, Strike,
-    Stroke, Team,
+    Game, GameSetup, Move, MoveError, Piece, Record, RecordError, Ruling, Strike, Stroke,
 };
 use crate::physics::Shot;
 
@@ -56,14 +55,6 @@ impl Past {
     }
 }
 
-/// What the calls of a team have brought.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct CallTally {
-    pub(super) points: u32,
-    /// Points that could have been earned.
-    pub(super) most: u32,
-}
-
 impl GameHistory {
     pub(super) fn new(setup: GameSetup) -> Self {
         Self {
@@ -109,14 +100,14 @@ impl GameHistory {
         &self.record
     }
 
+    /// The moves that were made.
+    pub(super) fn moves(&self) -> &[Past] {
+        &self.past
+    }
+
     /// A move that was made, by its number from 0.
     pub(super) fn past(&self, number: usize) -> Option<&Past> {
         self.past.get(number)
-    }
-
-    /// The last move, if any was made.
-    pub(super) fn last(&self) -> Option<&Past> {
-        self.past.last()
     }
 
     /// How many moves were made.
@@ -204,19 +195,5 @@ impl GameHistory {
     /// The number of the first stroke from `number` on.
     pub(super) fn stroke_from(&self, number: usize) -> Option<usize> {
         (number..self.len()).find(|i| self.strike(*i).is_some())
-    }
-
-    /// What the calls have brought so far, to the team that calls the strokes from each
-    /// seat; they never count in the score.
-    pub(super) fn calls(&self, caller: impl Fn(&Game, Seat) -> Team) -> ByTeam<CallTally> {
-        let mut calls = ByTeam::<CallTally>::default();
-        for past in &self.past {
-            if let Some(called) = &past.called {
-                let tally = &mut calls[caller(&past.before, past.before.seat())];
-                tally.points += called.points();
-                tally.most += Called::MOST;
-            }
-        }
-        calls
     }
 }

@@ -50,8 +50,6 @@ enum TablePage {
 pub enum TableAction {
     /// On the page of a new game.
     NewGame(NewGameAction),
-    /// Its form.
-    Agree(FormAction),
     /// On the page of saved games.
     Saved(SavedGamesAction),
     /// In any phase of a game.
@@ -121,7 +119,7 @@ impl Screen for Table {
 
     fn keys(&self, _cx: &Context) -> KeyTable<TableAction> {
         match &self.page {
-            TablePage::NewGame(page) => page.keys(),
+            TablePage::NewGame(page) => page.keys().map(TableAction::NewGame),
             TablePage::SavedGames(page) => page.keys().map(TableAction::Saved),
             TablePage::Playing(playing) => playing.keys(),
         }
@@ -143,10 +141,8 @@ impl Screen for Table {
 
     fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
         match (&mut self.page, action) {
-            (TablePage::NewGame(page), TableAction::Agree(action)) => {
-                page.form.act(action, &mut page.options);
-            }
             (TablePage::NewGame(page), TableAction::NewGame(action)) => match action {
+                NewGameAction::Agree(action) => page.form.act(action, &mut page.options),
                 NewGameAction::Play => *self = Self::playing(page.options, cx.next_seed()),
                 NewGameAction::SavedGames => {
                     let saved = SavedGames::ask(page.options, cx);
@@ -198,10 +194,9 @@ impl Screen for Table {
 
     fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
         match &mut self.page {
-            TablePage::NewGame(page) => {
-                let action = FormAction::Choose(by.into());
-                page.form.act(action, &mut page.options);
-                Next::Stay
+            TablePage::NewGame(_) => {
+                let next = NewGameAction::Agree(FormAction::Choose(by.into()));
+                self.act(TableAction::NewGame(next), cx)
             }
             TablePage::SavedGames(page) => page.files.wheel(by, cx),
             TablePage::Playing(playing) => playing.wheel(by, cx),

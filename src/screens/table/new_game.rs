@@ -9,7 +9,7 @@ use crate::game::pack::pack;
 use crate::game::{Hands, PieceSet, Rules, Seat};
 use crate::messages::Key;
 use crate::screens::View;
-use crate::widgets::input::{Field, FieldValue, FormFields, KeyTable, SettingsForm};
+use crate::widgets::input::{Field, FieldValue, FormAction, FormFields, KeyTable, SettingsForm};
 use crate::widgets::panel::Panel;
 
 /// The page: what is chosen, and the line that keys change.
@@ -23,10 +23,12 @@ pub(super) struct NewGame {
 /// reads and what it is.
 type Agreement = (&'static str, Vec<(Options, String, &'static str)>);
 
-/// What keys do on the page, beside its form.
+/// What keys do on the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum NewGameAction {
+    /// change what is agreed
+    Agree(FormAction),
     /// play
     Play,
     /// saved games: resume one, or watch it again
@@ -36,26 +38,24 @@ pub enum NewGameAction {
 }
 
 impl NewGame {
-    pub(super) fn keys(&self) -> KeyTable<TableAction> {
-        let play = KeyTable::new("table")
+    pub(super) fn keys(&self) -> KeyTable<NewGameAction> {
+        KeyTable::new("table")
             .on(Key::Enter, NewGameAction::Play, "play")
-            .on('s', NewGameAction::SavedGames, "saved games");
-        let back = KeyTable::new("table").on(Key::Escape, NewGameAction::Back, "back");
-        play.map(TableAction::NewGame)
-            .with(self.form.keys(&self.options), TableAction::Agree)
-            .with(back, TableAction::NewGame)
+            .on('s', NewGameAction::SavedGames, "saved games")
+            .with(self.form.keys(&self.options), NewGameAction::Agree)
+            .on(Key::Escape, NewGameAction::Back, "back")
     }
 
     /// The pack on the board, and beside it what is agreed.
     pub(super) fn view(&self) -> View<'_, TableAction> {
         let mut panel = Panel::new("a new game");
-        panel.part(TableAction::Agree, |panel| {
-            self.form.write(&self.options, panel);
-            panel.gap();
-            self.form.write_about(&self.options, panel);
-        });
-        panel.gap();
         panel.part(TableAction::NewGame, |panel| {
+            panel.part(NewGameAction::Agree, |panel| {
+                self.form.write(&self.options, panel);
+                panel.gap();
+                self.form.write_about(&self.options, panel);
+            });
+            panel.gap();
             panel.prompt("play!", NewGameAction::Play);
             panel.prompt("saved games", NewGameAction::SavedGames);
         });

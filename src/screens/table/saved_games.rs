@@ -112,12 +112,7 @@ impl SavedGames {
                 }
             }
             StoreReply::Removed(result) => self.files.removed(result, cx),
-            StoreReply::Exported(result) => {
-                self.files.notice = Some(match result {
-                    Ok(place) => format!("It is written to {place}"),
-                    Err(reason) => format!("It cannot be exported: {reason}."),
-                });
-            }
+            StoreReply::Exported(result) => self.files.notice = Some(words::exported(result)),
             _ => {}
         }
         None

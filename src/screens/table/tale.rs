@@ -46,10 +46,8 @@ impl BoardTale {
             run: run(history),
         };
         let mut best = 0.0;
-        for number in (first..history.len()).filter(|number| history.strike(*number).is_some()) {
-            let Some(past) = history.past(number) else {
-                continue;
-            };
+        let moves = history.moves().iter().enumerate().skip(first);
+        for (number, past) in moves.filter(|(number, _)| history.strike(*number).is_some()) {
             tale.count(past, history.hints().contains(&number));
             let rank = rank(past);
             if rank > best {
@@ -97,9 +95,8 @@ fn rank(past: &Past) -> f64 {
 /// The points after each board of the present game.
 fn run(history: &GameHistory) -> Vec<ByTeam<u8>> {
     let mut run = Vec::new();
-    for number in 0..history.len() {
-        let rulings = history.past(number).map(|past| &past.rulings);
-        let mut effects = rulings.into_iter().flatten().flat_map(|it| &it.effects);
+    for (number, past) in history.moves().iter().enumerate() {
+        let mut effects = past.rulings.iter().flat_map(|it| &it.effects);
         if effects.any(|effect| matches!(effect, RulingEffect::BoardWon(_))) {
             let score = history.after(number).score();
             if score.boards <= 1 {

@@ -30,6 +30,14 @@ pub(super) const fn masses(set: PieceSet) -> &'static str {
     }
 }
 
+/// Where a game was exported, or why it was not.
+pub(super) fn exported(result: &Result<String, String>) -> String {
+    match result {
+        Ok(place) => format!("The game is written to {place}"),
+        Err(reason) => format!("The game cannot be exported: {reason}."),
+    }
+}
+
 /// A player in the midst of a sentence, as in "goes to the computer".
 pub(super) fn player(name: &'static str) -> &'static str {
     match name {

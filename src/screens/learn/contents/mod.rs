@@ -8,7 +8,6 @@ use crate::files::FileError;
 use crate::lessons::{Book, Chapter, Forget};
 use crate::messages::{Input, Key, StoreReply};
 use crate::screens::{Confirmation, Context, Next, Place, Screen, View};
-use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 
 /// What keys do in the contents.
@@ -42,10 +41,10 @@ impl Contents {
 }
 
 /// Moves the mark, or opens its line.
-fn listed(book: &mut Book, act: impl FnOnce(&mut ListView, usize) -> Outcome<usize>) -> Next {
+fn listed(book: &mut Book, action: ListAction) -> Next {
     let mut list = ListView::at(book.at);
     let count = lines(book).len();
-    let outcome = act(&mut list, count);
+    let outcome = list.act(action, count);
     book.at = list.chosen(count);
     Next::of(outcome, |_| open(book))
 }
@@ -135,9 +134,7 @@ impl Screen for Contents {
     fn act(&mut self, action: ContentsAction, cx: &mut Context) -> Next {
         let book = &mut cx.book;
         let (title, of) = match action {
-            ContentsAction::List(action) => {
-                return listed(book, |list, count| list.act(action, count));
-            }
+            ContentsAction::List(action) => return listed(book, action),
             ContentsAction::Next => {
                 book.at = book.next().unwrap_or(book.at);
                 return Next::Stay;
@@ -181,8 +178,7 @@ impl Screen for Contents {
     }
 
     fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
-        let by = ListAction::Choose(by.into());
-        listed(&mut cx.book, |list, count| list.act(by, count))
+        listed(&mut cx.book, ListAction::Choose(by.into()))
     }
 
     fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, ContentsAction>> {

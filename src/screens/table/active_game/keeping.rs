@@ -6,6 +6,7 @@ use crate::messages::{StoreAnswer, StoreReply, StoreRequest};
 use crate::screens::Context;
 use crate::screens::table::game_history::GameHistory;
 use crate::screens::table::options::Options;
+use crate::screens::table::words;
 
 /// How a game is kept.
 #[derive(Debug, Clone, Default)]
@@ -79,12 +80,7 @@ impl ActiveGame {
                 }
                 self.keeping.saved = Some(result.is_ok());
             }
-            StoreReply::Exported(exported) => {
-                self.notice = Some(match exported {
-                    Ok(place) => format!("The game is written to {place}"),
-                    Err(reason) => format!("The game cannot be exported: {reason}."),
-                });
-            }
+            StoreReply::Exported(result) => self.notice = Some(words::exported(result)),
             _ => {}
         }
     }

@@ -75,7 +75,7 @@ impl ActiveGame {
         let tale = BoardTale::of(&self.history);
         panel.paragraph(self.headline(&tale), Role::Title);
         panel.gap();
-        if let Some(last) = self.history.last() {
+        if let Some(last) = self.history.moves().last() {
             last.write_rulings(panel);
         }
         if game.setup().rules == Rules::Tournament {

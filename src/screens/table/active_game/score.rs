@@ -2,17 +2,22 @@
 
 use super::ActiveGame;
 use crate::game::{ByTeam, Colour, Team};
-use crate::screens::table::game_history::CallTally;
+use crate::screens::table::calls::Called;
+use crate::screens::table::game_history::Past;
 use crate::screens::table::words;
 use crate::widgets::ink::token;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Charset, Role};
 
 impl ActiveGame {
-    /// What the calls have brought.
-    pub(super) fn calls(&self) -> ByTeam<CallTally> {
-        self.history
-            .calls(|game, seat| self.options.caller(game, seat))
+    /// The points of the calls of each team; they never count in the score.
+    pub(super) fn calls(&self) -> ByTeam<Vec<u32>> {
+        let mut calls = ByTeam::<Vec<u32>>::default();
+        for Past { before, called, .. } in self.history.moves() {
+            let team = self.options.caller(before, before.seat());
+            calls[team].extend(called.as_ref().map(Called::points));
+        }
+        calls
     }
 }
 
@@ -55,8 +60,9 @@ pub(super) fn write<A>(active: &ActiveGame, charset: Charset, panel: &mut Panel<
 /// Writes the tally of the calls; it is no part of the score.
 pub(super) fn write_calls<A>(active: &ActiveGame, panel: &mut Panel<A>) {
     let calls = active.calls();
-    for team in Team::BOTH.into_iter().filter(|team| calls[*team].most > 0) {
-        let points = format!("{} of {}", calls[team].points, calls[team].most);
+    for team in Team::BOTH.into_iter().filter(|team| !calls[*team].is_empty()) {
+        let most = Called::MOST * calls[team].len() as u32;
+        let points = format!("{} of {most}", calls[team].iter().sum::<u32>());
         panel.fact(format!("calls {}", active.options.team_name(team)), points);
     }
 }

@@ -9,7 +9,7 @@ use super::{ActiveGame, After, GameAction, GamePhase, score};
 use crate::game::Piece;
 use crate::messages::Key;
 use crate::numbers::capital;
-use crate::physics::{EventKind, Frame, Shot};
+use crate::physics::{EventKind, Shot};
 use crate::quiz::why;
 use crate::screens::table::calls::Called;
 use crate::screens::table::game_history::{GameHistory, Past};
@@ -20,7 +20,7 @@ use crate::widgets::hit::{HitPace, Watch};
 use crate::widgets::ink::token;
 use crate::widgets::input::{KeyTable, ListAction};
 use crate::widgets::panel::Panel;
-use crate::widgets::panels::{impact_angle, masses, offset, reason, said_and_true, separation};
+use crate::widgets::panels::{reason, said_and_true};
 use crate::widgets::replay::{ShotAction, ShotClock, ShotPlayer, WatchRate};
 use crate::widgets::{Charset, Role};
 
@@ -327,35 +327,17 @@ impl StrokeReplay {
     /// Writes the explanation of an enlarged impact: which two met, in numbers, and why they
     /// go where they go.
     fn write_impact<A>(&self, watch: &Watch, panel: &mut Panel<A>) {
-        let collision = watch.collision();
         let impact = self.player.chosen().map(|(_, impact)| impact.discs);
         let [first, second] = impact.unwrap_or_default().map(|disc| self.name(disc));
         panel.heading(format!("{first} on {second}"));
-        offset(collision, panel);
-        impact_angle(collision, panel);
-        masses(collision, [false; 2], panel);
-        if !watch.is_told() {
-            panel.gap();
-            return watch.write_telling(panel);
+        if !watch.write_facts([false; 2], panel) {
+            return;
         }
-        separation(collision, panel);
-        panel.gap();
-        match watch.frame() {
-            Frame::Laboratory if first != "striker" => {
-                let here = format!("Here the {first} plays the striker's part.");
-                panel.paragraph(here, Role::Dim);
-                reason(&why(collision, watch.said().copied()), panel);
-            }
-            Frame::Laboratory => reason(&why(collision, watch.said().copied()), panel),
-            Frame::CentreOfMass => panel.paragraph(
-                "Seen from the centre of mass: momentum is zero before and after, so the two always fly back to back.",
-                Role::Text,
-            ),
-            _ => panel.paragraph(
-                "Seen riding with body 2: here it lies still before the hit, so all you know of a resting coin holds.",
-                Role::Text,
-            ),
+        if first != "striker" {
+            let here = format!("Here the {first} plays the striker's part.");
+            panel.paragraph(here, Role::Dim);
         }
+        reason(&why(watch.collision(), watch.said().copied()), panel);
     }
 
     /// What a disc is.
