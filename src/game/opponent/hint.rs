@@ -1,6 +1,6 @@
 //! A hint for the player: the same search, told in two steps.
 
-use super::reason::Reason;
+use super::story::Reason;
 use super::words::{self, Teller};
 use crate::game::{Piece, Stand};
 use crate::numbers::capital;

@@ -16,13 +16,12 @@
 //! | `search` | from many strokes to one |
 //! | `strength` | five strengths |
 //! | `hand` | the error of the hand |
-//! | `story` | what a shot was about, from its record |
-//! | `reason`, `words` | why it was chosen, in data and in words |
+//! | `story` | what a shot was about, from its record, and why it was chosen |
+//! | `words` | the same in words |
 //! | `hint` | the same for the player |
 
 mod hand;
 mod hint;
-mod reason;
 mod rehearsal;
 mod search;
 mod shots;
@@ -37,8 +36,7 @@ mod worth;
 
 pub use hand::{FASTEST, Hand, Slip};
 pub use hint::StrokeHint;
-pub use reason::Reason;
-pub use story::{Chance, Fall, FirstContact, Story};
+pub use story::{Chance, Fall, FirstContact, Reason, Story};
 pub use strength::Strength;
 
 use rand::SeedableRng;

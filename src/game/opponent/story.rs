@@ -6,6 +6,7 @@
 use glam::DVec2;
 
 use super::wants::wants;
+use super::words;
 use crate::game::pieces::piece_of;
 use crate::game::{Coin, Game, Piece};
 use crate::physics::angle::signed_angle;
@@ -175,5 +176,27 @@ impl Fallen {
             }
         }
         None
+    }
+}
+
+/// What a chosen stroke does when it is struck exactly as it was meant, and how sure
+/// it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reason {
+    /// Whether the pack was unbroken.
+    pub breaking: bool,
+    /// How often it worked with an unsteady hand.
+    pub chance: Chance,
+    /// What happens in it.
+    pub story: Story,
+}
+
+impl Reason {
+    /// The shot that was seen and why, with its angles, told by who struck it, when
+    /// `played` is what came of it.
+    pub fn told(&self, played: &Story) -> String {
+        let plan = words::plan(&self.story, self.breaking, played);
+        let odds = self.story.fall.and_then(|_| words::odds(self.chance));
+        plan + &odds.map_or(String::new(), |odds| format!(" {odds}"))
     }
 }

@@ -2,7 +2,6 @@
 
 mod field;
 mod mystery;
-mod panel;
 mod pieces;
 mod view;
 

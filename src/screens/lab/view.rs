@@ -1,16 +1,24 @@
-//! What the lab shows.
+//! What the lab shows: the picture, and beside it settings, the prediction, the shot in numbers.
 
 use glam::DVec2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Lab, LabAction, LabPhase, panel};
+use super::{Lab, LabAction, LabPhase};
 use crate::lessons::FigureKind;
-use crate::physics::Bond;
+use crate::physics::frames::cm_scattering_angle;
+use crate::physics::{Bond, Frame, Meeting};
+use crate::quiz::Rays;
 use crate::screens::{Context, View};
 use crate::widgets::curves::curves_picture;
-use crate::widgets::hit::{Face, Markings, Overlay, Overlays, Watch, setup_picture};
-use crate::widgets::{Look, RayInput, areas};
+use crate::widgets::hit::{
+    Face, Markings, Overlay, Overlays, VelocityNames, Watch, degrees, explain, setup_picture,
+    turns_a_second,
+};
+use crate::widgets::input::{CollisionField, SettingsForm};
+use crate::widgets::panel::Panel;
+use crate::widgets::panels::{reason, said_and_true, separation};
+use crate::widgets::{Look, RayInput, Role, areas, shown};
 
 /// The picture, and the panel beside it.
 pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
@@ -25,18 +33,18 @@ pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
         LabPhase::Aim if lab.is_live(cx) => View::picture(
             "live: it follows what you set",
             |area, buf, look| live(lab, area, buf, look, cx),
-            panel::settings(lab, cx),
+            settings(lab, cx),
         ),
-        LabPhase::Aim => View::picture("set up the hit", setup(None), panel::settings(lab, cx)),
+        LabPhase::Aim => View::picture("set up the hit", setup(None), settings(lab, cx)),
         LabPhase::Predict(rays) => View::picture(
             "where will they go?",
             setup(Some(rays)),
-            panel::prediction(lab, rays),
+            prediction(lab, rays),
         ),
         LabPhase::Watch(watch) => View::picture(
             watch.slowed_title(),
             |area, buf, look| watch.picture(area).draw(buf, look),
-            panel::shot(lab, watch),
+            shot(lab, watch),
         ),
     }
 }
@@ -45,7 +53,7 @@ pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
 const ROOM_FOR_CURVES: u16 = 18;
 
 /// The hit as what is set makes it, told to its end.
-pub(super) fn live_hit(lab: &Lab) -> Watch {
+fn live_hit(lab: &Lab) -> Watch {
     let layers = Overlays::default().without([Overlay::Triangle, Overlay::Trails]);
     Watch::told(lab.settings.setup.collision()).with_layers(layers)
 }
@@ -75,4 +83,212 @@ fn live(lab: &Lab, picture: Rect, buf: &mut Buffer, look: &Look, cx: &Context) {
         let collision = lab.settings.setup.collision();
         curves_picture(FigureKind::Curves, &collision, below, look).draw(buf, look);
     }
+}
+
+/// The settings, and what follows from them.
+fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
+    let mut panel = Panel::new("settings");
+    panel.part(LabAction::Set, |panel| {
+        lab.form.write(&lab.settings, panel);
+    });
+    geometry(lab, &mut panel);
+    let live = lab.is_live(cx);
+    if live {
+        answers(&live_hit(lab), &mut panel);
+    }
+    panel.worth(1, Panel::gap);
+    panel.worth(2, |panel| lab.form.write_about(&lab.settings, panel));
+    panel.worth(3, Panel::gap);
+    let set = LabAction::Set(SettingsForm::SET);
+    let next = if lab.form.is_typing() {
+        vec![("set it", set)]
+    } else if live {
+        vec![("watch it", LabAction::Go), ("live off", LabAction::Live)]
+    } else if !cx.settings.predict {
+        vec![
+            ("shoot", LabAction::Go),
+            ("predict first", LabAction::Predict),
+        ]
+    } else if lab.may_live(cx) {
+        vec![
+            ("say where both will go", LabAction::Go),
+            ("live", LabAction::Live),
+        ]
+    } else {
+        vec![("now say where both will go", LabAction::Go)]
+    };
+    panel.prompts(next);
+    panel
+}
+
+/// b/(r₁+r₂), and that they miss if they do.
+fn geometry<A>(lab: &Lab, panel: &mut Panel<A>) {
+    let setup = &lab.settings.setup;
+    let ratio = setup.offset_mm().abs() / setup.contact_distance_mm();
+    panel.fact("b / (r₁+r₂)", format!("{ratio:.3}"));
+    if setup.collision().normal().is_none() {
+        let why = if ratio > 1.0 {
+            "above 1: they will miss"
+        } else {
+            "same velocity: no hit"
+        };
+        panel.line(why, Role::Warn);
+    }
+}
+
+/// The two rays being said.
+fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
+    let mut panel = Panel::new("say it first");
+    given(lab, &mut panel);
+    for (field, name) in [
+        (CollisionField::StrikerMass, "striker"),
+        (CollisionField::CoinMass, "coin"),
+    ] {
+        panel.fact(name, lab.settings.field(field).shown);
+    }
+    panel.gap();
+    panel.heading("Where will they go?");
+    panel.part(LabAction::Say, |panel| rays.write(panel, "coin"));
+    panel.gap();
+    panel.paragraph(rays.about("coin"), Role::Text);
+    panel.gap();
+    panel.part(LabAction::Say, |panel| {
+        rays.write_prompt(panel, "coin", "shoot!");
+    });
+    panel
+}
+
+/// The shot in numbers, what was said of it, and why it went as it did. The
+/// explanation comes whole; where there is not room for all, numbers that the
+/// player set and knows give way first.
+fn shot(lab: &Lab, watch: &Watch) -> Panel<LabAction> {
+    let mut panel = Panel::new("the shot");
+    if !watch.is_told() {
+        given(lab, &mut panel);
+        panel.gap();
+        watch.write_telling(&mut panel);
+        return panel;
+    }
+    if watch.frame() != Frame::Laboratory {
+        given(lab, &mut panel);
+        panel.gap();
+        match watch.frame() {
+            Frame::Target => from_target(watch, &mut panel),
+            _ => from_centre_of_mass(watch, &mut panel),
+        }
+        return panel;
+    }
+    if let Some(coin) = &lab.settings.mystery {
+        answers(watch, &mut panel);
+        panel.gap();
+        panel.part(LabAction::Weigh, |panel| {
+            coin.write(&lab.settings.setup, watch.outcome(), panel);
+        });
+        return panel;
+    }
+    panel.worth(1, |panel| {
+        given(lab, panel);
+        panel.gap();
+    });
+    answers(watch, &mut panel);
+    panel.worth(2, Panel::gap);
+    reason(&explain(watch), &mut panel);
+    panel
+}
+
+/// Where they meet.
+fn given<A>(lab: &Lab, panel: &mut Panel<A>) {
+    for field in [CollisionField::Offset, CollisionField::ImpactAngle] {
+        let field = field.field(&lab.settings.setup);
+        panel.fact(field.name, field.shown);
+    }
+    geometry(lab, panel);
+}
+
+fn answers<A>(watch: &Watch, panel: &mut Panel<A>) {
+    let outcome = watch.outcome();
+    let sticks = watch.collision().bond == Bond::Stick && outcome.meeting == Meeting::Hit;
+    let truth = degrees(watch.collision(), &Rays::from(outcome));
+    match watch.said() {
+        Some(said) => {
+            let names = ["striker", "coin"].map(Some);
+            said_and_true(watch.collision(), said, names, false, panel);
+        }
+        None if sticks => panel.coloured_fact("direction of V", shown(truth[0]), Role::StrikerOut),
+        None => {
+            for (i, name) in ["striker θ₁", "coin θ₂"].into_iter().enumerate() {
+                let role = [Role::StrikerOut, Role::CoinOut][i];
+                panel.coloured_fact(name, shown(truth[i]), role);
+            }
+        }
+    }
+    separation(watch.collision(), panel);
+    if outcome.energy_before > 0.0 {
+        let kept = 100.0 * outcome.energy_after / outcome.energy_before;
+        panel.fact("energy kept", format!("{kept:.1} %"));
+    }
+}
+
+fn from_centre_of_mass<A>(watch: &Watch, panel: &mut Panel<A>) {
+    let collision = watch.collision();
+    let outcome = watch.outcome();
+    let drift = Frame::CentreOfMass.velocity(collision);
+    panel.heading("From the centre of mass");
+    panel.fact("V", format!("{:.2} m/s", drift.length()));
+    let [v1, v2] = collision.centres_after();
+    let names = VelocityNames::new(collision, Frame::CentreOfMass);
+    let before = [collision.u1, collision.u2];
+    for (body, after) in [v1, v2].into_iter().enumerate() {
+        let disc = ["striker", "coin"][body];
+        for (name, v) in [
+            (names.before[body], before[body]),
+            (names.after[body], after),
+        ] {
+            let speed = format!("{:.2} m/s", (v - drift).length());
+            panel.fact(format!("{disc} {name}"), speed);
+        }
+    }
+    let turned = collision
+        .alpha()
+        .and_then(|alpha| cm_scattering_angle(alpha, collision.restitution));
+    if let Some(turned) = turned
+        && collision.bond == Bond::Slip
+    {
+        let turned = format!("{:.1}°", turned.to_degrees().abs());
+        panel.fact("turned by Θ", turned);
+    }
+    panel.gap();
+    let sticks = collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit;
+    let text = if !sticks {
+        "Here the two always fly back to back: momentum is zero before and after. Add V to both and you are on the board again.".into()
+    } else if outcome.energy_rotation > 0.0 {
+        format!(
+            "They come from opposite sides and do not part. Their centre of mass lies still here, and they turn about it {} times a second; the speeds after are those of the two centres. Add V, and the pair moves on as it turns.",
+            turns_a_second(outcome)
+        )
+    } else {
+        "They come from opposite sides, stick and lie still: momentum is zero before and after. Add V, and the pair moves on.".into()
+    };
+    panel.paragraph(text, Role::Text);
+}
+
+fn from_target<A>(watch: &Watch, panel: &mut Panel<A>) {
+    let seen = Frame::Target.view(watch.collision()).outcome();
+    let apart = |angle: f64| format!("{:.1}°", angle.to_degrees());
+    let (name, value, text) = match (watch.collision().bond, seen.meeting) {
+        (Bond::Stick, Meeting::Hit) => (
+            "V here",
+            format!("{:.2} m/s", seen.v1.length()),
+            "Here the coin lies still before the hit. The centre of mass moves with V before and after; stuck together, the two can only turn about it.",
+        ),
+        _ => (
+            "separation here",
+            seen.separation.map_or("none".into(), apart),
+            "Here the coin lies still before the hit, so everything you know of a resting coin holds: for equal masses and e = 1 they part at 90° in this frame.",
+        ),
+    };
+    panel.heading("Riding with the coin");
+    panel.fact(name, value);
+    panel.gap();
+    panel.paragraph(text, Role::Text);
 }

@@ -33,7 +33,8 @@ pub(super) fn face_of(scene: &Scene, disc: usize) -> Face {
 pub(super) fn short(scene: &Scene, disc: usize) -> &'static str {
     let piece = scene.pieces.get(disc);
     let name = piece.map_or("disc", |piece| piece.kind.name());
-    name.trim_start_matches("white ").trim_start_matches("black ")
+    name.trim_start_matches("white ")
+        .trim_start_matches("black ")
 }
 
 /// What a dial is called on the screen, its unit, and what it sets, in a few words before

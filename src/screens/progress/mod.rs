@@ -3,12 +3,11 @@
 
 mod beliefs;
 mod over_time;
-mod page;
 mod sure;
 mod topics;
 
 use ratatui::layout::Rect;
-use strum::{EnumMessage, IntoStaticStr};
+use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
 use super::recall::Recall;
 use super::view::View;
@@ -23,7 +22,6 @@ use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Lines, Look, Role, Room, SplitLayout, text};
-use page::ProgressPage;
 
 /// Actions of the progress screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -79,6 +77,42 @@ impl NextStep {
 const NARROW: u16 = 80;
 /// Columns of the panel on a narrow screen, where the tables need the room.
 const NARROW_PANEL: u16 = 26;
+
+/// The pages of the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
+enum ProgressPage {
+    /// The errors of the answers over time.
+    OverTime,
+    Topics,
+    /// Whether confidence matches the answers.
+    Sure,
+    /// The same over time.
+    SureOverTime,
+    /// The player's misconceptions.
+    Beliefs,
+}
+
+impl ProgressPage {
+    const ALL: &[Self] = Self::VARIANTS;
+
+    /// The page this many after this one, cyclically.
+    fn beside(self, steps: isize) -> Self {
+        let count = Self::ALL.len() as isize;
+        let at = (self as isize + steps).rem_euclid(count);
+        Self::ALL[at as usize]
+    }
+
+    /// Titles of the picture and of the panel.
+    const fn titles(self) -> (&'static str, &'static str) {
+        match self {
+            Self::OverTime => ("1 how far off, over time", "summary"),
+            Self::Topics => ("2 topics", "what is due"),
+            Self::Sure => ("3 how sure, and how right", "what it shows"),
+            Self::SureOverTime => ("4 how sure, over time", "how to read it"),
+            Self::Beliefs => ("5 what you believed", "what helps"),
+        }
+    }
+}
 
 /// The screen.
 #[derive(Debug, Clone)]

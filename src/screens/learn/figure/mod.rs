@@ -1,6 +1,5 @@
 //! The figure of a page: what it shows, the keys and the mouse that work it.
 
-mod export;
 mod foil;
 mod frames;
 mod shots;
@@ -28,12 +27,9 @@ use crate::widgets::hit::{
 use crate::widgets::input::{FormAction, KeyTable};
 use crate::widgets::panel::{Panel, written};
 use crate::widgets::picture::Picture;
-use crate::widgets::{Lines, Look, RayInput, curves};
+use crate::widgets::{Lines, Look, RayInput, curves, svg};
 
 use worked::WorkedFigure;
-
-pub(super) use export::svg_of;
-pub use export::{FigureError, draw_figure};
 
 /// Steps of a setting, or degrees, that `<` and `>` go at once.
 const LEAP: i8 = 10;
@@ -446,4 +442,25 @@ fn split_layers(lines: bool) -> Overlays {
         layers.toggle(Split);
     }
     layers
+}
+
+/// Why a figure cannot be drawn.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct FigureError(String);
+
+/// The figure that these words describe, as an SVG picture: `curves alpha_deg=30`.
+///
+/// # Errors
+/// What was expected of the words.
+pub fn draw_figure(words: &str, look: &Look) -> Result<String, FigureError> {
+    let figure = Figure::from_words(words).map_err(FigureError)?;
+    Ok(svg_of(&LiveFigure::new(figure, None, false), look))
+}
+
+/// A figure as it stands, as an SVG picture.
+pub(super) fn svg_of(shown: &LiveFigure, look: &Look) -> String {
+    svg::of_panel(&shown.title(), look, |area, cells| {
+        shown.lay_out(area, cells, look, None)
+    })
 }

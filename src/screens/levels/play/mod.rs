@@ -4,7 +4,6 @@
 mod board;
 mod dials;
 mod made_shot;
-mod panel;
 mod view;
 
 use std::time::Duration;

@@ -1,16 +1,31 @@
-//! What a level shows.
+//! What a level shows: the board or an impact, and beside it goals and dials, the rays being
+//! said, what came about and why.
 
-use super::{LevelAction, LevelPhase, LevelPlay, board, panel};
-use crate::quiz::Ray;
-use crate::screens::levels::words::face_of;
+use super::made_shot::{MadeShot, asked};
+use super::{LevelAction, LevelPhase, LevelPlay, PendingShot, board};
+use crate::levels::{FEW_SHOTS, Win};
+use crate::numbers;
+use crate::quiz::{Ray, why};
+use crate::screens::levels::words;
 use crate::screens::{Context, View};
-use crate::widgets::hit::{Markings, setup_picture};
-use crate::widgets::{Room, SplitLayout};
+use crate::widgets::hit::{Markings, Watch, setup_picture};
+use crate::widgets::input::SettingsForm;
+use crate::widgets::panel::Panel;
+use crate::widgets::panels::{
+    contact_distance, impact_angle, masses, offset, reason, said_and_true,
+};
+use crate::widgets::replay::{ShotAction, ShotImpact};
+use crate::widgets::{RayInput, Role, Room, SplitLayout};
+
+/// Shots that are shown while the next one is set.
+const SHOWN_EARLIER: usize = 2;
+
+type LevelPanel = Panel<LevelAction>;
 
 /// The board, or an impact enlarged, and the panel beside it.
 pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelAction> {
     let level = play.level();
-    let panel = panel::panel(play, cx);
+    let panel = panel(play, cx);
     let view = match &play.phase {
         LevelPhase::Aim => {
             let scene = level.aimed(&play.dials.aim);
@@ -22,7 +37,10 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
             )
         }
         LevelPhase::Predict(pending) => {
-            let faces = pending.impact.discs.map(|disc| face_of(&level.scene, disc));
+            let faces = pending
+                .impact
+                .discs
+                .map(|disc| words::face_of(&level.scene, disc));
             let (collision, rays) = (&pending.impact.collision, &pending.rays);
             // Along the line of impact the other disc leaves: its angle is not given where
             // that is asked for.
@@ -55,4 +73,235 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
         false => SplitLayout::square,
     };
     View { layout, ..view }
+}
+
+fn panel(play: &LevelPlay, cx: &Context) -> LevelPanel {
+    let mut panel = match &play.phase {
+        LevelPhase::Aim => aim(play, cx),
+        LevelPhase::Predict(pending) => say(play, pending),
+        LevelPhase::Watch(made) => match made.player.zoom() {
+            Some(watch) => enlarged(play, made, watch),
+            None if made.told => outcome(play, made, cx),
+            None => watching(play, made),
+        },
+    };
+    panel.subject = play.shots as usize;
+    panel
+}
+
+/// Under the level's title its goals.
+fn goals(play: &LevelPlay) -> LevelPanel {
+    let mut panel = Panel::new(&play.level().title);
+    panel.heading("Goal");
+    for goal in &play.level().goals {
+        panel.paragraph(goal.describe(&play.level().scene), Role::Text);
+    }
+    panel.gap();
+    panel
+}
+
+fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
+    let mut panel = goals(play);
+    panel.part(LevelAction::Set, |panel| {
+        play.form.write(&play.dials, panel);
+        play.form.write_about(&play.dials, panel);
+    });
+    panel.gap();
+    if let Some(trouble) = &play.trouble {
+        panel.paragraph(trouble, Role::Warn);
+        panel.gap();
+    }
+    let says = !play.level().say_first.is_empty();
+    let set = LevelAction::Set(SettingsForm::SET);
+    let shoot = ("shoot", LevelAction::Go);
+    panel.prompts(match (says, cx.settings.predict) {
+        _ if play.form.is_typing() => vec![("set it", set)],
+        (true, true) => vec![("say where they go", LevelAction::Go)],
+        (true, false) => vec![shoot, ("say first", LevelAction::Predict)],
+        (false, _) => vec![shoot],
+    });
+    let hidden = play.earlier.len().saturating_sub(SHOWN_EARLIER);
+    for made in play.earlier.iter().skip(hidden) {
+        panel.gap();
+        panel.line(format!("shot {}: {}", made.number, made.set), Role::Dim);
+        panel.paragraph(format!("{}.", numbers::capital(&made.told)), Role::Dim);
+    }
+    if !play.earlier.is_empty() {
+        panel.gap();
+    }
+    hints(play, &mut panel);
+    panel
+}
+
+/// The hints asked for, and how to get the next.
+fn hints(play: &LevelPlay, panel: &mut LevelPanel) {
+    let all = &play.level().hints;
+    for (number, hint) in all.iter().take(play.hints).enumerate() {
+        panel.gap();
+        panel.heading(format!("Hint {} of {}", number + 1, all.len()));
+        panel.paragraph(hint, Role::Text);
+    }
+    if play.hints == 0 {
+        panel.prompt("a hint", LevelAction::Hint);
+    } else if play.hints < all.len() {
+        panel.gap();
+        panel.prompt("another hint", LevelAction::Hint);
+    }
+}
+
+fn say(play: &LevelPlay, pending: &PendingShot) -> LevelPanel {
+    let mut panel = Panel::new("say it first");
+    let scene = &play.level().scene;
+    let [_, target] = pending.impact.discs;
+    let name = words::short(scene, target);
+    let collision = &pending.impact.collision;
+    offset(collision, &mut panel);
+    if pending.rays.asks(Ray::Target) {
+        // The angle itself is what is asked for.
+        contact_distance(collision, &mut panel);
+    } else {
+        impact_angle(collision, &mut panel);
+    }
+    let secret = &play.level().unknown_mass;
+    let secret = pending.impact.discs.map(|disc| secret.contains(&disc));
+    masses(collision, secret, &mut panel);
+    panel.gap();
+    panel.heading("The first hit");
+    panel.part(LevelAction::Say, |panel| {
+        pending.rays.write(panel, name);
+        panel.gap();
+        panel.paragraph(pending.rays.about(name), Role::Text);
+        panel.gap();
+        pending.rays.write_prompt(panel, name, "shoot!");
+    });
+    panel
+}
+
+fn watching(play: &LevelPlay, made: &MadeShot) -> LevelPanel {
+    let mut panel = goals(play);
+    let clock = made.player.clock();
+    panel.fact("time", format!("{:.2} s", clock.time()));
+    panel.fact("watched at", clock.rate().words());
+    panel.gap();
+    let go_on = LevelAction::Watch(ShotAction::GoOn);
+    panel.prompt("go on, or to the end", go_on);
+    panel
+}
+
+/// What came about.
+fn outcome(play: &LevelPlay, made: &MadeShot, cx: &Context) -> LevelPanel {
+    let mut panel = Panel::new(if made.win.is_some() { "won" } else { "not yet" });
+    match &made.win {
+        Some(win) => {
+            let won = match play.hints {
+                0 => "Won!".into(),
+                hints => format!("Won, with {}!", numbers::counted(hints, "hint")),
+            };
+            panel.pair((won, Role::Good), (words::stars(win.stars()), Role::Good));
+        }
+        None => {
+            let (met, all) = (made.verdict.met(), play.level().goals.len());
+            let cheer = match met {
+                0 => "Not yet. See what was off, then change one thing at a time.".into(),
+                _ => format!("Not yet, but {met} of {all} goals are met: you are on the way."),
+            };
+            panel.paragraph(cheer, Role::Title);
+        }
+    }
+    panel.gap();
+    for finding in &made.verdict.findings {
+        let (mark, role) = match finding.met {
+            true => ("✓ ", Role::Good),
+            false => ("✗ ", Role::Warn),
+        };
+        panel.marked(mark, format!("{}.", numbers::capital(&finding.told)), role);
+    }
+    if let Some(impact) = made.player.impacts().first() {
+        answers(play, made, impact, &mut panel);
+    }
+    panel.gap();
+    match &made.win {
+        Some(win) => won(play, *win, &mut panel, cx),
+        None => {
+            panel.prompt("try again from the same aim", LevelAction::AimAgain);
+            if !made.player.impacts().is_empty() {
+                let look = LevelAction::Watch(ShotAction::Impacts);
+                panel.prompt("look at the hit, enlarged", look);
+            }
+            hints(play, &mut panel);
+        }
+    }
+    panel
+}
+
+/// The explanation, what the stars were for, and where to go on.
+fn won(play: &LevelPlay, win: Win, panel: &mut LevelPanel, cx: &Context) {
+    panel.paragraph(&play.level().explanation, Role::Text);
+    panel.gap();
+    if !win.has_few_shots() {
+        let text = format!("A star more: win with at most {FEW_SHOTS} shots and no hint.");
+        panel.paragraph(text, Role::Dim);
+    }
+    if !win.is_accurate() {
+        let text = match win.said_right {
+            Some(_) if cx.settings.predict => "A star more: say within 4° where the discs go.",
+            Some(_) => "A star more: say first where the discs go.",
+            None => "A star more: win with the first shot.",
+        };
+        panel.paragraph(text, Role::Dim);
+    }
+    let next = match play.number + 1 < cx.shelf.count() {
+        true => "the next level",
+        false => "back to the list: that was the last level!",
+    };
+    panel.prompt(next, LevelAction::NextLevel);
+}
+
+/// What was said beside the truth.
+fn answers(play: &LevelPlay, made: &MadeShot, impact: &ShotImpact, panel: &mut LevelPanel) {
+    let Some(said) = &made.said else {
+        return;
+    };
+    panel.gap();
+    let mut names = [None; 2];
+    for ray in asked(said) {
+        let body = usize::from(ray == Ray::Target);
+        names[body] = Some(words::short(&play.level().scene, impact.discs[body]));
+    }
+    said_and_true(&impact.collision, &said.so_far(), names, false, panel);
+}
+
+/// One impact, enlarged: the explanation of the lab.
+fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
+    let Some((number, impact)) = made.player.chosen() else {
+        return Panel::new("");
+    };
+    let count = made.player.impacts().len();
+    let mut panel = Panel::new(format!("impact {} of {count}", number + 1));
+    let scene = &play.level().scene;
+    let [first, second] = impact.discs.map(|disc| scene.name(disc));
+    let met = numbers::capital(&format!("{first} on {second}"));
+    panel.paragraph(met, Role::Title);
+    // What a win has shown is no secret any more.
+    let secret = match made.win {
+        Some(_) => &[],
+        None => play.level().unknown_mass.as_slice(),
+    };
+    let is_secret = impact.discs.map(|disc| secret.contains(&disc));
+    if !watch.write_facts(is_secret, &mut panel) {
+        return panel;
+    }
+    let said = made.said.as_ref().filter(|_| number == 0);
+    if said.is_some() {
+        answers(play, made, impact, &mut panel);
+    }
+    panel.gap();
+    if is_secret.contains(&true) {
+        let text = "A mass here is for you to find. The angles of the first hit tell it: where nothing is lost, m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁.";
+        panel.paragraph(text, Role::Text);
+    } else {
+        let why = why(&impact.collision, said.and_then(RayInput::both));
+        reason(&why, &mut panel);
+    }
+    panel
 }

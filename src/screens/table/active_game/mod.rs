@@ -13,7 +13,6 @@ mod score;
 mod showing;
 #[cfg(test)]
 mod tests;
-mod thinking;
 mod trays;
 mod watching;
 

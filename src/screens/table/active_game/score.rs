@@ -60,7 +60,10 @@ pub(super) fn write<A>(active: &ActiveGame, charset: Charset, panel: &mut Panel<
 /// Writes the tally of the calls; it is no part of the score.
 pub(super) fn write_calls<A>(active: &ActiveGame, panel: &mut Panel<A>) {
     let calls = active.calls();
-    for team in Team::BOTH.into_iter().filter(|team| !calls[*team].is_empty()) {
+    for team in Team::BOTH
+        .into_iter()
+        .filter(|team| !calls[*team].is_empty())
+    {
         let most = Called::MOST * calls[team].len() as u32;
         let points = format!("{} of {most}", calls[team].iter().sum::<u32>());
         panel.fact(format!("calls {}", active.options.team_name(team)), points);
