@@ -82,11 +82,7 @@ impl Screen for Levels {
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "Each level is a small puzzle on the board: set the shot so that its goals are met. All of them are open; they get harder from the top down.",
-            "A level gives up to three stars: one for winning it, one for at most three shots without a hint, and one for predicting where the discs will go (in levels without a prediction: for winning with the first shot). Try again as often as you like; the best result counts.",
-            "For your own levels, use carrom --levels DIR. Files that cannot be read are listed at the end with their errors.",
-        ]
+        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: LevelsAction, cx: &mut Context) -> Next {

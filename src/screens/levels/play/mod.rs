@@ -256,12 +256,7 @@ impl Screen for LevelPlay {
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "Set the shot so that all goals of the level are met. The dotted line shows the path up to the first contact; find out yourself what happens then.",
-            "Some levels first ask where the discs will go after the first collision. Then watch, read which goals were met and how close the others were, and look at the enlarged impact.",
-            "Stars: one for winning, one for at most three shots without a hint, one for predicting the rays within 4° (in levels without a prediction: for winning with the first shot).",
-            "With the mouse: point to aim, drag the disc within its range, turn the wheel for the speed.",
-        ]
+        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: LevelAction, cx: &mut Context) -> Next {
