@@ -23,29 +23,20 @@ pub(super) fn table(history: &History, columns: u16, panel: &mut Panel<ProgressA
         false => Role::Text,
     };
     if columns >= WIDE {
-        let column = |head: &str, width, flush_right| TableColumn {
-            head: head.into(),
-            width,
-            flush_right,
-            room: 0,
-            drawn: false,
-        };
         let heads = vec![
-            column("", 36, false),
-            column("before", 8, true),
-            column("since", 8, true),
-            column("", 0, false),
+            TableColumn::words("", 36),
+            TableColumn::numbers("before", 8),
+            TableColumn::numbers("since", 8),
+            TableColumn::words("", 0),
         ];
-        let rows = beliefs.iter().map(|belief| TableRow {
-            cells: vec![
+        let rows = beliefs.iter().map(|belief| {
+            let cells = vec![
                 belief.misconception.name().into(),
                 belief.before.to_string(),
                 belief.since.to_string(),
                 belief.trend().name().into(),
-            ],
-            role: role(belief),
-            chosen: false,
-            action: None,
+            ];
+            TableRow::of(cells, role(belief))
         });
         panel.table(heads, rows.collect());
     } else {

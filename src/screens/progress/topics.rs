@@ -23,43 +23,33 @@ pub(super) fn table(
     look: &Look,
     panel: &mut Panel<ProgressAction>,
 ) {
-    let column = |head: &str, width, flush_right, room| TableColumn {
-        head: head.into(),
-        width,
-        flush_right,
-        room,
-        drawn: false,
-    };
     let columns = vec![
-        column("", 2, false, 0),
-        column("", NAME, false, 0),
-        column("of", 4, true, 0),
-        column("right", 6, true, 38),
-        column("off °", 8, true, 46),
+        TableColumn::words("", 2),
+        TableColumn::words("", NAME),
+        TableColumn::numbers("of", 4),
+        TableColumn::numbers("right", 6).from(38),
+        TableColumn::numbers("off °", 8).from(46),
         TableColumn {
             drawn: true,
-            ..column("lately", BAR, false, 77)
+            ..TableColumn::words("lately", BAR).from(77)
         },
     ];
     let rows = topics_of_the_quiz(history).into_iter().map(|topic| {
         let off = topic.all.mean_error_deg();
         let lately = topic.lately.share_right().unwrap_or(0.0);
-        TableRow {
-            cells: vec![
-                topic.mastery().mark().into(),
-                text::clipped(&topic.name, NAME.into()),
-                topic.all.attempts.to_string(),
-                percent(topic.all.share_right()),
-                off.map_or("-".into(), |off| format!("{off:.1}")),
-                bar(lately, BAR, look.charset),
-            ],
-            role: match topic.mastery() {
-                Mastery::Solid => Role::Good,
-                _ => Role::Text,
-            },
-            chosen: false,
-            action: None,
-        }
+        let cells = vec![
+            topic.mastery().mark().into(),
+            text::clipped(&topic.name, NAME.into()),
+            topic.all.attempts.to_string(),
+            percent(topic.all.share_right()),
+            off.map_or("-".into(), |off| format!("{off:.1}")),
+            bar(lately, BAR, look.charset),
+        ];
+        let role = match topic.mastery() {
+            Mastery::Solid => Role::Good,
+            _ => Role::Text,
+        };
+        TableRow::of(cells, role)
     });
     panel.table(columns, rows.collect());
     panel.gap();

@@ -172,6 +172,32 @@ pub(crate) struct TableColumn {
     pub drawn: bool,
 }
 
+impl TableColumn {
+    /// A column of words, with its head and the letters of its widest cell.
+    pub(crate) fn words(head: &str, width: u16) -> Self {
+        Self {
+            head: head.into(),
+            width,
+            flush_right: false,
+            room: 0,
+            drawn: false,
+        }
+    }
+
+    /// The same of numbers.
+    pub(crate) fn numbers(head: &str, width: u16) -> Self {
+        Self {
+            flush_right: true,
+            ..Self::words(head, width)
+        }
+    }
+
+    /// The same in panels of so many columns and more.
+    pub(crate) fn from(self, room: u16) -> Self {
+        Self { room, ..self }
+    }
+}
+
 /// A row of a [`Content::Table`].
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TableRow<A> {
@@ -186,6 +212,16 @@ pub(crate) struct TableRow<A> {
 }
 
 impl<A> TableRow<A> {
+    /// A row that cannot be chosen.
+    pub(crate) fn of(cells: Vec<String>, role: Role) -> Self {
+        Self {
+            cells,
+            role,
+            chosen: false,
+            action: None,
+        }
+    }
+
     /// What it shows, and what a click on it does.
     fn apart(self) -> (TableRow<()>, Option<A>) {
         let row = TableRow {

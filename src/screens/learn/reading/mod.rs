@@ -72,20 +72,23 @@ const SAY_FIRST: &str = "First say what you think.";
 impl Reading {
     /// A chapter, at the page where it was left; `None` beyond the last.
     pub(crate) fn new(number: usize, cx: &mut Context) -> Option<Self> {
-        let mut reading = Self::closed(number, cx.book.chapter(number)?);
+        cx.book.chapter(number)?;
         cx.book.at = number;
-        if cx.book.is_known() {
-            reading.open_where_left(cx);
-        }
-        Some(reading)
+        Self::opened(number, None, cx)
     }
 
     /// A chapter, opened at a page to look something up; `None` beyond the last. Where it
     /// was left stays.
     pub(crate) fn visit(number: usize, page: usize, cx: &mut Context) -> Option<Self> {
-        let mut reading = Self::closed(number, cx.book.chapter(number)?);
-        reading.visited = Some(page);
         cx.ask_for_marks();
+        Self::opened(number, Some(page), cx)
+    }
+
+    fn opened(number: usize, visited: Option<usize>, cx: &mut Context) -> Option<Self> {
+        let mut reading = Self {
+            visited,
+            ..Self::closed(number, cx.book.chapter(number)?)
+        };
         if cx.book.is_known() {
             reading.open_where_left(cx);
         }
