@@ -4,6 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::widgets::panel::Panel;
+use crate::widgets::picture::Picture;
 use crate::widgets::{Look, Room, SplitLayout, areas};
 
 /// What a screen shows.
@@ -42,6 +43,16 @@ impl<'s, A> View<'s, A> {
     ) -> Self {
         let first = Part::Picture(title.into(), Box::new(draw));
         Self::new(SplitLayout::new, first, second)
+    }
+
+    /// The same with a picture that follows from its place alone.
+    pub(super) fn drawn(
+        title: impl Into<String>,
+        picture: impl Fn(Rect) -> Picture + 's,
+        second: Panel<A>,
+    ) -> Self {
+        let draw = move |area, buf: &mut _, look: &_| picture(area).draw(buf, look);
+        Self::picture(title, draw, second)
     }
 
     /// The same with a picture just as wide as a square board needs.

@@ -21,10 +21,10 @@ fn layout(room: Room) -> SplitLayout {
 }
 
 pub(super) fn view<'s>(home: &'s Home, cx: &Context) -> View<'s, HomeAction> {
-    let draw = |area, buf: &mut _, look: &_| home.picture.picture(area).draw(buf, look);
+    let hit = |area| home.picture.picture(area);
     View {
         layout,
-        ..View::picture("a glancing hit", draw, menu(home, cx))
+        ..View::drawn("a glancing hit", hit, menu(home, cx))
     }
 }
 

@@ -23,10 +23,10 @@ use crate::widgets::{Look, RayInput, Role, areas, shown};
 /// The picture, and the panel beside it.
 pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
     let setup = |rays: Option<&'s RayInput>| {
-        move |area: Rect, buf: &mut Buffer, look: &Look| {
+        move |area| {
             let collision = lab.settings.setup.collision();
             let faces = Face::STRIKER_AND_COIN;
-            setup_picture(area, faces, &collision, Markings::ALL, rays).draw(buf, look);
+            setup_picture(area, faces, &collision, Markings::ALL, rays)
         }
     };
     match &lab.phase {
@@ -35,15 +35,15 @@ pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
             |area, buf, look| live(lab, area, buf, look, cx),
             settings(lab, cx),
         ),
-        LabPhase::Aim => View::picture("set up the hit", setup(None), settings(lab, cx)),
-        LabPhase::Predict(rays) => View::picture(
+        LabPhase::Aim => View::drawn("set up the hit", setup(None), settings(lab, cx)),
+        LabPhase::Predict(rays) => View::drawn(
             "where will they go?",
             setup(Some(rays)),
             prediction(lab, rays),
         ),
-        LabPhase::Watch(watch) => View::picture(
+        LabPhase::Watch(watch) => View::drawn(
             watch.slowed_title(),
-            |area, buf, look| watch.picture(area).draw(buf, look),
+            |area| watch.picture(area),
             shot(lab, watch),
         ),
     }

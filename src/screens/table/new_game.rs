@@ -60,11 +60,8 @@ impl NewGame {
             panel.prompt("saved games", NewGameAction::SavedGames);
         });
         let set = self.options.set;
-        let draw = move |area, buf: &mut _, look: &_| {
-            let coins = pack(set, Seat::South);
-            picture::of_pack(&coins, set, area).draw(buf, look);
-        };
-        View::picture("the pack", draw, panel).square()
+        let board = move |area| picture::of_pack(&pack(set, Seat::South), set, area);
+        View::drawn("the pack", board, panel).square()
     }
 }
 

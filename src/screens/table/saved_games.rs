@@ -142,10 +142,8 @@ impl SavedGames {
             None => (&[][..], self.options.set),
         };
         let name = self.files.chosen().map_or("", |kept| kept.name.as_str());
-        let draw = move |area, buf: &mut _, look: &_| {
-            picture::of_pack(coins, set, area).draw(buf, look);
-        };
-        View::picture(name, draw, panel).square()
+        let board = move |area| picture::of_pack(coins, set, area);
+        View::drawn(name, board, panel).square()
     }
 }
 

@@ -30,11 +30,7 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
         LevelPhase::Aim => {
             let scene = level.aimed(&play.dials.aim);
             let board = move |area| board::of_aim(level, &scene, play.dials.met, area);
-            View::picture(
-                "aim",
-                move |area, buf, look| board(area).draw(buf, look),
-                panel,
-            )
+            View::drawn("aim", board, panel)
         }
         LevelPhase::Predict(pending) => {
             let faces = pending
@@ -49,21 +45,16 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
                 angle: !rays.asks(Ray::Target),
                 figures: true,
             };
-            let draw = move |area, buf: &mut _, look: &_| {
-                setup_picture(area, faces, collision, given, Some(rays)).draw(buf, look);
-            };
-            View::picture("where will they go?", draw, panel)
+            let hit = move |area| setup_picture(area, faces, collision, given, Some(rays));
+            View::drawn("where will they go?", hit, panel)
         }
         LevelPhase::Watch(made) => match made.player.zoom() {
             Some(watch) => {
-                let draw = |area, buf: &mut _, look: &_| watch.picture(area).draw(buf, look);
-                View::picture(watch.slowed_title(), draw, panel)
+                View::drawn(watch.slowed_title(), |area| watch.picture(area), panel)
             }
             None => {
-                let draw = move |area, buf: &mut _, look: &_| {
-                    board::of_made(level, made, area).draw(buf, look);
-                };
-                View::picture(format!("shot {}", play.shots), draw, panel)
+                let board = |area| board::of_made(level, made, area);
+                View::drawn(format!("shot {}", play.shots), board, panel)
             }
         },
     };

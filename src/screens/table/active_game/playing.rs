@@ -211,11 +211,7 @@ impl Playing {
         }
         phase.write(game, charset, &mut panel);
         if phase.is_enlarged() {
-            return View::picture(
-                title,
-                |area, buf, look| phase.picture(game, area).draw(buf, look),
-                panel,
-            );
+            return View::drawn(title, |area| phase.picture(game, area), panel);
         }
         let draw = |area: Rect, buf: &mut _, look: &_| {
             phase.picture(game, area).draw(buf, look);
