@@ -373,15 +373,7 @@ impl Screen for FoilScreen {
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "A glancing collision, first once and then a million times. Nobody can aim a particle at an atom. But if many particles arrive, evenly spread, their scattering angles show what is inside.",
-            "One particle: set its offset b and see how it is deflected. A hard target reflects it; a nucleus repels it from a distance, along a hyperbola. r_min is the distance of closest approach.",
-            "A beam: particle after particle, each with a random offset, counted by scattering angle in steps of 5°. The line shows the counts that the law predicts. The offsets of a plane beam are spread evenly over a line, as on a board; those of a beam in space are spread evenly over a disc.",
-            "In space there are two ways to count. A small screen, moved around the foil as Geiger and Marsden did, covers the same small solid angle everywhere: it counts particles per steradian (all directions together are 4π steradians). A whole ring of 5° is larger at 90° than near 0° and 180°, so it counts more there. The title shows which way is used.",
-            "In a foil every nucleus has its share of the beam: the thicker the foil, the smaller the area for each nucleus. carrom assumes that each particle meets only one nucleus, and that the nucleus does not move.",
-            "Counted in 1913: Geiger and Marsden's own numbers beside the law.",
-            "The mouse drags the particle up and down; click a tab, a setting, the plot.",
-        ]
+        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: FoilAction, cx: &mut Context) -> Next {

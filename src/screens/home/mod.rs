@@ -128,12 +128,7 @@ impl Screen for Home {
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "carrom teaches one thing well: what happens when one disc hits another off-centre.",
-            "On every screen you first predict what will happen, then watch the exact collision, then read the explanation. A wrong prediction is a good start.",
-            "The first lines suggest what to do next: read on where you stopped, review what is due, or, if you are new, find out what you believe about collisions.",
-            "New here? Begin in the lab, where you see a collision within a minute. Then read the first chapter in Learn.",
-        ]
+        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: HomeAction, cx: &mut Context) -> Next {

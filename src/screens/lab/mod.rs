@@ -216,13 +216,7 @@ impl Screen for Lab {
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "One striker, one coin. Set how far off-centre they collide (the offset b), predict where both will go, then watch: time slows down at the contact and stops there, and the picture shows the explanation step by step. Each step stays long enough to read, and you can go back to it.",
-            "The line of impact n joins the two centres at the contact. The discs exert forces on each other along n. No force acts along the tangent t, so the components along t do not change. Everything else follows from that.",
-            "Angles are measured from the striker's original direction. The striker's angle is positive on the side away from the coin, the coin's angle on the coin's side.",
-            "You can move the coin and the rays with the mouse; the wheel changes the speed.",
-            "After three correct predictions the picture can be live: arrows, angles and curves follow the offset as you change it. Your settings are still there when you come back.",
-        ]
+        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: LabAction, cx: &mut Context) -> Next {

@@ -342,11 +342,6 @@ impl Screen for Progress {
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "All your answers are saved on this computer, and nowhere else. This screen sums them up.",
-            "Over time: each mark is an answer, higher for a larger error; the line is the mean of the last five. Topics: how often you were right, in all and lately; then the chapters you have opened in Learn. How sure: in the honest range that confidence earns the most points; its page over time shows whether you judge yourself better than before. Beliefs: what your wrong answers have in common, out of how many questions that could have shown it, in the first half of your answers and since.",
-            "What you know rests for 1, 2, 4 … 32 days before it is asked again; what you missed is due at once. It feels harder to return to something half forgotten, and that is why it works.",
-            "For several people on one computer, use carrom --player NAME. For a table, use carrom progress --csv, or --json; for a page to print, --report FILE.html. \"Hand in\" writes one small file with every answer, for a teacher who collects those of a class (carrom gather).",
-        ]
+        include_str!("help.txt").lines().collect()
     }
 }

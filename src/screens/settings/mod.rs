@@ -101,10 +101,7 @@ impl Screen for SettingsScreen {
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "Here you set how carrom looks and moves, and who plays. A change you make here, or with its key on any screen, stays until you change it again, even after a restart.",
-            "Options on the command line (carrom --charset ascii) apply to that run only. You can change the keys too: carrom keys prints all of them and shows where to put your own.",
-        ]
+        include_str!("help.txt").lines().collect()
     }
 
     fn typed(&mut self, key: Key, _cx: &mut Context) -> bool {

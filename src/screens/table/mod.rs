@@ -126,17 +126,7 @@ impl Screen for Table {
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "In carrom you use the striker to pocket your nine coins before the other side does, and the queen on the way. The player who breaks plays white; a player who pockets one of their own coins plays again.",
-            "Place the striker on your base line (a mark shows whose turn it is), aim, choose the strength and strike. After the stroke the referee announces the result, with the number of the law.",
-            "The aim line and the ghost show where the striker will hit its first coin; the two arrows show where both discs will go after that collision. Turn them off one by one as you get better.",
-            "Calls: before the stroke, predict the directions of the two discs after the first collision. Good calls earn separate points, which never count in the score.",
-            "After any stroke you can choose one of its impacts and examine it as in the lab, and then go to other strokes.",
-            "Every game is saved after each stroke. The page for a new game also lists the saved games: resume one, or watch it stroke by stroke. An exported game can be replayed on any machine: carrom replay FILE.",
-            "Angles, left and right refer to the screen, whoever strikes: 0 is to the right, 90 up, 180 to the left, 270 down.",
-            "With the mouse or a finger: point where to aim, drag the striker along its base lines, pull it back and let go to strike. The farther you pull, the harder the stroke; pulling to the side turns the aim. Return to the striker to cancel.",
-            "You see the computer aim before it strikes. Let it strike at once, or first predict where the two discs of its first collision will go. Afterwards you see the intended line beside the actual one.",
-        ]
+        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {

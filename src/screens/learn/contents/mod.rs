@@ -123,12 +123,7 @@ impl Screen for Contents {
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "Everything about glancing collisions, to try out: short texts beside figures that you control, and questions that you answer before you see the result.",
-            "The chapters build on each other, but all of them are open. The list shows how many pages of each you have read, and after the last page how many of your answers are right. A tick marks chapters with every answer right, a ~ marks those with wrong answers. You can answer any page's question again. carrom remembers your place, also for the next start.",
-            "carrom can forget your place and your answers, in the chosen chapter or in all chapters, so that you can start again. Your answers still count in your progress.",
-            "For your own chapters, use carrom learn --lessons DIR. Files that cannot be read are listed at the end with their errors.",
-        ]
+        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: ContentsAction, cx: &mut Context) -> Next {

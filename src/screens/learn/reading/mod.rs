@@ -410,10 +410,7 @@ impl Screen for Reading {
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
-        vec![
-            "A chapter page has a few lines of text beside a figure that computes the real collision. If there is a question, answer it first; only then does the figure show what happens. carrom remembers your place.",
-            "You can read every page again, skip it, or answer its question again. A wrong answer is a good start: usually you get a hint and a second try, for half the credit, and the explanation starts from your answer.",
-        ]
+        include_str!("help.txt").lines().collect()
     }
 
     fn act(&mut self, action: ReadingAction, cx: &mut Context) -> Next {

@@ -49,9 +49,7 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
             View::drawn("where will they go?", hit, panel)
         }
         LevelPhase::Watch(made) => match made.player.zoom() {
-            Some(watch) => {
-                View::drawn(watch.slowed_title(), |area| watch.picture(area), panel)
-            }
+            Some(watch) => View::drawn(watch.slowed_title(), |area| watch.picture(area), panel),
             None => {
                 let board = |area| board::of_made(level, made, area);
                 View::drawn(format!("shot {}", play.shots), board, panel)
