@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{EntryAction, KeyTable, NumberEntry, Outcome};
-use crate::messages::{Key, Mouse, MouseKind};
+use crate::messages::Key;
 use crate::widgets::{Role, panel::Panel};
 
 /// Share of a step that the keys for fine steps go.
@@ -293,24 +293,6 @@ impl SettingsForm {
         if field.is_some_and(|it| matches!(it.value, FieldValue::Choice { .. })) {
             self.step(1.0, form);
         }
-    }
-
-    /// The mouse over a form, `row` being the one it points at: the wheel goes through the
-    /// fields, a click selects one, and goes on to the next value of a choice.
-    pub fn mouse(
-        &mut self,
-        mouse: &Mouse,
-        row: Option<usize>,
-        form: &mut impl FormFields,
-    ) -> Outcome {
-        let pointed = row.filter(|row| *row < form.fields().len());
-        match (mouse.kind, pointed) {
-            (MouseKind::ScrollUp, _) => self.go(-1, form),
-            (MouseKind::ScrollDown, _) => self.go(1, form),
-            (MouseKind::Down, Some(row)) => self.point(row, form),
-            _ => return Outcome::Ignored,
-        }
-        Outcome::Used
     }
 
     fn go(&mut self, by: isize, form: &mut impl FormFields) {

@@ -12,15 +12,6 @@ pub enum Outcome<T = ()> {
 }
 
 impl<T> Outcome<T> {
-    /// The same with what came of it turned into something else.
-    pub fn map<U>(self, turn: impl FnOnce(T) -> U) -> Outcome<U> {
-        match self {
-            Self::Ignored => Outcome::Ignored,
-            Self::Used => Outcome::Used,
-            Self::Done(came) => Outcome::Done(turn(came)),
-        }
-    }
-
     /// Whether it meant anything.
     pub fn is_used(&self) -> bool {
         !matches!(self, Self::Ignored)

@@ -286,11 +286,6 @@ impl<'a> Lines<'a> {
         self.written += 1;
     }
 
-    /// One row: a fact, as panels tell them: what it is, and its value flush right.
-    pub fn fact(&mut self, name: &str, value: &str) {
-        self.pair(name, value, Role::Dim, Role::Text);
-    }
-
     /// One row: a name, and values flush right in columns of their own. The name has
     /// twice the room of a value; a value too wide for its column moves to the right
     /// rather than touch what is before it.

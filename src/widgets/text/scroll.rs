@@ -27,11 +27,6 @@ impl Scroll {
         Self { rows }
     }
 
-    /// Rows that are scrolled away above what is shown.
-    pub fn rows(self, area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> u16 {
-        self.rows.min(overflow(area, look, write))
-    }
-
     /// Draws what `write` writes. Where it does not fit, the frame below `area` says
     /// which key brings the rest.
     pub fn draw(self, area: Rect, buf: &mut Buffer, look: Look, write: impl Fn(&mut Lines)) {
