@@ -283,14 +283,14 @@ impl App {
                 if answer.owed == 0 && !std::mem::replace(&mut self.told_of_store, true) =>
             {
                 self.tell(format!(
-                    "What you have set cannot be kept: {reason}. You can go on all the same."
+                    "Your settings cannot be saved: {reason}. You can still go on."
                 ));
             }
             StoreReply::Stars(Err(reason)) | StoreReply::Marks(Err(reason))
                 if !std::mem::replace(&mut self.told_of_store, true) =>
             {
                 self.tell(format!(
-                    "What you did before is not known: {reason}. You can go on all the same."
+                    "Your earlier answers cannot be loaded: {reason}. You can still go on."
                 ));
             }
             _ => {}
@@ -305,10 +305,10 @@ impl App {
             return vec![Effect::Quit];
         }
         let things = match self.owed {
-            1 => "One thing that you did is not kept yet, and is".to_owned(),
-            owed => format!("{owed} things that you did are not kept yet, and are"),
+            1 => "One thing that you did is not saved yet and will be".to_owned(),
+            owed => format!("{owed} things that you did are not saved yet and will be"),
         };
-        let question = format!("{things} lost if it cannot be kept at the last moment. Leave?");
+        let question = format!("{things} lost if carrom cannot save at the last moment. Leave?");
         let question = Confirmation::new(question, "leave", "stay");
         self.layers.push(AppLayer::Leave(question));
         vec![]

@@ -128,7 +128,7 @@ impl<T> KeptFiles<T> {
     /// Does what a key stands for.
     pub(super) fn act(&mut self, action: KeptAction, cx: &mut Context) -> Next {
         let KeptAction::List(action) = action else {
-            let text = format!("Remove this {} for good?", self.kind.one);
+            let text = format!("Delete this {} permanently?", self.kind.one);
             return Next::Confirm(Confirmation::new(text, "remove it", "keep it"));
         };
         self.notice = None;
@@ -174,7 +174,7 @@ impl<T> KeptFiles<T> {
         match &self.files {
             Ok(None) => lines.paragraph("Looking …", Role::Text),
             Err(reason) => {
-                let message = format!("The {all} cannot be looked at: {reason}.");
+                let message = format!("The {all} cannot be listed: {reason}.");
                 lines.paragraph(&message, Role::Warn);
             }
             Ok(Some(files)) if files.is_empty() => {
@@ -210,7 +210,7 @@ impl<T> KeptFiles<T> {
         match &self.files {
             Ok(None) => panel.paragraph("Looking …", Role::Text),
             Err(reason) => {
-                let message = format!("The {all} cannot be looked at: {reason}.");
+                let message = format!("The {all} cannot be listed: {reason}.");
                 panel.paragraph(message, Role::Warn);
             }
             Ok(Some(files)) if files.is_empty() => {
@@ -244,7 +244,7 @@ impl<T> KeptFiles<T> {
             Some(Err(reason)) => {
                 panel.paragraph(format!("It cannot be read. {reason}."), Role::Warn);
                 panel.gap();
-                panel.paragraph("The file is left as it is.", Role::Text);
+                panel.paragraph("The file is left unchanged.", Role::Text);
             }
             None => {}
         }
@@ -262,7 +262,7 @@ impl<T> KeptFiles<T> {
             Some(Err(reason)) => {
                 lines.paragraph(&format!("It cannot be read. {reason}."), Role::Warn);
                 lines.gap();
-                lines.paragraph("The file is left as it is.", Role::Text);
+                lines.paragraph("The file is left unchanged.", Role::Text);
             }
             None => {}
         }

@@ -38,7 +38,7 @@ impl Recall {
         match self {
             Self::Asked(_) => Some(("Looking …".into(), Role::Dim)),
             Self::Unknown(reason) => {
-                let message = format!("What you have done cannot be looked at: {reason}.");
+                let message = format!("Your progress cannot be loaded: {reason}.");
                 Some((message, Role::Warn))
             }
             Self::Known(_) => None,

@@ -44,7 +44,7 @@ use text_store::TextStore;
 /// How the names of texts that are read again end.
 const TEXT: &str = ".toml";
 /// Why nothing is kept where no folder for it is known.
-const NOWHERE: &str = "no folder for data is known; --data-dir gives one";
+const NOWHERE: &str = "no data folder is known; set one with --data-dir";
 /// The folder of rounds of classes.
 const CLASSES: &str = "classes";
 /// The folder of what pupils have handed in.

@@ -405,7 +405,7 @@ fn who_prints_what_is_damaged_learns_that_carrom_mends_it() {
         let message = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(1), "{message}");
         assert!(message.contains("it is damaged"), "{message}");
-        let hint = "carrom mends it when you next open the game";
+        let hint = "carrom repairs it when you next open the game";
         assert!(message.contains(hint), "{message}");
         assert!(fs::read(&path).unwrap() == damaged, "it is not changed");
     }

@@ -146,7 +146,7 @@ fn a_fault_restores_the_terminal_and_is_reported() {
     let report = folder.path().join("crash.log");
     pty.wait_until("a report", |_| report.exists());
     pty.assert_taken();
-    assert!(!pty.screen().contains("stopped by a fault"));
+    assert!(!pty.screen().contains("stopped by an internal error"));
     pty.press("p");
     assert_ne!(pty.wait(), 0);
     pty.assert_restored();

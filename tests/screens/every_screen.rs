@@ -234,7 +234,7 @@ fn escape_leads_home_and_q_out() {
             if game.screen().contains("Leave carrom?") {
                 break;
             }
-            if game.screen().contains("please say") {
+            if game.screen().contains("please choose") {
                 game.press("y");
             }
         }

@@ -222,7 +222,7 @@ fn escape_always_goes_back_or_asks() {
                 "{}: after {presses}",
                 moment.name
             );
-            if game.screen().contains("please say") {
+            if game.screen().contains("please choose") {
                 game.press("y");
             }
         }

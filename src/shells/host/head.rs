@@ -31,7 +31,7 @@ pub(super) enum Wish {
 }
 
 /// What is said to whoever does not come by the address on the board.
-const BY_ADDRESS: &str = "Open the address that stands on the board.";
+const BY_ADDRESS: &str = "Open the address that is shown on the board.";
 
 /// Reads a head that is all there; `None` while it is not.
 pub(super) fn read(bytes: &[u8], port: u16) -> Option<(usize, Wish)> {
@@ -41,7 +41,7 @@ pub(super) fn read(bytes: &[u8], port: u16) -> Option<(usize, Wish)> {
         Ok(httparse::Status::Complete(length)) => length,
         Ok(httparse::Status::Partial) if bytes.len() < LONGEST => return None,
         Ok(httparse::Status::Partial) => return Some((0, Wish::No(431, "Too long."))),
-        Err(_) => return Some((0, Wish::No(400, "That was no request of a browser."))),
+        Err(_) => return Some((0, Wish::No(400, "This is not a request from a browser."))),
     };
     Some((length, wish(&request, port)))
 }
@@ -80,7 +80,7 @@ fn wish(request: &httparse::Request, port: u16) -> Wish {
             let version = only("sec-websocket-version") == Some("13");
             match only("sec-websocket-key").filter(|_| upgrades && version) {
                 Some(key) => Wish::Talk(key.to_owned()),
-                None => Wish::No(426, "Here devices of a class talk."),
+                None => Wish::No(426, "This address is for the devices of a class."),
             }
         }
         ("GET" | "HEAD", "/" | "/index.html" | "/carrom.html") => Wish::Page {

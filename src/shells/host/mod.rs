@@ -119,7 +119,7 @@ impl Host {
         };
         let page = match &self.options.page {
             Some(page) => page.clone(),
-            None => Err("this carrom has no page for them".into()),
+            None => Err("this carrom contains no page for browsers".into()),
         };
         let told = page.as_ref().map(|_| ()).map_err(Clone::clone);
         let board = Arc::new(Switchboard::new(

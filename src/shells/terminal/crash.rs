@@ -32,7 +32,7 @@ pub fn report_crashes(folder: Option<PathBuf>) {
                 None => "no folder is known for a report".into(),
             };
             let line = format!(
-                "carrom: stopped by a fault of its own: {}; {saved}",
+                "carrom: stopped by an internal error: {}; {saved}",
                 what(info)
             );
             // Standard error may be gone with its window, and a panic in here ends

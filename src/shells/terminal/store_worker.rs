@@ -67,7 +67,7 @@ impl StoreWorker {
         let asked = self.jobs.as_ref().map(|jobs| jobs.send(job));
         if !matches!(asked, Some(Ok(()))) {
             // A fault has ended the thread; its report is in crash.log.
-            tell(request.refused("whoever keeps the games is gone"), sender);
+            tell(request.refused("the store has stopped"), sender);
             return false;
         }
         let patience = match request.wish {
@@ -99,7 +99,7 @@ impl Drop for StoreWorker {
             thread::sleep(Duration::from_millis(1));
         }
         if !thread.is_finished() {
-            say("saving what you did last ...");
+            say("saving the last changes ...");
         }
         // Should it have been ended by a fault, that has been reported.
         let _ = thread.join();
@@ -112,7 +112,7 @@ fn tell(answer: StoreAnswer, sender: &Sender<Message>) {
     if let Err(mpsc::SendError(Message::Input(Input::Kept(answer)))) = told
         && let StoreReply::Saved(Err(reason)) = answer.done
     {
-        say(&format!("what you did last could not be kept: {reason}"));
+        say(&format!("the last changes could not be saved: {reason}"));
     }
 }
 

@@ -122,7 +122,7 @@ fn in_words(error: &rusqlite::Error) -> String {
             ErrorCode::DatabaseCorrupt | ErrorCode::NotADatabase | ErrorCode::OperationInterrupted,
         ) => "it is damaged; ",
         Some(ErrorCode::ReadOnly | ErrorCode::CannotOpen | ErrorCode::PermissionDenied) => {
-            "it cannot be opened to be written; "
+            "it cannot be opened for writing; "
         }
         Some(ErrorCode::SystemIoFailure) => "the disk does not work as it should; ",
         _ => "",

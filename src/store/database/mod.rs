@@ -262,9 +262,9 @@ impl Database {
             Location::Memory(_) | Location::Newer(..) => trouble.to_string(),
             Location::Folder(folder) => {
                 let what_next = if trouble.is_strange() {
-                    ", so it is left as it is; nothing is kept until it is moved away"
+                    ", so it is left unchanged; nothing is saved until it is moved away"
                 } else if trouble.is_damage() && self.only_looks {
-                    "; carrom mends it when you next open the game"
+                    "; carrom repairs it when you next open the game"
                 } else {
                     ""
                 };
