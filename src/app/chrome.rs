@@ -116,7 +116,9 @@ fn panel_of(app: &App, layer: &AppLayer) -> Panel<LayerAction> {
     let (title, words) = match layer {
         AppLayer::Help { .. } => return help(app),
         AppLayer::Notice(words) => ("please note", words),
-        AppLayer::Confirm(question) | AppLayer::Leave(question) => ("please choose", &question.text),
+        AppLayer::Confirm(question) | AppLayer::Leave(question) => {
+            ("please choose", &question.text)
+        }
     };
     let mut panel = Panel::new(title);
     panel.paragraph(words, Role::Text);

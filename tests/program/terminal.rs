@@ -152,7 +152,7 @@ fn a_fault_restores_the_terminal_and_is_reported() {
     pty.assert_restored();
     let screen = pty.screen().replace('\n', "");
     assert!(
-        screen.contains("carrom: stopped by a fault of its own: a bad mood"),
+        screen.contains("carrom: stopped by an internal error: a bad mood"),
         "{screen}"
     );
     let report = std::fs::read_to_string(report).unwrap();
