@@ -30,7 +30,7 @@ struct Guide {
 }
 
 /// In the order in which a teacher needs them.
-static GUIDES: [Guide; 8] = [
+static GUIDES: [Guide; 9] = [
     Guide {
         name: "start",
         about: "the first ten minutes",
@@ -70,6 +70,11 @@ static GUIDES: [Guide; 8] = [
         name: "concepts",
         about: "how to write questions in words",
         markdown: include_str!("../../docs/concepts.md"),
+    },
+    Guide {
+        name: "accessibility",
+        about: "what is accessible, and what is not yet",
+        markdown: include_str!("../../docs/accessibility.md"),
     },
 ];
 
