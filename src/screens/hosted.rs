@@ -11,7 +11,7 @@ use super::{Context, Next, Place, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::{Panel, Placed, Writing};
-use crate::widgets::{Scroll, SplitLayout, scroll_keys};
+use crate::widgets::{Scroll, SplitLayout, scroll_keys, sheet};
 
 /// What keys do on every screen that has no use of its own for them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -431,6 +431,7 @@ impl<S: Screen> AnyScreen for Hosted<S> {
             let [first, second] = view.titles();
             layout.draw(buf, &writing.look, &first, &second);
             if let Part::Picture(_, draw) = &view.first {
+                sheet::next_picture_drags(view.drag);
                 draw(layout.picture, buf, &writing.look);
             }
             for (_, shown) in panels {

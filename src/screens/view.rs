@@ -19,6 +19,8 @@ pub struct View<'s, A> {
     pub(super) second: Panel<A>,
     /// Whether keys go to the larger part first, where they may go to either.
     pub(super) focus: Option<bool>,
+    /// What can be dragged in the picture, in a sentence for fingers and the mouse.
+    pub(super) drag: Option<&'static str>,
 }
 
 /// The larger part of a view.
@@ -80,6 +82,15 @@ impl<'s, A> View<'s, A> {
             first,
             second,
             focus: None,
+            drag: None,
+        }
+    }
+
+    /// The same with a picture in which something can be dragged.
+    pub(super) fn dragging(self, drag: impl Into<Option<&'static str>>) -> Self {
+        Self {
+            drag: drag.into(),
+            ..self
         }
     }
 

@@ -143,7 +143,10 @@ const panels = (() => {
   const KINDS = {
     picture: () => {
       const node = make("div", "picture");
-      return [node, ([{ number, shows = [] }]) => {
+      const hint = make("p", "hint");
+      return [make("figure", "", node, hint), ([{ number, shows = [], drag = "" }]) => {
+        write(hint, drag);
+        hint.hidden = !drag;
         const canvas = painter.canvas(number);
         canvas.carromShows = shows.join(" ");
         if (canvas.parentNode !== node) node.replaceChildren(canvas);

@@ -17,7 +17,10 @@ pub(super) fn view<'s>(foil: &'s FoilScreen, cx: &Context) -> View<'s, FoilActio
     let draw = |area, buf: &mut _, look: &Look| picture(foil, area, *look).draw(buf, look);
     View {
         tabs: Some(tabs),
-        ..View::picture(title(foil), draw, panel(foil, cx))
+        ..View::picture(title(foil), draw, panel(foil, cx)).dragging(match foil.page {
+            FoilPage::Tracks => Some("Drag the particle up or down to set how far off it passes."),
+            FoilPage::Counts | FoilPage::Measured => None,
+        })
     }
 }
 

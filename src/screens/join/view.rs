@@ -36,7 +36,11 @@ pub(super) fn view<'s>(desk: &'s Desk, link: &Link, answers: usize) -> View<'s, 
             title,
             |area, buf, look| draw(desk, question, area, buf, look),
             panel,
-        ),
+        )
+        .dragging(match &desk.doing {
+            Doing::Vote(asking) => asking.input().drag(question),
+            _ => None,
+        }),
         _ => {
             panel.title = title;
             View::alone(SplitLayout::card, panel)

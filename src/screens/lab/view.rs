@@ -34,13 +34,17 @@ pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
             "live: it follows what you set",
             |area, buf, look| live(lab, area, buf, look, cx),
             settings(lab, cx),
-        ),
-        LabPhase::Aim => View::drawn("set up the hit", setup(None), settings(lab, cx)),
+        )
+        .dragging(DRAG),
+        LabPhase::Aim => {
+            View::drawn("set up the hit", setup(None), settings(lab, cx)).dragging(DRAG)
+        }
         LabPhase::Predict(rays) => View::drawn(
             "where will they go?",
             setup(Some(rays)),
             prediction(lab, rays),
-        ),
+        )
+        .dragging(RayInput::DRAG),
         LabPhase::Watch(watch) => View::drawn(
             watch.slowed_title(),
             |area| watch.picture(area),
@@ -48,6 +52,8 @@ pub(super) fn view<'s>(lab: &'s Lab, cx: &'s Context) -> View<'s, LabAction> {
         ),
     }
 }
+
+const DRAG: &str = "Drag the coin up or down to set the offset.";
 
 /// Fewest rows of a picture that has room for the curves too.
 const ROOM_FOR_CURVES: u16 = 18;

@@ -37,6 +37,10 @@ fn of_asked<'s>(quiz: &Quiz, asked: &'s OpenQuestion) -> View<'s, QuizAction> {
             draw_question(area, buf, look, question, Some(asked.asking.input()));
         },
     )
+    .dragging(match sure {
+        false => asked.asking.input().drag(question),
+        true => None,
+    })
 }
 
 fn of_watched<'s>(

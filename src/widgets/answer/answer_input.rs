@@ -178,6 +178,15 @@ impl AnswerInput {
         true
     }
 
+    /// What can be dragged in the question's picture, in a sentence.
+    pub(crate) fn drag(&self, question: &Question) -> Option<&'static str> {
+        match (self, question.picture.collision()) {
+            (Self::Rays(_), Some(_)) => Some(RayInput::DRAG),
+            (Self::Shot(_), _) => Some("Drag the coin sideways to aim at it."),
+            _ => None,
+        }
+    }
+
     /// Writes what is said so far, with all there is to choose from. The distance between
     /// choices is worth `apart`, if there is any.
     pub(crate) fn write(&self, form: &Form, apart: Option<u8>, panel: &mut Panel<AnswerAction>) {

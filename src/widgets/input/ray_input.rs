@@ -47,6 +47,9 @@ pub enum RayAction {
 }
 
 impl RayInput {
+    /// What can be dragged in a picture with rays.
+    pub(crate) const DRAG: &str = "Drag in the picture to turn the ray.";
+
     /// Nothing said yet. `side` is +1 where the coin lies to the right of
     /// the striker's way and −1 where it lies to the left.
     pub fn new(side: f64) -> Self {

@@ -86,6 +86,9 @@ pub enum Words {
         /// What it shows, in sentences; empty where the words beside it say as much.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         shows: Vec<String>,
+        /// What can be dragged in it, in a sentence.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        drag: Option<&'static str>,
     },
     /// What is read from the left to the right, behind a mark if it has one.
     Text {
@@ -171,8 +174,9 @@ pub enum Words {
 struct Recorder {
     sheets: Vec<Sheet>,
     pictures: usize,
-    /// What the next picture shows.
+    /// What the next picture shows, and what can be dragged in it.
     shows: Vec<String>,
+    drag: Option<&'static str>,
 }
 
 impl Recorder {
@@ -282,6 +286,7 @@ pub fn recorded<T>(draw: impl FnOnce() -> T) -> (T, Vec<Sheet>) {
         sheets: Vec::new(),
         pictures: 0,
         shows: Vec::new(),
+        drag: None,
     }));
     let drawn = draw();
     let sheets = RECORDED.take().map_or_else(Vec::new, |it| it.sheets);
@@ -340,7 +345,13 @@ pub(crate) fn picture(area: Rect) {
         let number = recorder.pictures;
         recorder.pictures += 1;
         let shows = std::mem::take(&mut recorder.shows);
-        recorder.note(area, Item::new(Words::Picture { number, shows }));
+        let drag = recorder.drag.take();
+        let words = Words::Picture {
+            number,
+            shows,
+            drag,
+        };
+        recorder.note(area, Item::new(words));
     });
 }
 
@@ -351,6 +362,11 @@ pub(crate) fn next_picture_shows(say: impl FnOnce() -> Vec<String>) {
         let shows = say();
         with(|recorder| recorder.shows = shows);
     }
+}
+
+/// Says what can be dragged in the picture that is drawn next.
+pub(crate) fn next_picture_drags(drag: Option<&'static str>) {
+    with(|recorder| recorder.drag = drag);
 }
 
 /// Notes something that was written into an area. `make` is asked only if anyone records.
@@ -452,7 +468,11 @@ mod tests {
         assert_eq!(sheets[0].sections[1].items, [text("beside")]);
         let numbered = |number| {
             let shows = Vec::new();
-            Item::new(Words::Picture { number, shows })
+            Item::new(Words::Picture {
+                number,
+                shows,
+                drag: None,
+            })
         };
         assert_eq!(
             sheets[0].sections[0].items,

@@ -130,6 +130,17 @@ impl Dials {
         }
     }
 
+    /// What can be dragged on the board, in a sentence.
+    pub(super) fn drag_words(&self) -> Option<&'static str> {
+        let may = |dial| self.level.adjust.range(dial).is_some();
+        match (may(Dial::Place), may(Dial::Direction)) {
+            (true, true) => Some("Drag the striker to place it, and beside it to aim."),
+            (true, false) => Some("Drag the striker to place it."),
+            (false, true) => Some("Drag in the picture to aim."),
+            (false, false) => None,
+        }
+    }
+
     /// Sets a dial by hand, to a whole step.
     fn snap(&mut self, dial: Dial, number: f64) {
         let step = dial.step();

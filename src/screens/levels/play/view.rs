@@ -30,7 +30,7 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
         LevelPhase::Aim => {
             let scene = level.aimed(&play.dials.aim);
             let board = move |area| board::of_aim(level, &scene, play.dials.met, area);
-            View::drawn("aim", board, panel)
+            View::drawn("aim", board, panel).dragging(play.dials.drag_words())
         }
         LevelPhase::Predict(pending) => {
             let faces = pending
@@ -46,7 +46,7 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
                 figures: true,
             };
             let hit = move |area| setup_picture(area, faces, collision, given, Some(rays));
-            View::drawn("where will they go?", hit, panel)
+            View::drawn("where will they go?", hit, panel).dragging(RayInput::DRAG)
         }
         LevelPhase::Watch(made) => match made.player.zoom() {
             Some(watch) => View::drawn(watch.slowed_title(), |area| watch.picture(area), panel),

@@ -13,7 +13,7 @@ use crate::widgets::hit::HitPace;
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
-use crate::widgets::{Charset, Role, board};
+use crate::widgets::{Charset, RayInput, Role, board};
 
 /// A game, and what is being done in it.
 #[derive(Debug, Clone)]
@@ -221,7 +221,15 @@ impl Playing {
             };
             trays::draw(game, replay, board::square(area), buf, look);
         };
-        View::picture(title, draw, panel).square()
+        View::picture(title, draw, panel)
+            .square()
+            .dragging(match phase {
+                GamePhase::Aim => Some(
+                    "Touch the board to aim. Drag the striker along its base line; pull it back and let go to strike.",
+                ),
+                GamePhase::Call(_) => Some(RayInput::DRAG),
+                _ => None,
+            })
     }
 }
 
