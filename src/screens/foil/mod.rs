@@ -86,7 +86,7 @@ enum BeamPhase {
     NotThrown,
     /// It is said what it will do.
     Guess(AnswerInput),
-    Thrown(BeamRun),
+    Thrown(Box<BeamRun>),
 }
 
 impl FoilScreen {
@@ -117,7 +117,7 @@ impl FoilScreen {
 
     fn run(&self) -> Option<&BeamRun> {
         match &self.beam {
-            BeamPhase::Thrown(run) => Some(run),
+            BeamPhase::Thrown(run) => Some(run.as_ref()),
             _ => None,
         }
     }
@@ -195,7 +195,8 @@ impl FoilScreen {
         let seed = seed.wrapping_add(self.runs);
         self.runs = self.runs.wrapping_add(1);
         let (law, particles) = (self.setup.law(), self.setup.particles());
-        self.beam = BeamPhase::Thrown(BeamRun::new(law, seed, particles, said));
+        let run = BeamRun::new(law, seed, particles, said);
+        self.beam = BeamPhase::Thrown(Box::new(run));
     }
 
     /// Throws the particles between two pictures: as many whatever time has passed, so that a

@@ -13,7 +13,7 @@ const MOST: u64 = 2_000_000;
 #[derive(Debug, Clone)]
 pub(super) struct BeamRun {
     pub(super) law: ScatteringLaw,
-    sampler: Box<Sampler>,
+    sampler: Sampler,
     seed: u64,
     pub(super) particles: u64,
     pub(super) counts: Counts,
@@ -28,7 +28,7 @@ impl BeamRun {
     pub(super) fn new(law: ScatteringLaw, seed: u64, particles: u64, said: Option<f64>) -> Self {
         Self {
             law,
-            sampler: Box::new(Sampler::new(&law)),
+            sampler: Sampler::new(&law),
             seed,
             particles,
             counts: Counts::default(),
