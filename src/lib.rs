@@ -39,10 +39,10 @@
 //!   ─────────────────────────────────────────────────────────────
 //!   lessons/       chapters: text, figures, checkpoints  (data: assets/lessons)
 //!   progress/      a player's answers, and what follows from them: topics, confidence,
-//!                  misconceptions that fade, reviews that are due
+//!                  misconceptions that fade, reviews that are due, the summary of a round
 //!   ─────────────────────────────────────────────────────────────
 //!   quiz/          questions, grading, misconceptions; concept questions in words
-//!                  (data: assets/concepts)
+//!                  (data: assets/concepts, misconceptions.toml, topics.csv)
 //!   game/          carrom itself: pieces, the pack, placing, the laws, the score, the
 //!                  computer opponent
 //!   levels/        scene and level files: format, loading, checking  (data: levels/)

@@ -2,6 +2,7 @@
 
 use super::ballot::Vote;
 use super::round::ClassRound;
+use crate::progress::Tally;
 
 /// What to do after a first vote, by the share that is right (C. H. Crouch and E. Mazur, *Peer
 /// Instruction: Ten years of experience and results*, 2001): talking helps where some have
@@ -19,9 +20,10 @@ pub enum Advice {
 impl Advice {
     /// What the first vote on a question advises; `None` where nobody has voted.
     pub fn of(round: &ClassRound, question: usize) -> Option<Self> {
-        let grades = round.grades(question, Vote::First);
-        let right = grades.iter().filter(|grade| grade.right).count();
-        match grades.len() {
+        let Tally {
+            attempts, right, ..
+        } = round.results(question, Vote::First);
+        match attempts {
             0 => None,
             all if 10 * right < 3 * all => Some(Self::ExplainAgain),
             all if 10 * right > 8 * all => Some(Self::GoOn),

@@ -39,7 +39,7 @@ pub fn items(round: &ClassRound, asked: usize) -> Vec<ItemAnalysis> {
 }
 
 fn item(round: &ClassRound, question: usize, asked: usize) -> ItemAnalysis {
-    let votes = Vote::BOTH.map(|vote| Tally::of_grades(&round.grades(question, vote)));
+    let votes = Vote::BOTH.map(|vote| round.results(question, vote));
     let spoken_for = evidence(&round.clues(question, Vote::First)).into_iter();
     ItemAnalysis {
         question,

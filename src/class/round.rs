@@ -9,6 +9,7 @@ use super::door::{DoorCode, SeatToken};
 use super::names::{folded, free_name, tidy};
 use super::step::ClassPlace;
 use super::way::WayOfVoting;
+use crate::progress::Tally;
 use crate::quiz::{Answer, Clue, Code, Diagnosis, Grade, Misconception, Question, Response, Round};
 
 /// Somebody who votes: a team, or a pupil on a device of their own.
@@ -410,11 +411,10 @@ impl ClassRound {
         }
     }
 
-    /// How good that was.
-    pub fn grades(&self, question: usize, vote: Vote) -> Vec<Grade> {
+    /// What the answers at a vote come to.
+    pub fn results(&self, question: usize, vote: Vote) -> Tally {
         let said = self.said(question, vote);
-        said.filter_map(|said| self.grade(question, Some(said)))
-            .collect()
+        Tally::of_grades(said.filter_map(|said| self.grade(question, Some(said))))
     }
 
     /// The misconceptions that it fitted, each with what was said.

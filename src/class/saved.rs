@@ -142,7 +142,7 @@ impl ClassRound {
     pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(name, whole(bytes), LARGEST)?;
         let formats = old_formats::OLDEST..=FORMAT;
-        source.document_since("a class round", formats, &old_formats::FIELDS, |fields| {
+        source.document("a class round", formats, &old_formats::FIELDS, |fields| {
             let last = FORMAT as usize;
             let is_old = fields.whole("format", "a format", 1..=last)? < last;
             let fields = match is_old {

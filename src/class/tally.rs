@@ -128,7 +128,7 @@ mod tests {
         assert!(round.count(0, Vote::First, Some(&counts)));
         assert_eq!(round.voted(0, Vote::First), 32);
         assert_eq!(round.said(0, Vote::Second).count(), 32);
-        assert_eq!(round.grades(0, Vote::First).len(), 32);
+        assert_eq!(round.results(0, Vote::First).attempts, 32);
         assert_eq!((round.begun(), round.voted(0, Vote::Second)), (1, 0));
         assert!(round.count(0, Vote::First, None));
         assert!(!round.is_begun());

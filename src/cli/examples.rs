@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use include_dir::{Dir, include_dir};
 
-use super::{Failure, print_names, written};
+use super::{Failure, written};
 use crate::files::Document;
 
 /// The tests check each of them as carrom checks it for a user.
@@ -24,10 +24,7 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let mut documents = Vec::new();
     gather(&EXAMPLES, args, &mut documents);
-    written::write(&documents, args.force)?;
-    Ok(print_names(
-        documents.iter().map(|(path, _)| path.as_path()),
-    )?)
+    written::write_named(&documents, args.force)
 }
 
 fn gather(folder: &Dir, args: &Args, documents: &mut Vec<Document>) {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Failure, GlobalOptions, print_names, print_text, written};
+use super::{Failure, GlobalOptions, print_text, written};
 use crate::files::Document;
 use crate::numbers::capital;
 use crate::paper::guide_page;
@@ -80,11 +80,7 @@ static GUIDES: [Guide; 9] = [
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     if let Some(folder) = &args.out {
-        let documents = documents(folder);
-        written::write(&documents, args.force)?;
-        return Ok(print_names(
-            documents.iter().map(|(path, _)| path.as_path()),
-        )?);
+        return written::write_named(&documents(folder), args.force);
     }
     let text = match args.name {
         Some(guide) => guide.markdown.to_owned(),

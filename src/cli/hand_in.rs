@@ -1,12 +1,12 @@
 //! `carrom hand-in` and `carrom gather`: the answers of a class.
 
-use std::ffi::OsStr;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Context, anyhow};
 
-use super::{Failure, GlobalOptions, print_names, progress, written};
+use super::written::{self, NamedFile};
+use super::{Failure, GlobalOptions, progress};
 use crate::files::{self, Document, escape_control_lines};
 use crate::gradebook::{Gradebook, HandIn, beliefs_csv, items_csv, pupils_csv};
 use crate::numbers::counted;
@@ -63,7 +63,7 @@ pub(super) struct GatherArgs {
     folder: PathBuf,
     /// The file to write, .html or .csv
     #[arg(long, value_name = "FILE", value_parser = gathered)]
-    out: Gathered,
+    out: NamedFile,
     /// Only the files of this class, by its name in the files
     #[arg(long, value_name = "NAME")]
     class: Option<String>,
@@ -75,27 +75,9 @@ pub(super) struct GatherArgs {
     force: bool,
 }
 
-/// Where a gradebook is written; the extension determines the format.
-#[derive(Debug, Clone)]
-struct Gathered {
-    path: PathBuf,
-    is_table: bool,
-}
-
-fn gathered(path: &str) -> Result<Gathered, String> {
-    let path = PathBuf::from(path);
-    let is_table = match lower_ending(&path).as_deref() {
-        Some("csv") => true,
-        Some("html") => false,
-        _ => return Err("expected a file name that ends in .html or .csv".into()),
-    };
-    Ok(Gathered { path, is_table })
-}
-
-fn lower_ending(path: &Path) -> Option<String> {
-    path.extension()
-        .and_then(OsStr::to_str)
-        .map(str::to_lowercase)
+/// A file to write; whether it is a table.
+fn gathered(path: &str) -> Result<NamedFile, String> {
+    written::named_file(path, ["html", "csv"])
 }
 
 pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), Failure> {
@@ -127,8 +109,7 @@ pub(super) fn hand_in(args: &HandInArgs, options: &GlobalOptions) -> Result<(), 
         .clone()
         .unwrap_or_else(|| hand_in.file_name().into());
     let text = hand_in.text().map_err(|reason| anyhow!(reason))?;
-    written::write_beside(&path, &[(path.clone(), text)], args.force)?;
-    Ok(print_names([path.as_path()].into_iter())?)
+    written::write_named_beside(&path, &[(path.clone(), text)], args.force)
 }
 
 pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), Failure> {
@@ -137,7 +118,7 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
     let entries = entries.map_err(Failure::Input)?;
     let paths = entries.flatten().map(|entry| entry.path());
     let mut paths: Vec<PathBuf> = paths
-        .filter(|path| lower_ending(path).as_deref() == Some(ENDING))
+        .filter(|path| written::lower_ending(path).as_deref() == Some(ENDING))
         .collect();
     paths.sort();
     let mut book = Gradebook::default();
@@ -177,16 +158,13 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
         return Err(Failure::input(message));
     }
     let documents = documents(&book, &args.out).map_err(|reason| anyhow!(reason))?;
-    written::write_beside(&args.out.path, &documents, args.force)?;
-    Ok(print_names(
-        documents.iter().map(|(path, _)| path.as_path()),
-    )?)
+    written::write_named_beside(&args.out.path, &documents, args.force)
 }
 
 /// The gradebook in one file, or as three tables.
-fn documents(book: &Gradebook, out: &Gathered) -> Result<Vec<Document>, String> {
+fn documents(book: &Gradebook, out: &NamedFile) -> Result<Vec<Document>, String> {
     let (path, results) = (&out.path, book.results());
-    if !out.is_table {
+    if !out.is_second {
         return Ok(vec![(path.clone(), paper::gradebook::html(&results))]);
     }
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();

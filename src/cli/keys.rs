@@ -44,7 +44,7 @@ pub(super) fn read(path: &Path) -> Result<Rebound, FileErrors> {
     let name = path.display().to_string();
     let source = Source::of_bytes(&name, &bytes, LARGEST)?;
     let known = ["format", "keys"];
-    source.document("keys of carrom", FORMAT, &known, |fields| {
+    source.document("keys of carrom", FORMAT..=FORMAT, &known, |fields| {
         let table = fields.table("keys", &[])?;
         let all: BTreeMap<String, Vec<String>> = toml::from_str(USUAL).unwrap_or_default();
         let rows = table

@@ -41,7 +41,9 @@ pub use options::GlobalOptions;
 
 use crate::app::{App, Data};
 use crate::class::{DoorCode, team_names};
-use crate::files::{LONGEST_QUOTE, escape_control, escape_control_lines, quoted, write_json};
+use crate::files::{
+    Document, LONGEST_QUOTE, escape_control, escape_control_lines, quoted, write_json,
+};
 use crate::quiz::{Code, concepts};
 use crate::screens::{KeptSettings, Place, code_of, host_of};
 use crate::shells::host::HostOptions;
@@ -235,28 +237,24 @@ impl OpenCommand {
             },
             Self::Class {
                 code,
-                host: true,
+                host,
                 class,
+                teams,
                 ..
-            } => Place::Host {
-                name: class.clone().unwrap_or_default(),
-                code: filled(code.as_ref(), &data.own)?
-                    .map(Code::same_for_all)
-                    .transpose()?,
-            },
+            } => {
+                let name = class.clone().unwrap_or_default();
+                let code = filled(code.as_ref(), &data.own)?;
+                let code = code.map(Code::same_for_all).transpose()?;
+                let teams = teams.clone().unwrap_or_default();
+                match host {
+                    true => Place::Host { name, code },
+                    false => Place::Class { name, code, teams },
+                }
+            }
             Self::Join { address, code } => Place::Join {
                 code: code.or_else(|| code_of(address.as_deref()?)),
                 address: Some(address.as_deref().and_then(host_of).unwrap_or_default()),
                 again: false,
-            },
-            Self::Class {
-                code, teams, class, ..
-            } => Place::Class {
-                name: class.clone().unwrap_or_default(),
-                code: filled(code.as_ref(), &data.own)?
-                    .map(Code::same_for_all)
-                    .transpose()?,
-                teams: teams.clone().unwrap_or_default(),
             },
             Self::Foil => Place::Foil,
             Self::Table => Place::Table,
@@ -517,9 +515,11 @@ fn print_report(json: Option<&impl Serialize>, words: impl FnOnce() -> String) -
 }
 
 /// Prints the names of written files, one per line.
-fn print_names<'a>(paths: impl Iterator<Item = &'a Path>) -> io::Result<()> {
-    let names: String = paths.map(|path| format!("{}\n", path.display())).collect();
-    print(names.as_bytes())
+fn print_names<'a>(documents: impl IntoIterator<Item = &'a Document>) -> io::Result<()> {
+    let names = documents
+        .into_iter()
+        .map(|(path, _)| format!("{}\n", path.display()));
+    print(names.collect::<String>().as_bytes())
 }
 
 /// Writes to standard output. A reader that stops early (`carrom man | head`) is not an

@@ -6,7 +6,7 @@ use std::{env, fs};
 
 use anyhow::{Context, anyhow};
 
-use super::{Failure, GlobalOptions, print_names, written};
+use super::{Failure, GlobalOptions, written};
 use crate::files::{self, FileError, FileErrors};
 
 /// The page that this program was built with, if it was.
@@ -44,8 +44,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     let page = page(args.page.as_deref()).map_err(Failure::Input)?;
     let own = own_files(options).map_err(Failure::input)?;
     let page = with_files(&page, &own).map_err(Failure::Input)?;
-    written::write_beside(&args.out, &[(args.out.clone(), page)], args.force)?;
-    Ok(print_names(std::iter::once(args.out.as_path()))?)
+    written::write_named_beside(&args.out, &[(args.out.clone(), page)], args.force)
 }
 
 /// The page to start from.

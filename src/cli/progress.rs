@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
-use std::path::PathBuf;
 
 use anyhow::anyhow;
 
-use super::{Failure, GlobalOptions, print, written};
+use super::written::{self, NamedFile};
+use super::{Failure, GlobalOptions, print};
 use crate::files::{Document, escape_control_lines};
 use crate::messages::{History, StoreCall, StoreReply, StoreRequest};
 use crate::paper::report::{Report, Sources};
@@ -33,28 +33,14 @@ pub(super) struct Args {
     /// --everyone one page per player
     #[arg(long, value_name = "FILE", value_parser = report_file,
           conflicts_with_all = ["json", "csv"])]
-    report: Option<ReportFile>,
+    report: Option<NamedFile>,
     /// Replace an existing report and its pictures
     #[arg(long, requires = "report")]
     force: bool,
 }
 
-/// Where a report is written; the extension determines the format.
-#[derive(Debug, Clone)]
-struct ReportFile {
-    path: PathBuf,
-    is_markdown: bool,
-}
-
-fn report_file(path: &str) -> Result<ReportFile, String> {
-    let path = PathBuf::from(path);
-    let ending = path.extension().and_then(OsStr::to_str);
-    let is_markdown = match ending.map(str::to_lowercase).as_deref() {
-        Some("html") => false,
-        Some("md") => true,
-        _ => return Err("expected a file name that ends in .html or .md".into()),
-    };
-    Ok(ReportFile { path, is_markdown })
+fn report_file(path: &str) -> Result<NamedFile, String> {
+    written::named_file(path, ["html", "md"])
 }
 
 impl Args {
@@ -107,7 +93,7 @@ fn reports(
     players: &[String],
     history: &History,
     store: &mut Store,
-    file: &ReportFile,
+    file: &NamedFile,
     options: &GlobalOptions,
 ) -> anyhow::Result<Vec<Document>> {
     let (shelf, book) = (options.shelf(), options.book());
@@ -152,9 +138,9 @@ fn ask(store: &mut Store, wish: StoreRequest) -> StoreReply {
 
 /// The reports in one file. Pictures of Markdown reports go into a folder beside it, named
 /// after it; several reports have one subfolder each.
-fn documents(reports: &[Report], file: &ReportFile) -> Vec<Document> {
+fn documents(reports: &[Report], file: &NamedFile) -> Vec<Document> {
     let path = &file.path;
-    if !file.is_markdown {
+    if !file.is_second {
         return vec![(path.clone(), Report::html_of_all(reports))];
     }
     let stem = path.file_stem().and_then(OsStr::to_str);

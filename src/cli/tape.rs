@@ -82,8 +82,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
         }
     }
     files::put(&documents, Existing::Go)?;
-    let paths = documents.iter().map(|(path, _)| path.as_path());
-    Ok(super::print_names(paths)?)
+    Ok(super::print_names(&documents)?)
 }
 
 /// The tape in a file.

@@ -74,9 +74,8 @@ const PICTURES: &str = "pictures";
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     if let Some(count) = args.cards {
         let path = args.out.join("cards.html");
-        let document = (path.clone(), cards(count.into(), args.paper));
-        written::write(&[document], args.force)?;
-        return Ok(print_names([path.as_path()].into_iter())?);
+        let document = (path, cards(count.into(), args.paper));
+        return written::write_named(&[document], args.force);
     }
     let code = code(args, options);
     let code = code.and_then(|code| code.with_own(&options.own())?.same_for_all());
@@ -90,23 +89,26 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     let mut all = Vec::new();
     for (number, letter) in (1..=args.versions).zip('A'..) {
         let round = round.version(number.into());
-        let worksheet = Worksheet::new(&round, args.title.as_deref());
-        let worksheet = worksheet.concepts(concepts.clone()).paper(args.paper);
-        all.extend(match args.versions {
-            1 => files(&worksheet, args, ""),
-            _ => files(
-                &worksheet.version(letter),
-                args,
-                &format!("-{}", letter.to_ascii_lowercase()),
-            ),
-        });
+        let several = args.versions > 1;
+        let worksheet = Worksheet {
+            version: several.then_some(letter),
+            concepts: concepts.clone(),
+            paper: args.paper,
+            ..Worksheet::new(&round, args.title.as_deref())
+        };
+        let version = match several {
+            true => format!("-{}", letter.to_ascii_lowercase()),
+            false => String::new(),
+        };
+        all.extend(files(&worksheet, args, &version));
     }
     written::write(&all, args.force)?;
     if args.force {
         remove_others(&args.out, &all)?;
     }
-    let paths = all.iter().map(|(path, _)| path.as_path());
-    Ok(print_names(paths.filter(|path| !is_picture(path)))?)
+    Ok(print_names(
+        all.iter().filter(|(path, _)| !is_picture(path)),
+    )?)
 }
 
 /// The code of the requested round.

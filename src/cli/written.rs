@@ -1,9 +1,11 @@
 //! Writing the files of a command.
 
-use std::path::Path;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
 
 use anyhow::anyhow;
 
+use super::{Failure, print_names};
 use crate::files::{Document, Existing, Unwritten, put};
 
 /// Writes documents, all of them or none; existing files are replaced only with --force.
@@ -16,7 +18,13 @@ pub(super) fn write(documents: &[Document], force: bool) -> anyhow::Result<()> {
     })
 }
 
-/// The same for documents in or beside a file that the user has named. Its folder has to
+/// Writes documents and prints their names.
+pub(super) fn write_named(documents: &[Document], force: bool) -> Result<(), Failure> {
+    write(documents, force)?;
+    Ok(print_names(documents)?)
+}
+
+/// Writes documents in or beside a file that the user has named. Its folder has to
 /// exist, so that a typing error does not create one.
 pub(super) fn write_beside(
     named: &Path,
@@ -31,4 +39,44 @@ pub(super) fn write_beside(
         )),
         _ => write(documents, force),
     }
+}
+
+/// The same, and prints their names.
+pub(super) fn write_named_beside(
+    named: &Path,
+    documents: &[Document],
+    force: bool,
+) -> Result<(), Failure> {
+    write_beside(named, documents, force)?;
+    Ok(print_names(documents)?)
+}
+
+/// A file to be written in the one or the other of two formats, by how its name ends.
+#[derive(Debug, Clone)]
+pub(super) struct NamedFile {
+    pub(super) path: PathBuf,
+    pub(super) is_second: bool,
+}
+
+/// The file of a name that has one of two endings.
+pub(super) fn named_file(path: &str, endings: [&str; 2]) -> Result<NamedFile, String> {
+    let path = PathBuf::from(path);
+    let ending = lower_ending(&path);
+    let place = endings.iter().position(|it| ending.as_deref() == Some(it));
+    let [first, second] = endings;
+    match place {
+        Some(place) => Ok(NamedFile {
+            path,
+            is_second: place == 1,
+        }),
+        None => Err(format!(
+            "expected a file name that ends in .{first} or .{second}"
+        )),
+    }
+}
+
+/// How a name ends, in lower case.
+pub(super) fn lower_ending(path: &Path) -> Option<String> {
+    let ending = path.extension().and_then(OsStr::to_str);
+    ending.map(str::to_lowercase)
 }

@@ -34,45 +34,24 @@ pub struct Fields<'a> {
 }
 
 impl Source<'_> {
-    /// Reads TOML that says `format = FORMAT`. `what` it is to be stands in messages, as "a
-    /// saved game"; `known` are its fields.
+    /// Reads TOML that says `format = FORMAT`, or one of the older `formats` that still open. `what`
+    /// it is to be stands in messages, as "a saved game"; `known` are its fields.
     ///
     /// # Errors
     /// All that is wrong with it; of a file of a newer format only that.
     pub(crate) fn document<T>(
         self,
         what: &str,
-        format: u32,
-        known: &[&'static str],
-        read: impl FnOnce(&Fields) -> Option<T>,
-    ) -> Result<T, FileErrors> {
-        self.document_since(what, format..=format, known, read)
-    }
-
-    /// The same for a file whose older formats still open.
-    pub(crate) fn document_since<T>(
-        self,
-        what: &str,
         formats: RangeInclusive<u32>,
         known: &[&'static str],
         read: impl FnOnce(&Fields) -> Option<T>,
     ) -> Result<T, FileErrors> {
-        let made = self.tables_since(what, formats, known, read);
+        let made = self.tables(what, formats, known, read);
         self.finish(made)
     }
 
     /// As [`Self::document`], with what is wrong noted in the source.
     pub(crate) fn tables<T>(
-        &self,
-        what: &str,
-        format: u32,
-        known: &[&'static str],
-        read: impl FnOnce(&Fields) -> Option<T>,
-    ) -> Option<T> {
-        self.tables_since(what, format..=format, known, read)
-    }
-
-    fn tables_since<T>(
         &self,
         what: &str,
         formats: RangeInclusive<u32>,
@@ -605,7 +584,7 @@ mod tests {
     fn told(line: &str) -> String {
         let text = format!("format = 1\n{line}\n");
         let source = Source::of_bytes("a.toml", text.as_bytes(), 1000).unwrap();
-        let read = source.document("a thing", 1, &["format", "hit", "ask"], |_| Some(()));
+        let read = source.document("a thing", 1..=1, &["format", "hit", "ask"], |_| Some(()));
         read.unwrap_err().to_string()
     }
 

@@ -44,6 +44,11 @@ pub(super) fn is_picture(letter: &str) -> bool {
     }
 }
 
+/// A text as one line, with one blank between two words.
+pub(crate) fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// A path as a part of an address: what is not plain in it is written as bytes in percent.
 pub(crate) fn percent_encoded(path: &[u8]) -> String {
     let plain = |byte: &u8| byte.is_ascii_alphanumeric() || b"-._/".contains(byte);

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{CollisionSpec, words::Words};
-use crate::files::{Fields, Source, all, is_id};
+use crate::files::{Fields, Source, all, is_id, one_line};
 use crate::quiz::concepts::read_hit;
 
 /// The format of chapters that this program reads.
@@ -86,7 +86,7 @@ pub(super) fn read(source: &Source) -> Option<Header> {
     }
     let part = source.part(first.len()..first.len() + length);
     let known = ["format", "title", "about", "shot"];
-    let header = part.tables("a chapter", FORMAT, &known, |fields| {
+    let header = part.tables("a chapter", FORMAT..=FORMAT, &known, |fields| {
         Some(Header {
             title: line(fields, "title", TITLE),
             about: line(fields, "about", ABOUT),
@@ -100,8 +100,7 @@ pub(super) fn read(source: &Source) -> Option<Header> {
 
 /// A text in one line.
 fn line(fields: &Fields, name: &str, most: usize) -> Option<String> {
-    let words: Vec<_> = fields.text(name, most)?.split_whitespace().collect();
-    Some(words.join(" "))
+    fields.text(name, most).map(one_line)
 }
 
 fn shots(fields: &Fields) -> Option<Shots> {

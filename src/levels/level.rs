@@ -72,7 +72,7 @@ impl Level {
         others: &[Self],
     ) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(name, bytes, files::LARGEST)?;
-        source.document("a level", FORMAT, &FIELDS, |fields| {
+        source.document("a level", FORMAT..=FORMAT, &FIELDS, |fields| {
             Self::from_fields(fields, others)
         })
     }
@@ -161,7 +161,7 @@ impl Scene {
     /// All that is wrong with it.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(name, bytes, files::LARGEST)?;
-        source.document("a scene", FORMAT, &[], |fields| {
+        source.document("a scene", FORMAT..=FORMAT, &[], |fields| {
             if fields.has("level") {
                 let fields = fields.clone().only(&FIELDS);
                 Level::from_fields(&fields, &[]).map(|level| level.scene)

@@ -157,33 +157,25 @@ pub type KeptGame = Kept<(SavedGame, Game)>;
 impl StoreCall {
     /// An answer that refuses the request.
     pub fn refused(&self, reason: &str) -> StoreAnswer {
+        use StoreRequest::*;
         let reason = reason.to_owned();
         StoreAnswer {
             ticket: self.ticket,
             done: match self.wish {
-                StoreRequest::Save(_)
-                | StoreRequest::SaveClass(_)
-                | StoreRequest::NoteClass { .. } => StoreReply::Saved(Err(reason)),
-                StoreRequest::List => StoreReply::Listed(Err(reason)),
-                StoreRequest::Load(_) => StoreReply::Loaded(Err(reason)),
-                StoreRequest::Remove(_) | StoreRequest::RemoveClass(_) => {
-                    StoreReply::Removed(Err(reason))
+                Save(_) | SaveClass(_) | NoteClass { .. } => StoreReply::Saved(Err(reason)),
+                List => StoreReply::Listed(Err(reason)),
+                Load(_) => StoreReply::Loaded(Err(reason)),
+                Remove(_) | RemoveClass(_) => StoreReply::Removed(Err(reason)),
+                Export(_) | ExportClass(_) => StoreReply::Exported(Err(reason)),
+                KeepHandIn(_) => StoreReply::HandedIn(Err(reason)),
+                ListClasses => StoreReply::Classes(Err(reason)),
+                LoadClass(_) => StoreReply::Class(Err(reason)),
+                Recall(_) => StoreReply::Recalled(Err(reason)),
+                Stars(_) => StoreReply::Stars(Err(reason)),
+                Marks(_) => StoreReply::Marks(Err(reason)),
+                Record(_) | Star(..) | Mark { .. } | Forget(..) | KeepSettings(_) | Retry => {
+                    StoreReply::Noted(Err(reason))
                 }
-                StoreRequest::Export(_) | StoreRequest::ExportClass(_) => {
-                    StoreReply::Exported(Err(reason))
-                }
-                StoreRequest::KeepHandIn(_) => StoreReply::HandedIn(Err(reason)),
-                StoreRequest::ListClasses => StoreReply::Classes(Err(reason)),
-                StoreRequest::LoadClass(_) => StoreReply::Class(Err(reason)),
-                StoreRequest::Record(_)
-                | StoreRequest::Star(..)
-                | StoreRequest::Mark { .. }
-                | StoreRequest::Forget(..)
-                | StoreRequest::KeepSettings(_)
-                | StoreRequest::Retry => StoreReply::Noted(Err(reason)),
-                StoreRequest::Recall(_) => StoreReply::Recalled(Err(reason)),
-                StoreRequest::Stars(_) => StoreReply::Stars(Err(reason)),
-                StoreRequest::Marks(_) => StoreReply::Marks(Err(reason)),
             },
             owed: 0,
             notice: None,

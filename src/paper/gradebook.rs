@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::{HtmlPage, clean};
+use super::{Paper, clean, html_page};
 use crate::gradebook::{ClassResults, PupilResults, beliefs, items};
 use crate::numbers::{counted, fixed};
 use crate::progress::Mastery;
@@ -18,16 +18,21 @@ const COLUMNS: usize = 6;
 
 /// The gradebook as an HTML document: what the class did, what the questions showed, what the
 /// class believes, then a page a pupil.
-#[must_use]
 pub fn html(results: &ClassResults<'_>) -> String {
-    let page = HtmlPage::new("carrom: gradebook")
-        .style(include_str!("gradebook.css"))
-        .sheet(sheet("Gradebook", &overview(results)))
-        .sheet(sheet("The questions", &questions(results)))
-        .sheet(sheet("What the class believes", &believed(results)));
+    let of_class = [
+        sheet("Gradebook", &overview(results)),
+        sheet("The questions", &questions(results)),
+        sheet("What the class believes", &believed(results)),
+    ];
     let pupils =
         { results.pupils.iter() }.map(|it| sheet(&clean(&it.pupil.name, NAME), &report(it)));
-    pupils.fold(page, HtmlPage::sheet).html()
+    let sheets = of_class.into_iter().chain(pupils);
+    html_page(
+        "carrom: gradebook",
+        include_str!("gradebook.css"),
+        Paper::A4,
+        sheets,
+    )
 }
 
 fn sheet(title: &str, body: &Markup) -> Markup {

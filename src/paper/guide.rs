@@ -3,14 +3,13 @@
 use maud::{PreEscaped, html};
 use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 
-use super::HtmlPage;
+use super::{Paper, html_page};
 
 const STYLE: &str = include_str!("guide.css");
 
 /// A guide of the program's own as an HTML document. A link to another guide (`class.md`)
 /// leads to its page beside this one (`class.html`); of a link to anywhere else only its
 /// words stay.
-#[must_use]
 pub fn guide_page(markdown: &str) -> String {
     let events: Vec<_> = Parser::new_ext(markdown, Options::ENABLE_TABLES).collect();
     let mut body = String::new();
@@ -24,10 +23,8 @@ pub fn guide_page(markdown: &str) -> String {
         event => Some(event),
     });
     pulldown_cmark::html::push_html(&mut body, linked);
-    HtmlPage::new(&title(&events))
-        .style(STYLE)
-        .sheet(html! { div.guide { (PreEscaped(body)) } })
-        .html()
+    let sheet = html! { div.guide { (PreEscaped(body)) } };
+    html_page(&title(&events), STYLE, Paper::A4, [sheet])
 }
 
 /// The start or the end of a link to another guide's page, or nothing if it is no such link.

@@ -18,7 +18,6 @@ pub struct Markdown {
 
 impl Markdown {
     /// An empty document.
-    #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
@@ -93,7 +92,6 @@ impl Markdown {
     }
 
     /// The whole document.
-    #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }

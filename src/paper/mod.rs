@@ -1,6 +1,6 @@
 //! Documents for paper: what is printed, handed in or put on a wall.
 //!
-//! A document is written as HTML on a [`HtmlPage`] (self-contained, A4, nothing is loaded
+//! A document is written as HTML by [`html_page()`] (self-contained, A4, nothing is loaded
 //! and nothing runs) or as [`Markdown`] with its pictures in files beside it. Pictures
 //! are those of the screen, drawn as vectors: an `Svg` each. They are meant for black
 //! and white too: what has a meaning has a name, a dash or a width beside its colour.
@@ -11,12 +11,12 @@
 //! without end) is taken out by [`clean()`].
 //!
 //! ```
-//! use carrom::paper::{Markdown, HtmlPage, clean};
+//! use carrom::paper::{Markdown, Paper, clean, html_page};
 //! use maud::html;
 //!
 //! let name = clean("Ada <3", 40);
-//! let page = HtmlPage::new("A sheet").sheet(html! { h1 { (name) } });
-//! assert!(page.html().contains("<h1>Ada &lt;3</h1>"));
+//! let page = html_page("A sheet", "", Paper::A4, [html! { h1 { (name) } }]);
+//! assert!(page.contains("<h1>Ada &lt;3</h1>"));
 //!
 //! let mut text = Markdown::new();
 //! text.heading(1, &name).picture("A stroke", "sheet-pictures/stroke.svg");
@@ -34,7 +34,7 @@ pub mod worksheet;
 pub use clean::clean;
 pub use guide::guide_page;
 pub use markdown::Markdown;
-pub use page::{HtmlPage, Paper};
+pub use page::{Paper, html_page};
 
 use crate::widgets::picture::Picture;
 use crate::widgets::svg::Svg;

@@ -36,77 +36,39 @@ impl Paper {
     }
 }
 
-/// An HTML document of one or several sheets of paper.
+/// An HTML document of these sheets of paper.
 ///
 /// It is self-contained: style and pictures are in it. On a screen the sheets lie below
 /// one another; printed, each begins on a new page. `h1` to `h3`, `p`, `table`, `figure`
 /// and `svg` are styled, `.dim` is text of second rank, and `--text`, `--dim`,
-/// `--faint`, `--wash` and `--accent` are the colours for a [`style`](Self::style) of
-/// one's own.
-#[derive(Debug, Clone)]
-pub struct HtmlPage {
+/// `--faint`, `--wash` and `--accent` are the colours for a `style` of one's own, which is
+/// written into the document as it is. The title is that of the window and becomes the
+/// name of the file when it is printed to one.
+pub fn html_page(
+    title: &str,
+    style: &str,
     paper: Paper,
-    title: String,
-    style: &'static str,
-    sheets: Vec<Markup>,
-}
-
-impl HtmlPage {
-    /// A document with nothing in it. The title is that of the window and becomes the
-    /// name of the file when it is printed to one.
-    #[must_use]
-    pub fn new(title: &str) -> Self {
-        Self {
-            paper: Paper::default(),
-            title: clean(title, TITLE),
-            style: "",
-            sheets: Vec::new(),
-        }
-    }
-
-    /// The same document with rules of its own after the common ones. They are written
-    /// into the document as they are.
-    #[must_use]
-    pub fn style(self, style: &'static str) -> Self {
-        Self { style, ..self }
-    }
-
-    /// The same document for this paper.
-    #[must_use]
-    pub fn paper(self, paper: Paper) -> Self {
-        Self { paper, ..self }
-    }
-
-    /// The same document with another sheet.
-    #[must_use]
-    pub fn sheet(mut self, content: Markup) -> Self {
-        self.sheets.push(content);
-        self
-    }
-
-    /// The whole document.
-    #[must_use]
-    pub fn html(&self) -> String {
-        let page = html! {
-            (DOCTYPE)
-            html lang="en" {
-                head {
-                    meta charset="utf-8";
-                    meta name="viewport" content="width=device-width, initial-scale=1";
-                    meta http-equiv="Content-Security-Policy" content=(POLICY);
-                    meta name="generator" content=(concat!("carrom ", env!("CARGO_PKG_VERSION")));
-                    title { (self.title) }
-                    style { (PreEscaped(STYLE)) (PreEscaped(self.style)) (PreEscaped(self.paper.style())) }
-                }
-                body {
-                    @for sheet in &self.sheets {
-                        section.sheet { (sheet) }
-                    }
+    sheets: impl IntoIterator<Item = Markup>,
+) -> String {
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta http-equiv="Content-Security-Policy" content=(POLICY);
+                meta name="generator" content=(concat!("carrom ", env!("CARGO_PKG_VERSION")));
+                title { (clean(title, TITLE)) }
+                style { (PreEscaped(STYLE)) (PreEscaped(style)) (PreEscaped(paper.style())) }
+            }
+            body {
+                @for sheet in sheets {
+                    section.sheet { (sheet) }
                 }
             }
-        };
-        page.into_string() + "\n"
-    }
+        }
+    };
+    page.into_string() + "\n"
 }
 
 #[cfg(test)]
@@ -115,7 +77,7 @@ mod tests {
 
     #[test]
     fn a_title_is_text_and_nothing_else() {
-        let page = HtmlPage::new("</title><script>alert(1)</script>").html();
+        let page = html_page("</title><script>alert(1)</script>", "", Paper::A4, []);
         assert!(page.starts_with("<!DOCTYPE html><html lang=\"en\">"));
         assert!(page.contains("<title>&lt;/title&gt;&lt;script&gt;"));
         assert!(!page.contains("<script"));
@@ -123,11 +85,8 @@ mod tests {
 
     #[test]
     fn sheets_come_in_order() {
-        let page = HtmlPage::new("two")
-            .style(".x { color: red }")
-            .sheet(html! { "first" })
-            .sheet(html! { "second" })
-            .html();
+        let sheets = [html! { "first" }, html! { "second" }];
+        let page = html_page("two", ".x { color: red }", Paper::A4, sheets);
         assert_eq!(page.matches("class=\"sheet\"").count(), 2);
         assert!(page.find("first") < page.find("second"));
         assert!(page.contains(".x { color: red }</style>"));

@@ -146,7 +146,7 @@ impl Attempt {
         let ids = noted.iter().filter_map(Value::as_str);
         let by_chance = self.question.get(BY_CHANCE).and_then(Value::as_f64);
         Clue {
-            question: figures_text(&self.question),
+            question: format!("{} {}", self.number, figures_text(&self.question)),
             could_show: ids.filter_map(Misconception::with_id).collect(),
             shows: self.shows(),
             by_chance: by_chance
@@ -173,6 +173,12 @@ impl Attempt {
     /// Points by how near it was, 0 to [`Grade::MOST`], however sure the player was.
     pub fn points(&self) -> f64 {
         Grade::MOST * self.credit
+    }
+
+    /// Points with what the player staked on it by how sure they were.
+    pub fn earned(&self) -> f64 {
+        self.confidence
+            .map_or(self.points(), |it| it.points(self.credit))
     }
 
     /// The chance that a guess fits a misconception, where it was not noted: no smaller than

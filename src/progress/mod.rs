@@ -15,6 +15,7 @@ mod calibration;
 mod due;
 mod export;
 mod schedule;
+mod summary;
 mod tally;
 mod topics;
 pub(crate) mod words;
@@ -28,6 +29,7 @@ pub use calibration::{Calibrated, calibration, calibration_over_time, calibratio
 pub use due::Due;
 pub use export::{csv, json, utc};
 pub use schedule::{Review, reviews};
+pub use summary::Summary;
 pub(crate) use tally::discrimination;
-pub use tally::{Tally, ends_deg, smoothed_errors_deg};
+pub use tally::{ENOUGH_ANGLES, Tally, ends_deg, smoothed_errors_deg};
 pub use topics::{LATELY, Mastery, TopicStanding, topics};

@@ -3,7 +3,10 @@
 use super::Attempt;
 use crate::numbers::correlation;
 use crate::physics::units::deg_from_rad;
-use crate::quiz::{ENOUGH_ANGLES, Grade};
+use crate::quiz::Grade;
+
+/// Fewest angles whose mean error says something.
+pub const ENOUGH_ANGLES: usize = 3;
 
 /// Answers counted: those of a player, of a class to one question, of a round.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -26,7 +29,7 @@ impl Tally {
     }
 
     /// Counts answers that are graded and nothing else, as the votes of a class.
-    pub fn of_grades<'a>(grades: impl IntoIterator<Item = &'a Grade>) -> Self {
+    pub fn of_grades(grades: impl IntoIterator<Item = Grade>) -> Self {
         let mut tally = Self::default();
         for grade in grades {
             tally.count(

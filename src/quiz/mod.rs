@@ -4,13 +4,13 @@
 //! [`Family`], which draws its figures and knows the true answer and what each
 //! [`Misconception`] would answer. The player gives an [`Answer`]: a [`Response`] in
 //! the [`Form`] the question asks for, and how sure they are. [`Grade`] says how good it
-//! is, [`Question::diagnose`] which known misconception it fits, [`explain()`] why the
-//! truth is true, and [`Summary`] looks back over the round.
+//! is, [`Question::diagnose`] which known misconception it fits, and [`explain()`] why
+//! the truth is true.
 //!
 //! The [`concepts`] are questions in words, written by hand.
 //!
 //! ```text
-//!    rounds          courses, codes, reviews, summaries
+//!    rounds          courses, codes, reviews
 //! ──────────────────────────────────────────────────────────────────────────────────────
 //!    families        what each family of questions draws and asks
 //! ──────────────────────────────────────────────────────────────────────────────────────
@@ -39,6 +39,4 @@ pub use question::{
     Hit, Illustration, MIN_SEPARATION, Markings, Measure, Misconception, Passage, Pieces, Question,
     RIGHT_DEG, Ray, RayGrade, Rays, RaysGrade, Response, Topic, WrongAnswer, letter,
 };
-pub use rounds::{
-    ChaptersRead, Code, Course, CourseKind, ENOUGH_ANGLES, Round, Summary, SummaryLine,
-};
+pub use rounds::{ChaptersRead, Code, Course, CourseKind, Round};

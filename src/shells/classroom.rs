@@ -36,6 +36,12 @@ struct PupilDevice {
     seat: Option<(String, String)>,
 }
 
+impl PupilDevice {
+    fn hears(&mut self, news: JoinNews) {
+        self.game.input(&Input::Joined(news));
+    }
+}
+
 /// Somebody in a class.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Who {
@@ -107,9 +113,8 @@ impl Classroom {
         };
         pupil.reaches = reaches;
         if !reaches && let Some(line) = pupil.line.take() {
-            let lost = JoinNews::Lost("out of reach".into());
-            pupil.game.input(&Input::Joined(lost));
-            self.host.input(&Input::Hosted(vec![HostNews::Gone(line)]));
+            pupil.hears(JoinNews::Lost("out of reach".into()));
+            self.tell_host(HostNews::Gone(line));
         }
         self.settle();
     }
@@ -159,8 +164,7 @@ impl Classroom {
                     addresses: vec![ADDRESS],
                     page: Ok(()),
                 };
-                self.host
-                    .input(&Input::Hosted(vec![HostNews::Opened(Ok(door))]));
+                self.tell_host(HostNews::Opened(Ok(door)));
             }
             HostCall::Tell(states) => {
                 for (line, state) in states {
@@ -178,12 +182,15 @@ impl Classroom {
                 self.code = None;
                 for pupil in &mut self.pupils {
                     if pupil.line.take().is_some() {
-                        let lost = JoinNews::Lost("the class is over".into());
-                        pupil.game.input(&Input::Joined(lost));
+                        pupil.hears(JoinNews::Lost("the class is over".into()));
                     }
                 }
             }
         }
+    }
+
+    fn tell_host(&mut self, news: HostNews) {
+        self.host.input(&Input::Hosted(vec![news]));
     }
 
     fn at(&mut self, line: LineId) -> Option<&mut PupilDevice> {
@@ -198,8 +205,7 @@ impl Classroom {
 
     fn tell(&mut self, line: LineId, saying: &HostSaying) {
         if let Some(pupil) = self.at(line) {
-            let heard = JoinNews::Heard(saying.to_text());
-            pupil.game.input(&Input::Joined(heard));
+            pupil.hears(JoinNews::Heard(saying.to_text()));
         }
     }
 
@@ -210,8 +216,7 @@ impl Classroom {
             JoinCall::Dial(_) => {
                 let before = pupil.line.take();
                 if let Some((seat, name)) = pupil.seat.clone() {
-                    let news = JoinNews::Remembered(seat, name);
-                    pupil.game.input(&Input::Joined(news));
+                    pupil.hears(JoinNews::Remembered(seat, name));
                 }
                 let reached = pupil.reaches && code.is_some();
                 let news = match reached {
@@ -222,9 +227,9 @@ impl Classroom {
                     }
                     false => JoinNews::Lost("out of reach".into()),
                 };
-                pupil.game.input(&Input::Joined(news));
+                pupil.hears(news);
                 if let Some(line) = before {
-                    self.host.input(&Input::Hosted(vec![HostNews::Gone(line)]));
+                    self.tell_host(HostNews::Gone(line));
                 }
             }
             JoinCall::Say(text) => {
@@ -237,7 +242,7 @@ impl Classroom {
             }
             JoinCall::HangUp => {
                 if let Some(line) = pupil.line.take() {
-                    self.host.input(&Input::Hosted(vec![HostNews::Gone(line)]));
+                    self.tell_host(HostNews::Gone(line));
                 }
             }
         }
@@ -268,6 +273,6 @@ impl Classroom {
             },
             Err(why) => return self.tell(line, &no(why)),
         };
-        self.host.input(&Input::Hosted(vec![news]));
+        self.tell_host(news);
     }
 }

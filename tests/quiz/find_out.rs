@@ -1,7 +1,8 @@
 //! Finding out what somebody believes, and the mixed course in which every misconception is
 //! met: the same everywhere, and right about answers that follow one belief.
 
-use carrom::quiz::{Answer, Code, Confidence, Misconception, Question, Response, Round, Summary};
+use carrom::progress::{Attempt, Summary};
+use carrom::quiz::{Answer, Code, Confidence, Misconception, Question, Response, Round};
 
 /// Answers a round by its code to the end.
 fn play(code: &str, answer: impl Fn(&Question) -> Response) -> (Round, Vec<Answer>) {
@@ -14,8 +15,12 @@ fn play(code: &str, answer: impl Fn(&Question) -> Response) -> (Round, Vec<Answe
     (round, answers)
 }
 
-fn look_back((round, answers): &(Round, Vec<Answer>)) -> Summary {
-    Summary::new(round.questions().iter().zip(answers))
+fn look_back((round, answers): &(Round, Vec<Answer>)) -> Summary<'static> {
+    let answered = (1..).zip(round.questions().iter().zip(answers));
+    let attempt = |(number, (question, answer)): (u32, (&Question, &Answer))| {
+        Attempt::of_quiz("Ada", round.code(), number, question, answer)
+    };
+    Summary::new(Vec::leak(answered.map(attempt).collect()))
 }
 
 /// What somebody says who holds this, and is right otherwise.
@@ -81,15 +86,12 @@ fn who_answers_by_one_belief_is_told_it_and_who_is_right_of_none() {
             let summary = look_back(&played);
             let named = summary.most_held().map(|(it, _)| it);
             assert_eq!(named, Some(misconception), "{seed}");
-            assert!((3..=12).contains(&summary.lines.len()));
+            assert!((3..=12).contains(&summary.attempts.len()));
             let finding = summary.finding();
             assert!(finding[0].contains(misconception.name()), "{finding:?}");
             // The answers that say so are named by their numbers.
-            let shows = |(_, line): &(usize, _)| {
-                let line: &&carrom::quiz::SummaryLine = line;
-                line.clue.shows == Some(misconception)
-            };
-            for (number, _) in (1..).zip(&summary.lines).filter(shows) {
+            let shows = |(_, it): &(usize, &Attempt)| it.shows() == Some(misconception);
+            for (number, _) in (1..).zip(summary.attempts).filter(shows) {
                 assert!(finding[1].contains(&number.to_string()), "{finding:?}");
             }
         }

@@ -4,10 +4,11 @@
 use std::sync::LazyLock;
 
 use carrom::physics::ImpactPoint;
+use carrom::progress::{Attempt, Summary};
 use carrom::quiz::misconceptions::OF_RAYS as ALL;
 use carrom::quiz::{
     Answer, Confidence, Fit, Form, Grade, Hit, Misconception, Pieces, Question, RIGHT_DEG, Ray,
-    Rays, Response, Round, Summary, explain, hits,
+    Rays, Response, Round, explain, hits,
 };
 use carrom::widgets::text::wrap;
 use glam::DVec2;
@@ -230,6 +231,15 @@ fn a_code_is_the_same_round_for_ever() {
     insta::assert_snapshot!("rounds", rounds.join("\n"));
 }
 
+/// The answers to a round as they are kept.
+fn summary(round: &Round, answers: &[Answer]) -> Summary<'static> {
+    let answered = (1..).zip(round.questions().iter().zip(answers));
+    let attempt = |(number, (question, answer)): (u32, (&Question, &Answer))| {
+        Attempt::of_quiz("Ada", round.code(), number, question, answer)
+    };
+    Summary::new(Vec::leak(answered.map(attempt).collect()))
+}
+
 #[test]
 fn a_round_of_one_belief_names_it() {
     for misconception in ALL {
@@ -242,7 +252,7 @@ fn a_round_of_one_belief_names_it() {
                     sure(held.map_or(truth(question), |(_, rays, _)| rays))
                 })
                 .collect();
-            let summary = Summary::new(round.questions().iter().zip(&answers));
+            let summary = summary(round, &answers);
             let met = round.questions().len() - summary.right();
             // One answer alone names nothing.
             if met > 1 {
@@ -252,7 +262,7 @@ fn a_round_of_one_belief_names_it() {
                 assert_eq!(summary.most_held(), None);
             }
             // The points are the sum of those of the questions, below zero too.
-            let each = summary.lines.iter().map(|line| line.grade.points());
+            let each = summary.attempts.iter().map(Attempt::earned);
             let sum: f64 = each.sum();
             assert!((summary.points() - sum).abs() < 0.051 * answers.len() as f64);
             assert!(summary.points() <= summary.most());
@@ -264,14 +274,14 @@ fn a_round_of_one_belief_names_it() {
 fn the_summary_of_a_perfect_round_and_of_none() {
     let round = Round::hits(3);
     let answers: Vec<Answer> = round.questions().iter().map(|q| sure(truth(q))).collect();
-    let summary = Summary::new(round.questions().iter().zip(&answers));
+    let summary = summary(&round, &answers);
     assert!((summary.points() - 100.0).abs() < 1e-9);
     assert_eq!(summary.right(), 10);
     assert!(summary.mean_error().is_some_and(|error| error < 1e-9));
     assert_eq!(summary.calibration(Confidence::Sure), (10, 10));
     assert_eq!(summary.calibration(Confidence::Guess), (0, 0));
 
-    let none = Summary::new([]);
+    let none = Summary::new(&[]);
     assert_eq!(none.mean_error(), None);
     assert_eq!(none.calibration_words(), "");
     assert!(none.points().abs() < 1e-12);

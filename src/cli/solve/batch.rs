@@ -1,19 +1,31 @@
 //! Many problems, one per line, answered in order.
 
 use std::fmt::Display;
-use std::io::{BufRead, Write};
+use std::io::{self, BufReader, Read, Write};
 use std::process::ExitCode;
 
 use serde::Serialize;
+use thiserror::Error;
 
 use super::answer::SolveAnswer;
-use super::lines::{BatchError, InputLine, LONGEST, LineReader};
 use super::problem::Problem;
 use crate::cli::write_json_line;
-use crate::files::{BYTE_ORDER_MARK, escape_control};
+use crate::files::{BYTE_ORDER_MARK, escape_control, read_line};
+
+/// The longest line that is read, in bytes; a problem takes a few hundred.
+const LONGEST: usize = 64 * 1024;
 
 /// The longest error message, in characters: noise is not echoed at length.
 const LONGEST_MESSAGE: usize = 200;
+
+/// An input or output error.
+#[derive(Debug, Error)]
+pub(super) enum BatchError {
+    #[error("cannot read the problems")]
+    Read(#[source] io::Error),
+    #[error("cannot write to standard output")]
+    Write(#[source] io::Error),
+}
 
 /// The answer to a line that is not a problem.
 #[derive(Debug, Serialize)]
@@ -24,23 +36,25 @@ struct RefusedLine {
 
 /// Answers every line of `input` that is not blank. A bad line is answered with an error;
 /// the run continues and ends with exit status 1.
-pub(super) fn run(input: impl BufRead, out: &mut impl Write) -> Result<ExitCode, BatchError> {
-    let mut lines = LineReader::new(input);
+pub(super) fn run(input: impl Read, out: &mut impl Write) -> Result<ExitCode, BatchError> {
+    let (mut input, mut line) = (BufReader::new(input), Vec::new());
     let mut status = ExitCode::SUCCESS;
-    let mut number = 0;
-    while let Some(line) = lines.next(|| out.flush())? {
-        number += 1;
-        let is_first = number == 1;
-        let answer = match line {
-            InputLine::Whole(text) => {
-                let marked = text.strip_prefix(BYTE_ORDER_MARK).filter(|_| is_first);
-                let text = marked.unwrap_or(text);
+    for number in 1.. {
+        // Reading may wait: what has been answered so far is sent before.
+        if !input.buffer().contains(&b'\n') {
+            out.flush().map_err(BatchError::Write)?;
+        }
+        let answer = match read_line(&mut input, LONGEST, &mut line).map_err(BatchError::Read)? {
+            None => break,
+            Some(false) => Err(format!("expected a line of at most {LONGEST} bytes")),
+            Some(true) => {
+                let marked = line.strip_prefix(BYTE_ORDER_MARK).filter(|_| number == 1);
+                let text = marked.unwrap_or(&line);
                 if text.trim_ascii().is_empty() {
                     continue;
                 }
                 answer(text)
             }
-            InputLine::TooLong => Err(format!("expected a line of at most {LONGEST} bytes")),
         };
         let written = match answer {
             Ok(answer) => write_json_line(out, &answer),

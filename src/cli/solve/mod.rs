@@ -4,7 +4,6 @@
 mod answer;
 mod args;
 mod batch;
-mod lines;
 mod problem;
 mod record;
 mod text;
@@ -19,7 +18,7 @@ use crate::physics::worked::{self, WorkedStep};
 use crate::shells::plain::{self, Leave, Talk};
 use answer::SolveAnswer;
 pub(super) use args::Args;
-use lines::BatchError;
+use batch::BatchError;
 
 /// Room for some hundreds of answers.
 const BUFFER: usize = 1 << 16;

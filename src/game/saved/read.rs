@@ -31,7 +31,7 @@ impl SavedGame {
     /// its moves cannot be made; that it does not lead where it says.
     pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Game), FileErrors> {
         let source = Source::of_bytes(name, bytes, Self::LARGEST_FILE)?;
-        source.document("a saved game", FORMAT, &FIELDS, from_fields)
+        source.document("a saved game", FORMAT..=FORMAT, &FIELDS, from_fields)
     }
 }
 

@@ -5,7 +5,7 @@ use maud::{Markup, Render, html};
 use super::rows::{ChapterRow, Cut, PackRow, of};
 use super::{Report, ReportPicture};
 use crate::numbers::counted;
-use crate::paper::{HtmlPage, clean};
+use crate::paper::{Paper, clean, html_page};
 use crate::progress::words::{degrees, percent};
 use crate::progress::{LATELY, Mastery, TopicStanding, Trend};
 use crate::quiz::NAMED_ODDS;
@@ -18,10 +18,9 @@ pub(super) fn document(reports: &[Report]) -> String {
         [one] => &one.name,
         _ => "carrom",
     };
-    let page = HtmlPage::new(&format!("{whose}: glancing collisions"));
-    let page = page.style(include_str!("report.css"));
-    let pages = reports.iter().map(sheet);
-    pages.fold(page, HtmlPage::sheet).html()
+    let title = format!("{whose}: glancing collisions");
+    let sheets = reports.iter().map(sheet);
+    html_page(&title, include_str!("report.css"), Paper::A4, sheets)
 }
 
 fn sheet(report: &Report) -> Markup {

@@ -74,7 +74,6 @@ pub struct Report<'a> {
 
 impl<'a> Report<'a> {
     /// Works out what the report says.
-    #[must_use]
     pub fn new(sources: &Sources<'a>) -> Self {
         let attempts = &sources.history.attempts;
         // The chapters have a table of their own.
@@ -110,26 +109,22 @@ impl<'a> Report<'a> {
     }
 
     /// The report as an HTML document, with its pictures in it.
-    #[must_use]
     pub fn html(&self) -> String {
         Self::html_of_all(std::slice::from_ref(self))
     }
 
     /// Several reports as one HTML document, each on a page of its own.
-    #[must_use]
     pub fn html_of_all(reports: &[Self]) -> String {
         html::document(reports)
     }
 
     /// The report as a Markdown document, whose pictures are in `folder`: a path from the
     /// document's own place.
-    #[must_use]
     pub fn markdown(&self, folder: &str) -> String {
         markdown::document(self, folder)
     }
 
     /// The pictures there are: none where there is nothing to be seen.
-    #[must_use]
     pub fn pictures(&self) -> Vec<ReportPicture> {
         pictures::all(self)
     }

@@ -2,14 +2,13 @@
 
 use maud::html;
 
-use crate::paper::{HtmlPage, Paper};
+use crate::paper::{Paper, html_page};
 use crate::quiz::letter;
 
 /// How to use it, in the middle of the sheet.
 const HOW: &str = "Fold twice along the lines so that your answer shows, and hold it up.";
 
 /// A sheet for each of so many pupils.
-#[must_use]
 pub fn cards(count: usize, paper: Paper) -> String {
     let sheet = || {
         html! {
@@ -19,7 +18,11 @@ pub fn cards(count: usize, paper: Paper) -> String {
             }
         }
     };
-    let page = HtmlPage::new("carrom: cards A to D").paper(paper);
-    let page = page.style(include_str!("cards.css"));
-    (0..count).fold(page, |page, _| page.sheet(sheet())).html()
+    let sheets = (0..count).map(|_| sheet());
+    html_page(
+        "carrom: cards A to D",
+        include_str!("cards.css"),
+        paper,
+        sheets,
+    )
 }

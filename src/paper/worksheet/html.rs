@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::{Worksheet, pictures, words};
 use crate::numbers;
-use crate::paper::HtmlPage;
+use crate::paper::html_page;
 use crate::quiz::{Confidence, Form, Measure, Question, letter};
 use crate::widgets::svg::Svg;
 use crate::widgets::text::unbroken;
@@ -18,9 +18,12 @@ pub(super) fn document<const N: usize>(
     title: &str,
     sheets: [Markup; N],
 ) -> String {
-    let page = HtmlPage::new(title).style(include_str!("worksheet.css"));
-    let page = page.paper(worksheet.paper);
-    sheets.into_iter().fold(page, HtmlPage::sheet).html()
+    html_page(
+        title,
+        include_str!("worksheet.css"),
+        worksheet.paper,
+        sheets,
+    )
 }
 
 /// The head of a sheet: what it is, and how to open it on a screen.

@@ -27,19 +27,18 @@ const HEADING: &str = "Glancing collisions";
 /// Everything follows from what it is made of: the same gives the same bytes.
 #[derive(Debug)]
 pub struct Worksheet<'a> {
-    round: &'a Round,
-    title: String,
-    /// The letter of the version, where there are several.
-    version: Option<char>,
-    /// The folders of own questions, as a shell takes them.
-    concepts: Vec<String>,
-    paper: Paper,
+    pub(crate) round: &'a Round,
+    pub(crate) title: String,
+    /// The letter of the version, where there are several; A is what the code opens on a screen.
+    pub(crate) version: Option<char>,
+    /// The folders of own questions that it takes to open it on a screen, as a shell takes them.
+    pub(crate) concepts: Vec<String>,
+    pub(crate) paper: Paper,
 }
 
 impl<'a> Worksheet<'a> {
     /// The worksheet of a round. A title that is too long for a heading is cut; without
     /// one, or with one that has no visible letter, it is of glancing collisions.
-    #[must_use]
     pub fn new(round: &'a Round, title: Option<&str>) -> Self {
         let title = clean(title.unwrap_or_default(), TITLE);
         let title = if title.is_empty() {
@@ -54,30 +53,6 @@ impl<'a> Worksheet<'a> {
             concepts: Vec::new(),
             paper: Paper::default(),
         }
-    }
-
-    /// The same as one of several versions, A, B and so on; A is what the code opens on a screen.
-    #[must_use]
-    pub fn version(self, letter: char) -> Self {
-        Self {
-            version: Some(letter),
-            ..self
-        }
-    }
-
-    /// The same with the folders of own questions that it takes to open it on a screen.
-    #[must_use]
-    pub fn concepts(self, folders: Vec<String>) -> Self {
-        Self {
-            concepts: folders,
-            ..self
-        }
-    }
-
-    /// The same for this paper.
-    #[must_use]
-    pub fn paper(self, paper: Paper) -> Self {
-        Self { paper, ..self }
     }
 
     /// What opens the same round on a screen; nothing where that is another version.
@@ -96,19 +71,16 @@ impl<'a> Worksheet<'a> {
     }
 
     /// The questions as HTML.
-    #[must_use]
     pub fn sheet_html(&self) -> String {
         html::document(self, &self.title, [html::questions(self)])
     }
 
     /// The answers as HTML.
-    #[must_use]
     pub fn key_html(&self) -> String {
         html::document(self, &self.key_title(), [key::answers(self)])
     }
 
     /// The questions as HTML, and the answers from a new page on.
-    #[must_use]
     pub fn html_with_key(&self) -> String {
         let sheets = [html::questions(self), key::answers(self)];
         html::document(self, &self.title, sheets)
@@ -116,20 +88,17 @@ impl<'a> Worksheet<'a> {
 
     /// The questions in Markdown; the [pictures](Self::pictures) are looked for in
     /// `folder`, beside the document.
-    #[must_use]
     pub fn sheet_markdown(&self, folder: &str) -> String {
         markdown::questions(self, folder)
     }
 
     /// The answers in Markdown; the [pictures](Self::pictures) are looked for in
     /// `folder`, beside the document.
-    #[must_use]
     pub fn key_markdown(&self, folder: &str) -> String {
         markdown::answers(self, folder)
     }
 
     /// All pictures of the documents in Markdown.
-    #[must_use]
     pub fn pictures(&self) -> Vec<WorksheetPicture> {
         pictures::all(self.round)
     }

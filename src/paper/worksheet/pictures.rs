@@ -20,7 +20,6 @@ pub struct WorksheetPicture {
 
 impl WorksheetPicture {
     /// Whether a file of this name is a picture of some worksheet: `answer-07.svg`.
-    #[must_use]
     pub fn is_file_name(name: &str) -> bool {
         let name = name.strip_suffix(".svg");
         let number = name.and_then(|it| it.strip_prefix(QUESTION).or(it.strip_prefix(ANSWER)));

@@ -107,7 +107,7 @@ impl Concept {
 impl Topic {
     /// The families that ask about it; none where nothing in the program does.
     pub fn families(&self) -> Vec<Family> {
-        let mut families = self.families_of_figures().to_vec();
+        let mut families = self.families_of_figures();
         if all().iter().any(|it| it.topic() == *self) {
             families.push(Family::Concept);
         }

@@ -2,7 +2,7 @@
 
 use super::figures::fill;
 use super::{Concept, Wrong};
-use crate::files::{self, Fields, FileErrors, Source, all, escape_control};
+use crate::files::{self, Fields, FileErrors, Source, all, escape_control, one_line};
 use crate::physics::CollisionSpec;
 use crate::quiz::question::{Difficulty, Misconception};
 
@@ -43,7 +43,7 @@ pub(super) fn file(
 ) -> Result<(), FileErrors> {
     let source = Source::of_bytes(name, bytes, files::LARGEST)?;
     let known = ["format", "item"];
-    let read = source.document("a file of questions", FORMAT, &known, |fields| {
+    let read = source.document("a file of questions", FORMAT..=FORMAT, &known, |fields| {
         let mut read: Vec<Option<Concept>> = Vec::new();
         for item in fields.tables("item", 1..=usize::MAX, &ITEM)? {
             let concept = concept(subject, name, &item).and_then(|concept| {
@@ -151,8 +151,7 @@ fn text(
     hit: Option<CollisionSpec>,
 ) -> Option<String> {
     fields.text_as(name, |text| {
-        let words: Vec<_> = text.split_whitespace().collect();
-        let filled = fill(&words.join(" "), hit)?;
+        let filled = fill(&one_line(text), hit)?;
         let count = filled.chars().count();
         if count == 0 || count > most || filled.chars().any(char::is_control) {
             let found = escape_control(&filled, 40);

@@ -10,7 +10,7 @@ use crate::quiz::question::{Misconception, Passage};
 /// What is said of a misconception.
 #[derive(Default, Deserialize)]
 #[serde(default)]
-struct Entry {
+struct Description {
     name: String,
     advice: String,
     chapter: String,
@@ -20,26 +20,26 @@ struct Entry {
 impl Misconception {
     /// Its name as shown: "the angle was copied".
     pub fn name(self) -> &'static str {
-        &self.entry().name
+        &self.description().name
     }
 
     /// What to try next against it.
     pub fn advice(self) -> &'static str {
-        &self.entry().advice
+        &self.description().advice
     }
 
     /// The page of a chapter that settles it.
     pub fn settled_by(self) -> Passage {
-        let Entry { chapter, page, .. } = self.entry();
+        let Description { chapter, page, .. } = self.description();
         Passage { chapter, page }
     }
 
-    fn entry(self) -> &'static Entry {
-        static ALL: LazyLock<BTreeMap<String, Entry>> = LazyLock::new(|| {
+    fn description(self) -> &'static Description {
+        static ALL: LazyLock<BTreeMap<String, Description>> = LazyLock::new(|| {
             let text = include_str!("../../../assets/misconceptions.toml");
             toml::from_str(text).unwrap_or_default()
         });
-        static NONE: LazyLock<Entry> = LazyLock::new(Entry::default);
+        static NONE: LazyLock<Description> = LazyLock::new(Description::default);
         ALL.get(self.id()).unwrap_or(&NONE)
     }
 }
@@ -57,12 +57,12 @@ mod tests {
         known.sort_unstable();
         assert_eq!(described, known);
         for it in Misconception::ALL {
-            let Entry {
+            let Description {
                 name,
                 advice,
                 chapter,
                 page,
-            } = it.entry();
+            } = it.description();
             assert!(
                 [name, advice, chapter, page]
                     .iter()

@@ -6,60 +6,34 @@
 
 use std::borrow::Cow;
 use std::fmt;
+use std::sync::LazyLock;
 
-use super::Family::{self, *};
+use serde::Deserialize;
+
+use super::{Family, Passage};
 
 /// What a question is about. Keep it by its [`id`](Self::id), which stays the same for good;
 /// show its [`name`](Self::name). Two with the same id are one topic.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Topic(Cow<'static, str>);
 
-/// The topics of the families of figures: the id, the name, and who asks about it, besides
-/// written questions.
-#[rustfmt::skip]
-static TOPICS: [(&str, &str, &[Family]); 41] = [
-    ("equal-masses", "equal masses", &[WhereTo, FromAngle]),
-    ("equal-masses-by-offset", "equal masses, by offset", &[WhereTo, FromOffset]),
-    ("equal-masses-head-on", "equal masses, head-on", &[WhereTo, UnequalMasses]),
-    ("equal-masses-lossy", "equal masses, lossy", &[WhereTo, FromAngle]),
-    ("heavier-striker", "heavier striker", &[WhereTo, UnequalMasses]),
-    ("heavier-striker-by-offset", "heavier striker, by offset", &[WhereTo, FromOffset]),
-    ("heavier-striker-head-on", "heavier striker, head-on", &[WhereTo, UnequalMasses]),
-    ("heavier-target", "heavier target", &[WhereTo, UnequalMasses]),
-    ("heavier-target-by-offset", "heavier target, by offset", &[WhereTo, FromOffset]),
-    ("heavier-target-head-on", "heavier target, head-on", &[WhereTo, UnequalMasses]),
-    ("heavier-target-lossy", "heavier target, lossy", &[WhereTo, UnequalMasses]),
-    ("from-the-picture", "from the picture", &[FromPicture]),
-    ("target-speed", "target's speed", &[Speeds]),
-    ("striker-speed", "striker's speed", &[Speeds]),
-    ("corner-heavier-striker", "separation, heavier striker", &[Separation]),
-    ("corner-lighter-striker", "separation, lighter striker", &[Separation]),
-    ("corner-with-loss", "separation, with loss", &[Separation, Restitution]),
-    ("corner-without-loss", "separation, without loss", &[Separation]),
-    ("energy-lost", "energy lost", &[EnergyShare]),
-    ("energy-of-target", "energy the target takes", &[EnergyShare]),
-    ("energy-of-striker", "energy the striker keeps", &[EnergyShare]),
-    ("square-in-spite-of-loss", "90° in spite of loss", &[Restitution]),
-    ("e-for-square", "e for a right angle", &[Restitution]),
-    ("e-from-angles", "e from the angles", &[Restitution]),
-    ("e-head-on", "e of a head-on hit", &[Restitution]),
-    ("aim-for-largest-turn", "aim for the largest turn", &[LargestDeflection]),
-    ("limit-of-turn", "is there a limit?", &[LargestDeflection]),
-    ("largest-turn", "the largest turn", &[LargestDeflection]),
-    ("mass-from-angles", "mass from the angles", &[Weigh]),
-    ("mass-from-momentum", "mass from the momentum", &[Weigh]),
-    ("which-is-heavier", "which is heavier?", &[Weigh]),
-    ("smooth-no-spring", "smooth, e = 0", &[SlipOrStick]),
-    ("smooth-no-loss", "smooth, no loss", &[SlipOrStick]),
-    ("sticking", "sticking together", &[SlipOrStick]),
-    ("both-moving", "both moving", &[BothMoving]),
-    ("centre-of-mass", "the centre of mass", &[CentreOfMass]),
-    ("counts-at-two-angles", "counts at two angles", &[Rutherford]),
-    ("counts-angle-and-energy", "counts, angle and energy", &[Rutherford]),
-    ("angle-of-count", "the angle of a count", &[Rutherford]),
-    ("send-coin", "send the coin", &[MakeItSo]),
-    ("send-striker", "send the striker", &[MakeItSo]),
-];
+/// What is known of a topic: a row of `assets/topics.csv`. Which topics a chapter has, and in which
+/// order, is part of the format of codes such as `read-abd-7`; a page may change.
+#[derive(Deserialize)]
+struct TopicRow {
+    id: String,
+    name: String,
+    /// The families of figures that ask about it, by their ids.
+    families: String,
+    chapter: String,
+    page: String,
+}
+
+static ROWS: LazyLock<Vec<TopicRow>> = LazyLock::new(|| {
+    let text = include_str!("../../../assets/topics.csv");
+    let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
+    rows.filter_map(Result::ok).collect()
+});
 
 impl Topic {
     /// The topic of an id. Every id is one's: an unknown one is that of a written question,
@@ -76,7 +50,9 @@ impl Topic {
     /// The topics of the families of figures.
     #[cfg(test)]
     pub(crate) fn all() -> impl Iterator<Item = Self> {
-        TOPICS.iter().map(|(id, ..)| Self::with_id(*id))
+        ROWS.iter()
+            .filter(|it| !it.families.is_empty())
+            .map(|it| Self::with_id(it.id.as_str()))
     }
 
     /// What it is kept by: "corner-with-loss".
@@ -84,21 +60,34 @@ impl Topic {
         &self.0
     }
 
-    fn known(&self) -> Option<&'static (&'static str, &'static str, &'static [Family])> {
-        TOPICS.iter().find(|(id, ..)| *id == self.0)
+    fn known(&self) -> Option<&'static TopicRow> {
+        ROWS.iter().find(|row| row.id == self.0)
     }
 
     /// Its name as shown: "separation, with loss".
     pub fn name(&self) -> String {
         match self.known() {
-            Some((_, name, _)) => (*name).into(),
+            Some(row) => row.name.clone(),
             None => self.0.replace('-', " "),
         }
     }
 
     /// The families of figures that ask about it.
-    pub(in crate::quiz) fn families_of_figures(&self) -> &'static [Family] {
-        self.known().map_or(&[], |(.., families)| families)
+    pub(in crate::quiz) fn families_of_figures(&self) -> Vec<Family> {
+        let families = self.known().map_or("", |row| &row.families);
+        families.split(' ').filter_map(Family::with_id).collect()
+    }
+
+    /// The topics that the chapter of an id teaches.
+    pub(in crate::quiz) fn taught_in(chapter: &str) -> impl Iterator<Item = Self> {
+        let taught = ROWS.iter().filter(move |row| row.chapter == chapter);
+        taught.map(|row| Self::with_id(row.id.as_str()))
+    }
+
+    /// The page that teaches it; `None` of a teacher's own subjects.
+    pub fn taught_on(&self) -> Option<Passage> {
+        let TopicRow { chapter, page, .. } = self.known()?;
+        Some(Passage { chapter, page })
     }
 }
 
@@ -122,9 +111,19 @@ mod tests {
 
     #[test]
     fn ids_and_names_are_each_one_topic() {
-        let ids: BTreeSet<_> = TOPICS.iter().map(|it| it.0).collect();
-        assert_eq!(ids.len(), TOPICS.len());
-        let names: BTreeSet<_> = TOPICS.iter().map(|it| it.1).collect();
-        assert_eq!(names.len(), TOPICS.len());
+        let lines = include_str!("../../../assets/topics.csv").lines().count();
+        assert_eq!(ROWS.len(), lines - 1);
+        let of = |text: fn(&TopicRow) -> &str| ROWS.iter().map(text).collect::<BTreeSet<_>>();
+        assert_eq!(of(|it| &it.id).len(), ROWS.len());
+        assert_eq!(of(|it| &it.name).len(), ROWS.len());
+    }
+
+    #[test]
+    fn every_family_named_is_one() {
+        for row in ROWS.iter().filter(|row| !row.families.is_empty()) {
+            for id in row.families.split(' ') {
+                assert!(Family::with_id(id).is_some(), "{}: {id}", row.id);
+            }
+        }
     }
 }

@@ -6,9 +6,7 @@ mod even;
 mod find_out;
 mod review;
 mod round;
-mod summary;
 
 pub use chapters_read::ChaptersRead;
 pub use course::{Code, Course, CourseKind};
 pub use round::Round;
-pub use summary::{ENOUGH_ANGLES, Summary, SummaryLine};

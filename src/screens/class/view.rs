@@ -92,9 +92,8 @@ impl ClassPlay {
     /// "right at first: 1 of 3, after talking: 2 of 3"
     fn right_in_words(&self) -> String {
         let [first, second] = Vote::BOTH.map(|vote| {
-            let grades = self.round().grades(self.number(), vote);
-            let right = grades.iter().filter(|grade| grade.right).count();
-            format!("{right} of {}", grades.len())
+            let results = self.round().results(self.number(), vote);
+            format!("{} of {}", results.right, results.attempts)
         });
         format!("right at first: {first}, after talking: {second}")
     }

@@ -19,10 +19,10 @@ use super::{Confirmation, Context, Next, Place, Screen, SharedAction, View, lead
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers;
 use crate::physics::Collision;
-use crate::progress::Attempt;
+use crate::progress::{Attempt, Summary};
 use crate::quiz::{
     Answer, Code, Course, CourseKind, Form, Grade, Misconception, Passage, Question, Response,
-    Round, Summary, explain,
+    Round, explain,
 };
 use crate::widgets::hit::{Overlays, Reveal, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
@@ -70,6 +70,8 @@ pub(crate) struct Quiz {
     round: Round,
     /// The answers, in the order of the questions.
     answers: Vec<Answer>,
+    /// The same as they are kept.
+    attempts: Vec<Attempt>,
     phase: QuizPhase,
     /// The layers that the player wants on top of a collision.
     layers: Overlays,
@@ -117,6 +119,7 @@ impl Quiz {
         let mut quiz = Self {
             round,
             answers: Vec::new(),
+            attempts: Vec::new(),
             phase: QuizPhase::Summary(ListView::default()),
             layers: Overlays::default(),
         };
@@ -135,12 +138,12 @@ impl Quiz {
     ) -> Self {
         let mut quiz = Self::new(code);
         for answer in answers {
-            let question = quiz.round.questions().get(quiz.answers.len());
-            if question.is_none_or(|question| !question.form.accepts(&answer.said)) {
+            let question = quiz.round.questions().get(quiz.answers.len()).cloned();
+            let accepts = |it: &Question| it.form.accepts(&answer.said);
+            let Some(question) = question.filter(accepts) else {
                 break;
-            }
-            quiz.answers.push(*answer);
-            quiz.round.go_on(&quiz.answers);
+            };
+            quiz.note(&question, *answer, cx);
         }
         quiz.ask();
         if let Some(last) = quiz.answers.len().checked_sub(1)
@@ -186,15 +189,21 @@ impl Quiz {
         self.round.course().tells_at_end()
     }
 
+    /// Adds the answer to the question at hand, and returns it as it is kept.
+    fn note(&mut self, question: &Question, answer: Answer, cx: &Context) -> Attempt {
+        self.answers.push(answer);
+        let (code, number) = (self.round.code(), self.answers.len() as u32);
+        let attempt = Attempt::of_quiz(&cx.settings.player, code, number, question, &answer);
+        self.attempts.push(attempt.clone());
+        self.round.go_on(&self.answers);
+        attempt
+    }
+
     /// Takes an answer, and shows what happens, or asks the next question.
     fn answer(&mut self, question: Question, answer: Answer, cx: &mut Context) {
-        let code = self.round.code();
-        self.answers.push(answer);
-        let number = self.answers.len() as u32;
-        let attempt = Attempt::of_quiz(&cx.settings.player, code, number, &question, &answer);
+        let attempt = self.note(&question, answer, cx);
         // Saved before the explanation is shown.
         cx.record(attempt);
-        self.round.go_on(&self.answers);
         if self.tells_at_end() {
             return self.ask();
         }
@@ -253,15 +262,15 @@ impl Quiz {
     }
 
     /// A summary of the answers whose results have been shown.
-    fn summary(&self) -> Summary {
+    fn summary(&self) -> Summary<'_> {
         let untold = match &self.phase {
             QuizPhase::Watch(watched) => {
                 usize::from(!watched.reveal.is_revealed() && watched.opened.is_none())
             }
             _ => 0,
         };
-        let told = self.answers.len().saturating_sub(untold);
-        Summary::new(self.round.questions().iter().zip(&self.answers).take(told))
+        let told = self.attempts.len().saturating_sub(untold);
+        Summary::new(self.attempts.get(..told).unwrap_or_default())
     }
 
     /// The page to read after a wrong answer, once its result has been shown; after a round, the

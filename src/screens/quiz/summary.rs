@@ -3,9 +3,8 @@
 use super::{Quiz, QuizAction};
 use crate::lessons::Book;
 use crate::numbers;
-use crate::quiz::{
-    Answer, Code, Confidence, CourseKind, Form, Question, Summary, SummaryLine, explain,
-};
+use crate::progress::{Attempt, Summary};
+use crate::quiz::{Answer, Code, CourseKind, Form, Question, explain};
 use crate::screens::leads;
 use crate::widgets::Role;
 use crate::widgets::input::ListAction;
@@ -90,10 +89,6 @@ fn closing(quiz: &Quiz, summary: &Summary) -> Vec<String> {
     closing
 }
 
-fn missed_surely(line: &SummaryLine) -> bool {
-    line.grade.confidence == Confidence::Sure && !line.grade.right
-}
-
 /// One row per question: the answer, the true one, the points, and the topic.
 fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction>) {
     let answered = || quiz.round.questions().iter().zip(&quiz.answers);
@@ -125,30 +120,30 @@ fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction
         column("it was", 0, false, if_wide(!shows_topic)),
     ];
     let row =
-        |(number, (line, (question, answer))): (usize, (&SummaryLine, (&Question, &Answer)))| {
-            let missed = missed_surely(line);
+        |(number, (attempt, (question, answer))): (usize, (&Attempt, (&Question, &Answer)))| {
+            let missed = attempt.is_surely_wrong();
             TableRow {
                 cells: vec![
                     format!("{}{}", number + 1, if missed { "!" } else { " " }),
                     question.form.brief(&answer.said),
                     question.form.brief(&question.form.truth()),
-                    numbers::points(line.grade.points()),
-                    line.grade.confidence.name().into(),
-                    line.topic.name(),
+                    numbers::points(attempt.earned()),
+                    answer.confidence.name().into(),
+                    question.topic.name(),
                     explain(question, answer).title.into(),
                 ],
                 role: match missed {
                     true => Role::Warn,
-                    false if line.grade.right => Role::Good,
+                    false if attempt.right => Role::Good,
                     false => Role::Text,
                 },
                 chosen: number == at,
                 action: Some(QuizAction::LookBack(ListAction::Point(number))),
             }
         };
-    let lines = summary.lines.iter().zip(answered()).enumerate();
+    let lines = summary.attempts.iter().zip(answered()).enumerate();
     panel.table(columns, lines.map(row).collect());
-    if summary.lines.iter().any(missed_surely) {
+    if summary.attempts.iter().any(Attempt::is_surely_wrong) {
         panel.line("! sure, but wrong", Role::Dim);
     }
 }

@@ -84,7 +84,7 @@ impl KeptSettings {
         let ids = SETTINGS.iter().map(|setting| setting.id);
         let known: Vec<_> = ["format", PLAYER_ID].into_iter().chain(ids).collect();
         let source = Source::of_bytes(file, bytes, LARGEST)?;
-        source.document("settings of carrom", FORMAT, &known, |fields| {
+        source.document("settings of carrom", FORMAT..=FORMAT, &known, |fields| {
             let there = SETTINGS.iter().filter(|it| fields.has(it.id));
             let chosen = there.map(|setting| {
                 let words: Vec<_> = setting.words.iter().copied().zip(0..).collect();

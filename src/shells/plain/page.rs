@@ -5,6 +5,7 @@ use super::by_words::{KEY, by_words};
 use super::formula::aloud;
 use super::spoken::{spoken, unit_name, verbatim};
 use crate::app::App;
+use crate::files::one_line;
 use crate::messages::Key;
 use crate::numbers::capital;
 use crate::widgets::flow::Run;
@@ -232,7 +233,7 @@ impl PlainOption {
         };
         let key = key.or_else(|| own_key(&label, rows));
         Some(Self {
-            words: tidied(&words),
+            words: one_line(&words),
             label,
             kind,
             cell: item.press.map(|[column, row]| (column, row)),
@@ -440,7 +441,7 @@ fn row(heads: Option<&Item>, item: &Item, option: Option<&PlainOption>) -> Strin
         format!("{head} {}", value.text.trim())
     });
     let values: Vec<_> = values
-        .map(|it| tidied(&it))
+        .map(|it| one_line(&it))
         .filter(|it| !it.is_empty())
         .collect();
     let values = values.join(", ");
@@ -512,7 +513,7 @@ pub(super) fn read(text: &str) -> String {
     };
     let words: Vec<_> = text.split(' ').map(word).collect();
     let is_read = |c: char| c.is_ascii() || c.is_alphanumeric();
-    tidied(&spoken(&words.join(" ")).replace(|c| !is_read(c), " "))
+    one_line(&spoken(&words.join(" ")).replace(|c| !is_read(c), " "))
 }
 
 /// Whether a word is the name of a file or a folder; a line's number may stand behind it.
@@ -539,19 +540,13 @@ fn joined(runs: &[Run]) -> String {
 
 /// What something is called, and what is said of it.
 fn listed<'v>(name: &str, values: impl IntoIterator<Item = &'v str>) -> String {
-    let values = values.into_iter().map(tidied).filter(|it| !it.is_empty());
+    let values = values.into_iter().map(one_line).filter(|it| !it.is_empty());
     let values: Vec<_> = values.collect();
-    match (tidied(name), values.join(", ")) {
+    match (one_line(name), values.join(", ")) {
         (name, values) if values.is_empty() => name,
         (name, values) if name.is_empty() => values,
         (name, values) => format!("{name}: {values}"),
     }
-}
-
-/// A text with one blank between words.
-fn tidied(text: &str) -> String {
-    let words: Vec<_> = text.split_whitespace().collect();
-    words.join(" ")
 }
 
 /// The parts of what stands in the title line.

@@ -54,6 +54,14 @@ const STILL: Key = Key::Char('x');
 /// How a title line says that something could not be kept.
 const NOT_KEPT: &str = "not kept";
 
+/// What is said to a line at once, or what is expected instead of it.
+type LineAnswer = Result<Vec<String>, String>;
+
+fn press(key: Key, holder: &mut dyn AppHolder) -> LineAnswer {
+    holder.input(&key.into());
+    Ok(Vec::new())
+}
+
 /// The app in plain lines.
 pub struct PlainReader {
     screen: Terminal<TestBackend>,
@@ -125,7 +133,7 @@ impl PlainReader {
         lines
     }
 
-    fn take(&mut self, line: &str, holder: &mut dyn AppHolder) -> Result<Vec<String>, String> {
+    fn take(&mut self, line: &str, holder: &mut dyn AppHolder) -> LineAnswer {
         let lower = line.to_lowercase();
         let labelled = self.labelled(line);
         if let (Some(option), false) = (&labelled, self.is_text()) {
@@ -136,14 +144,12 @@ impl PlainReader {
         match lower.as_str() {
             "q" | "h" | "r" if is_text => {}
             "quit" | "exit" | "q" => {
-                holder.input(&Key::Ctrl('c').into());
-                return Ok(Vec::new());
+                return press(Key::Ctrl('c'), holder);
             }
             "help" | "h" | "?" => return Ok(self.help(holder)),
             "repeat" | "r" => return Ok(self.repeat()),
             "" | "shoot" => {
-                holder.input(&Key::Enter.into());
-                return Ok(Vec::new());
+                return press(Key::Enter, holder);
             }
             _ => {}
         }
@@ -165,8 +171,7 @@ impl PlainReader {
             return self.choose(&option, holder);
         }
         if let Some(key) = self.moved(&lower, holder.app()) {
-            holder.input(&key.into());
-            return Ok(Vec::new());
+            return press(key, holder);
         }
         match &self.page.asked {
             Asked::Number(..) | Asked::Angle(_) => self.type_number(line, holder),
@@ -295,11 +300,7 @@ impl PlainReader {
         }
     }
 
-    fn choose(
-        &mut self,
-        option: &PlainOption,
-        holder: &mut dyn AppHolder,
-    ) -> Result<Vec<String>, String> {
+    fn choose(&mut self, option: &PlainOption, holder: &mut dyn AppHolder) -> LineAnswer {
         match (option.key, option.cell) {
             (Some(key), _) => holder.input(&key.into()),
             (None, Some(cell)) => {
@@ -343,19 +344,14 @@ impl PlainReader {
     }
 
     /// Types a number and gives it.
-    fn type_number(
-        &mut self,
-        line: &str,
-        holder: &mut dyn AppHolder,
-    ) -> Result<Vec<String>, String> {
-        let angle = "Please type an angle from minus 180 to 180, or still.";
+    fn type_number(&mut self, line: &str, holder: &mut dyn AppHolder) -> LineAnswer {
         if matches!(self.page.asked, Asked::Angle(_)) && line.eq_ignore_ascii_case("still") {
             holder.input(&STILL.into());
             self.enter(holder, &["ray.next"]);
             return Ok(Vec::new());
         }
         let value = match &self.page.asked {
-            Asked::Angle(_) => number(line, "°", -180.0, 180.0).map_err(|_| angle.to_owned())?,
+            Asked::Angle(_) => number(line, "°", -180.0, 180.0).map_err(|_| self.expected())?,
             Asked::Number(_, unit) => number(line, unit, LEAST, MOST)?,
             _ => return Err(self.expected()),
         };
@@ -368,7 +364,7 @@ impl PlainReader {
     }
 
     /// Types a text in the place of what stands there, and goes on.
-    fn type_text(&mut self, line: &str, holder: &mut dyn AppHolder) -> Result<Vec<String>, String> {
+    fn type_text(&mut self, line: &str, holder: &mut dyn AppHolder) -> LineAnswer {
         let is_chosen = |it: &&PlainOption| it.is_chosen && matches!(it.kind, OptionKind::Text(_));
         if let Some(PlainOption {
             kind: OptionKind::Text(before),
@@ -383,8 +379,7 @@ impl PlainReader {
         for letter in line.chars() {
             holder.input(&Key::Char(letter).into());
         }
-        holder.input(&Key::Enter.into());
-        Ok(Vec::new())
+        press(Key::Enter, holder)
     }
 
     /// What can be set by this name.
@@ -394,12 +389,7 @@ impl PlainReader {
     }
 
     /// Sets what is called so.
-    fn set(
-        &mut self,
-        name: &str,
-        value: &str,
-        holder: &mut dyn AppHolder,
-    ) -> Result<Vec<String>, String> {
+    fn set(&mut self, name: &str, value: &str, holder: &mut dyn AppHolder) -> LineAnswer {
         let Some(option) = self.field(name) else {
             let names: Vec<_> = self
                 .page
@@ -432,7 +422,7 @@ impl PlainReader {
         option: &PlainOption,
         value: &str,
         holder: &mut dyn AppHolder,
-    ) -> Result<Vec<String>, String> {
+    ) -> LineAnswer {
         let value = value.to_lowercase();
         let mut seen = Vec::new();
         for key in [Key::Right, Key::Left] {

@@ -1,11 +1,12 @@
 //! Saying a line and hearing one.
 
-use std::io::{self, BufRead, Read, Write};
+use std::io::{self, BufRead, Write};
 
 use super::spoken;
+use crate::files::read_line;
 
 /// Longest line that is listened to, in bytes; the rest of it is passed over.
-const LONGEST: u64 = 1000;
+const LONGEST: usize = 1000;
 
 /// Words that may be said at any time.
 const ALWAYS: &str = "At any time: repeat says the question again, help says how to answer, \
@@ -123,13 +124,9 @@ impl<'a> Talk<'a> {
 /// # Errors
 /// If none can be read.
 pub(super) fn hear(input: &mut (impl BufRead + ?Sized)) -> io::Result<Option<String>> {
-    let mut bytes = Vec::new();
-    let heard = (&mut *input).take(LONGEST).read_until(b'\n', &mut bytes)?;
-    if heard > 0 && bytes.last() != Some(&b'\n') {
-        // Too long to be an answer: the rest is passed over.
-        input.skip_until(b'\n')?;
-    }
-    Ok((heard > 0).then(|| String::from_utf8_lossy(&bytes).into_owned()))
+    let mut line = Vec::new();
+    let heard = read_line(input, LONGEST, &mut line)?;
+    Ok(heard.map(|_| String::from_utf8_lossy(&line).into_owned()))
 }
 
 #[cfg(test)]

@@ -1,50 +1,32 @@
 //! A look back over a round.
 
+use super::{Attempt, Calibrated, ENOUGH_ANGLES, Tally, calibration};
 use crate::numbers;
-use crate::quiz::misconceptions::{Clue, Evidence, named};
-use crate::quiz::question::{
-    Answer, Confidence, Diagnosis, Grade, Misconception, Passage, Question, Topic,
+use crate::physics::units::rad_from_deg;
+use crate::quiz::{
+    Clue, Confidence, Evidence, Grade, Misconception, Passage, Rays, RaysGrade, Topic, named,
 };
-
-/// Fewest angles whose mean error says something.
-pub const ENOUGH_ANGLES: usize = 3;
 
 /// Fewest answers that say how well somebody judges what they know.
 const ENOUGH_ANSWERS: usize = 5;
 
 /// A round that has been answered, or as much of it as has.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Summary {
-    /// One line a question, in order.
-    pub lines: Vec<SummaryLine>,
+#[derive(Debug, Clone)]
+pub struct Summary<'a> {
+    /// The answers, in the order of the questions.
+    pub attempts: &'a [Attempt],
+    all: Tally,
+    calibration: [Calibrated; 3],
 }
 
-/// What became of one question.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SummaryLine {
-    /// What it was about: "equal masses, by offset".
-    pub topic: Topic,
-    /// How good the answer was.
-    pub grade: Grade,
-    /// The misconception it fitted.
-    pub diagnosis: Option<Diagnosis>,
-    /// What it says of misconceptions.
-    pub clue: Clue,
-}
-
-impl Summary {
+impl<'a> Summary<'a> {
     /// Looks back over these answers.
-    pub fn new<'a>(answered: impl IntoIterator<Item = (&'a Question, &'a Answer)>) -> Self {
-        let lines = answered
-            .into_iter()
-            .map(|(question, answer)| SummaryLine {
-                topic: question.topic.clone(),
-                grade: Grade::new(question, answer),
-                diagnosis: question.diagnose(answer),
-                clue: Clue::new(question, answer),
-            })
-            .collect();
-        Self { lines }
+    pub fn new(attempts: &'a [Attempt]) -> Self {
+        Self {
+            attempts,
+            all: Tally::of(attempts),
+            calibration: calibration(attempts),
+        }
     }
 
     /// Points of the round: the sum of those of its questions, each to a tenth, as they
@@ -52,34 +34,39 @@ impl Summary {
     /// "sure" of anything at no cost, and honesty would not pay.
     pub fn points(&self) -> f64 {
         // Adding 0 turns −0, the sum of none, into 0.
-        let tenths = |line: &SummaryLine| (10.0 * line.grade.points()).round();
-        let sum: f64 = self.lines.iter().map(tenths).sum();
+        let tenths = |it: &Attempt| (10.0 * it.earned()).round();
+        let sum: f64 = self.attempts.iter().map(tenths).sum();
         sum / 10.0 + 0.0
     }
 
     /// Points the round could have brought.
     pub fn most(&self) -> f64 {
-        Grade::MOST * self.lines.len() as f64
+        Grade::MOST * self.attempts.len() as f64
     }
 
     /// How many answers were right.
     pub fn right(&self) -> usize {
-        self.lines.iter().filter(|line| line.grade.right).count()
+        self.all.right
     }
 
     /// Points and right answers in words: "61.5 of 100 points, 7 of 10 right".
     pub fn score(&self) -> String {
         let (points, most) = (numbers::points(self.points()), self.most());
-        let (right, asked) = (self.right(), self.lines.len());
+        let (right, asked) = (self.right(), self.attempts.len());
         format!("{points} of {most:.0} points, {right} of {asked} right")
     }
 
     /// The errors of all angles in radians: each of two rays counts for itself.
     fn errors(&self) -> impl Iterator<Item = f64> {
-        let errors = self.lines.iter().flat_map(|line| match line.grade.rays {
-            Some(rays) => [rays.striker.error, rays.target.error],
-            None => [line.grade.angle_error, None],
-        });
+        let of_rays = |it: &Attempt| {
+            let [said, truth] = [&it.answer, &it.truth].map(Rays::of_figures);
+            let grade = RaysGrade::new(&said?, &truth?);
+            Some([grade.striker.error, grade.target.error])
+        };
+        let errors = self
+            .attempts
+            .iter()
+            .flat_map(move |it| of_rays(it).unwrap_or([it.error_deg.map(rad_from_deg), None]));
         errors.flatten()
     }
 
@@ -97,13 +84,8 @@ impl Summary {
 
     /// How many answers had this confidence, and how many of those were right.
     pub fn calibration(&self, confidence: Confidence) -> (usize, usize) {
-        let right: Vec<bool> = self
-            .lines
-            .iter()
-            .filter(|line| line.grade.confidence == confidence)
-            .map(|line| line.grade.right)
-            .collect();
-        (right.len(), right.iter().filter(|right| **right).count())
+        let tally = self.calibration[confidence as usize].tally;
+        (tally.attempts, tally.right)
     }
 
     /// How well confidence and answers went together, in words; empty if nothing was
@@ -113,7 +95,7 @@ impl Summary {
         let (thought, thought_right) = self.calibration(Confidence::ThinkSo);
         let (guesses, guesses_right) = self.calibration(Confidence::Guess);
         let counted = match sure {
-            _ if self.lines.is_empty() => return String::new(),
+            _ if self.attempts.is_empty() => return String::new(),
             0 => "You were never sure.".into(),
             1 if sure_right == 1 => "Sure once, and right.".into(),
             1 => "Sure once, and not right.".into(),
@@ -124,12 +106,12 @@ impl Summary {
         let verdict = if 5 * sure_right < 4 * sure {
             "What you were sure of and missed is worth most: look at it again."
         } else if 2 * guesses_right > guesses
-            || sure == 0 && 5 * self.right() >= 4 * self.lines.len()
+            || sure == 0 && 5 * self.right() >= 4 * self.attempts.len()
         {
             "You know more than you trust yourself to."
         } else if thought > 1 && 2 * thought_right < thought {
             "\"Think so\" was right less than half the time: a guess would have cost nothing."
-        } else if self.lines.len() < ENOUGH_ANSWERS || self.right() == 0 {
+        } else if self.attempts.len() < ENOUGH_ANSWERS || self.right() == 0 {
             // That says nothing of how well one judges oneself.
             ""
         } else {
@@ -140,7 +122,7 @@ impl Summary {
 
     /// The misconceptions that the answers name, the surest first.
     pub fn named(&self) -> Vec<Evidence> {
-        let clues: Vec<Clue> = self.lines.iter().map(|line| line.clue.clone()).collect();
+        let clues: Vec<Clue> = self.attempts.iter().map(Attempt::clue).collect();
         named(&clues)
     }
 
@@ -166,8 +148,8 @@ impl Summary {
             return self.nothing_found();
         };
         let misconception = first.misconception;
-        let shows = |(_, line): &(usize, &SummaryLine)| line.clue.shows == Some(misconception);
-        let numbers = (1..).zip(&self.lines).filter(shows);
+        let shows = |(_, it): &(usize, &Attempt)| it.shows() == Some(misconception);
+        let numbers = (1..).zip(self.attempts).filter(shows);
         let numbers: Vec<String> = numbers.map(|(number, _)| number.to_string()).collect();
         let (last, others) = numbers.split_last().map_or(("", &[][..]), |(a, b)| (a, b));
         vec![
@@ -183,7 +165,7 @@ impl Summary {
     }
 
     fn nothing_found(&self) -> Vec<String> {
-        let (right, asked) = (self.right(), self.lines.len());
+        let (right, asked) = (self.right(), self.attempts.len());
         if asked == 0 {
             return vec!["Nothing was answered, so nothing was found.".into()];
         }
@@ -203,9 +185,9 @@ impl Summary {
     /// Whether a misconception that was to be checked still shows, in words.
     pub fn checked(&self, misconception: Misconception) -> String {
         let name = misconception.name();
-        let shown = |line: &&SummaryLine| line.clue.shows == Some(misconception);
-        match self.lines.iter().filter(shown).count() {
-            0 if self.right() == self.lines.len() => {
+        let shown = |it: &&Attempt| it.shows() == Some(misconception);
+        match self.attempts.iter().filter(shown).count() {
+            0 if self.right() == self.attempts.len() => {
                 format!("Settled, as far as a check can tell: {name}. It does not show any more.")
             }
             0 => format!("It does not show any more: {name}. But not everything was right yet."),
@@ -220,9 +202,9 @@ impl Summary {
         if let Some((misconception, _)) = self.most_held() {
             return Some(misconception.settled_by());
         }
-        let missed = self.lines.iter().filter(|line| !line.grade.right);
-        let missed = missed.min_by_key(|line| line.grade.confidence != Confidence::Sure);
-        missed?.topic.taught_on()
+        let missed = self.attempts.iter().filter(|it| !it.right);
+        let missed = missed.min_by_key(|it| !it.is_surely_wrong());
+        Topic::with_id(missed?.topic.clone()).taught_on()
     }
 
     /// One piece of advice on what to try next.
@@ -230,7 +212,7 @@ impl Summary {
         if let Some((misconception, _)) = self.most_held() {
             return misconception.advice().into();
         }
-        match self.lines.len() {
+        match self.attempts.len() {
             0 => "Answer a question first.".into(),
             // As a topic is solid: from four right in five on.
             asked if 5 * self.right() >= 4 * asked => {
@@ -258,10 +240,9 @@ fn times_as(weight: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Code, Round};
     use super::*;
     use crate::physics::ImpactPoint;
-    use crate::quiz::question::{Hit, Pieces, Rays, Response};
+    use crate::quiz::{Answer, Code, Hit, Pieces, Question, Response, Round};
 
     const HIT: Hit = Hit {
         pieces: Pieces::Equal,
@@ -272,20 +253,18 @@ mod tests {
     };
 
     /// A summary of right (`true`) and wrong answers.
-    fn summary(answers: &[(Confidence, bool)]) -> Summary {
-        let question = Question::from(&HIT);
-        let answers: Vec<Answer> = answers
-            .iter()
-            .map(|&(confidence, right)| {
-                let rays = if right {
-                    HIT.truth()
-                } else {
-                    Rays::new(-3.0, 3.0)
-                };
-                Answer::new(Response::Rays(rays), confidence)
-            })
-            .collect();
-        Summary::new(answers.iter().map(|answer| (&question, answer)))
+    fn summary(answers: &[(Confidence, bool)]) -> Summary<'static> {
+        let (code, question) = (Code::hits(7), Question::from(&HIT));
+        let attempt = |(number, (confidence, right)): (u32, &(Confidence, bool))| {
+            let rays = if *right {
+                HIT.truth()
+            } else {
+                Rays::new(-3.0, 3.0)
+            };
+            let answer = Answer::new(Response::Rays(rays), *confidence);
+            Attempt::of_quiz("Ada", &code, number, &question, &answer)
+        };
+        Summary::new(Vec::leak((1..).zip(answers).map(attempt).collect()))
     }
 
     #[test]
@@ -332,14 +311,18 @@ mod tests {
     fn advice_counts_what_was_right_whatever_was_asked() {
         let round = Round::of(Code::parse("speeds3-5").unwrap());
         let summary = |right: usize| {
-            let answers: Vec<Answer> = (round.questions().iter().enumerate())
-                .map(|(i, question)| match question.form.truth() {
-                    Response::Number(truth) if i >= right => Response::Number(truth + 90.0),
+            let attempt = |(number, question): (u32, &Question)| {
+                let said = match question.form.truth() {
+                    Response::Number(truth) if number as usize > right => {
+                        Response::Number(truth + 90.0)
+                    }
                     truth => truth,
-                })
-                .map(|said| Answer::new(said, Confidence::Guess))
-                .collect();
-            Summary::new(round.questions().iter().zip(&answers))
+                };
+                let answer = Answer::new(said, Confidence::Guess);
+                Attempt::of_quiz("Ada", round.code(), number, question, &answer)
+            };
+            let attempts = (1..).zip(round.questions()).map(attempt).collect();
+            Summary::new(Vec::leak(attempts))
         };
         assert!(summary(3).advice().starts_with("You know this."));
         assert!(summary(2).advice().starts_with("In the lab,"));
