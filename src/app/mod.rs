@@ -42,7 +42,7 @@ use crate::widgets::{Outcome, Palette, PictureSizes};
 use layer::AppLayer;
 
 /// The size below which nothing but a line of advice is drawn.
-pub const SMALLEST: (u16, u16) = (60, 20);
+pub(crate) const SMALLEST: (u16, u16) = (60, 20);
 
 /// What an app has to read, play and answer.
 #[derive(Debug, Clone, Default)]
@@ -368,7 +368,7 @@ impl App {
 
     /// When what the screen shows next moves, for whoever need not see it move: time can pass
     /// at once. `None` also of a countdown that others see.
-    pub fn motion(&self) -> Option<Duration> {
+    pub(crate) fn motion(&self) -> Option<Duration> {
         let shares_time = self.stack.last().is_some_and(|it| it.shares_time());
         let wake = self.screen_wake();
         wake.filter(|wake| !shares_time || *wake <= crate::widgets::hit::FRAME)

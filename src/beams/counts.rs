@@ -57,12 +57,12 @@ impl Default for Counts {
 
 impl Counts {
     /// All particles that were counted.
-    pub fn total(&self) -> u64 {
+    pub(crate) fn total(&self) -> u64 {
         self.bins.iter().sum()
     }
 
     /// Those from the edge below bin `first` on.
-    pub fn from_bin(&self, first: usize) -> u64 {
+    pub(crate) fn from_bin(&self, first: usize) -> u64 {
         self.bins.iter().skip(first).sum()
     }
 

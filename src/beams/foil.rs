@@ -13,7 +13,7 @@ pub struct Metal {
     /// Charge number Z.
     pub charge: f64,
     /// Atoms in a cubic metre.
-    pub density: f64,
+    pub(crate) density: f64,
 }
 
 /// Metals from heavy to light. Atoms in a cubic metre from mass density and atomic mass
@@ -45,7 +45,7 @@ pub struct Foil {
 
 impl Foil {
     /// Atoms that a square metre of it shows to a beam.
-    pub fn atoms_per_area(&self) -> f64 {
+    pub(crate) fn atoms_per_area(&self) -> f64 {
         self.metal.density * self.thickness
     }
 

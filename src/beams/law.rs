@@ -49,7 +49,7 @@ impl ScatteringLaw {
 
     /// The nearness below which all particles are turned by more than `angle` radians: 1
     /// where all of the beam is, 0 from 180° on.
-    pub fn nearness(&self, angle: f64) -> f64 {
+    pub(crate) fn nearness(&self, angle: f64) -> f64 {
         if angle >= PI {
             return 0.0;
         }

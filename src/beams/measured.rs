@@ -129,7 +129,7 @@ impl Series {
     }
 
     /// How far a count is above the law, as a share of it (below: negative).
-    pub fn excess(&self, (_, law, count): (f64, f64, f64)) -> f64 {
+    pub(crate) fn excess(&self, (_, law, count): (f64, f64, f64)) -> f64 {
         count / (law * self.scale) - 1.0
     }
 

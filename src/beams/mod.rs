@@ -14,7 +14,8 @@ mod sampler;
 mod tests;
 
 pub use counts::{BIN_WIDTH, BINS, CountedFor, Counts};
-pub use foil::{Foil, METALS, Metal};
+pub(crate) use foil::Metal;
+pub use foil::{Foil, METALS};
 pub use law::{BeamTarget, ScatteringLaw};
 pub use measured::{Angle, Fault, Series, geiger_marsden, read};
 pub use sampler::Sampler;

@@ -36,8 +36,8 @@ use std::sync::Arc;
 use clap::{CommandFactory, Parser, Subcommand};
 use serde::Serialize;
 
-pub use failure::Failure;
-pub use options::GlobalOptions;
+pub(crate) use failure::Failure;
+pub(crate) use options::GlobalOptions;
 
 use crate::app::{App, Data};
 use crate::class::{DoorCode, team_names};
@@ -56,7 +56,7 @@ use options::Auto;
 /// the home screen; `?` explains every screen.
 #[derive(Debug, Parser)]
 #[command(name = "carrom", version, after_help = EXAMPLES)]
-pub struct Cli {
+pub(crate) struct Cli {
     #[command(flatten)]
     options: GlobalOptions,
     /// Write plain lines without any screen control, for screen readers, Braille displays

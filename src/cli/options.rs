@@ -24,7 +24,7 @@ use crate::widgets::{Charset, Depth, Palette};
 /// Options that every command takes.
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Global options")]
-pub struct GlobalOptions {
+pub(crate) struct GlobalOptions {
     /// Glyphs to draw with; auto: unicode in a UTF-8 locale
     #[arg(long, global = true, value_name = "SET", default_value = "auto",
           value_parser = choice::<Charset>())]

@@ -9,12 +9,12 @@ use std::path::Path;
 use tempfile::{Builder, TempPath};
 
 /// How the names of files begin that are not finished, or not yet in their place.
-pub const UNFINISHED: &str = ".new-";
+pub(crate) const UNFINISHED: &str = ".new-";
 
 /// A whole file that is not yet in its place: it was brought to the disk beside that
 /// place, in the same folder, and is removed again if it is never put there.
 #[derive(Debug)]
-pub struct UnplacedFile(TempPath);
+pub(crate) struct UnplacedFile(TempPath);
 
 impl UnplacedFile {
     /// Writes a text to a file in `folder` that is not there yet, and brings it to the
@@ -22,7 +22,7 @@ impl UnplacedFile {
     ///
     /// # Errors
     /// If it cannot be written as a whole; then nothing of it is left.
-    pub fn write(folder: &Path, text: &str) -> io::Result<Self> {
+    pub(crate) fn write(folder: &Path, text: &str) -> io::Result<Self> {
         Self::write_with_mode(folder, text, 0o666)
     }
 
@@ -31,7 +31,7 @@ impl UnplacedFile {
     ///
     /// # Errors
     /// As for [`Self::write`].
-    pub fn write_private(folder: &Path, text: &str) -> io::Result<Self> {
+    pub(crate) fn write_private(folder: &Path, text: &str) -> io::Result<Self> {
         Self::write_with_mode(folder, text, 0o600)
     }
 
@@ -52,7 +52,7 @@ impl UnplacedFile {
     ///
     /// # Errors
     /// If that cannot be done, such as for a folder.
-    pub fn replace(self, path: &Path) -> io::Result<()> {
+    pub(crate) fn replace(self, path: &Path) -> io::Result<()> {
         if let Ok(old) = fs::metadata(path) {
             fs::set_permissions(&self.0, old.permissions())?;
         }
@@ -65,7 +65,7 @@ impl UnplacedFile {
     ///
     /// # Errors
     /// If that cannot be done.
-    pub fn place(&self, path: &Path) -> io::Result<bool> {
+    pub(crate) fn place(&self, path: &Path) -> io::Result<bool> {
         // A link is refused where there is something; a rename would replace it.
         match fs::hard_link(&self.0, path) {
             // The other name goes when this is dropped.
@@ -87,7 +87,7 @@ pub(super) fn is_there(path: &Path) -> bool {
 ///
 /// # Errors
 /// If that cannot be done.
-pub fn fsync_dir(folder: &Path) -> io::Result<()> {
+pub(crate) fn fsync_dir(folder: &Path) -> io::Result<()> {
     // Only Unix lets a folder be opened; elsewhere the rename has to do.
     #[cfg(unix)]
     fs::File::open(folder)?.sync_all()?;

@@ -36,7 +36,7 @@ pub struct FileError {
 
 impl FileError {
     /// An error of a whole file.
-    pub fn of_file(file: &str, message: impl Into<String>) -> Self {
+    pub(crate) fn of_file(file: &str, message: impl Into<String>) -> Self {
         Self {
             file: file.into(),
             line: None,
@@ -54,7 +54,7 @@ impl FileError {
     }
 
     /// What is wrong and where in the file, for those who know which file it is.
-    pub fn without_file(&self) -> String {
+    pub(crate) fn without_file(&self) -> String {
         match self.line {
             Some(line) => format!("line {line}: {}", self.what()),
             None => self.what(),
@@ -96,7 +96,7 @@ impl FileErrors {
     }
 
     /// What is wrong and where in the file, for those who know which file it is.
-    pub fn without_file(&self) -> String {
+    pub(crate) fn without_file(&self) -> String {
         let errors: Vec<_> = self.0.iter().map(FileError::without_file).collect();
         errors.join("; ")
     }
@@ -134,7 +134,7 @@ pub fn escape_control_lines(text: &str) -> String {
 /// A message that says what was expected, in carrom's words, and what was found, which is quoted from
 /// outside: on one line, without control characters, and with no more than [`LONGEST_QUOTE`] of what
 /// was found.
-pub fn brief(message: &str) -> String {
+pub(crate) fn brief(message: &str) -> String {
     let message = match message.split_once(FOUND) {
         Some((expected, found)) => {
             format!("{expected}{FOUND}{}", escape_control(found, LONGEST_QUOTE))

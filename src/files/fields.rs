@@ -23,7 +23,7 @@ type Value<'a> = &'a Spanned<DeValue<'a>>;
 
 /// A table whose fields are asked for one by one.
 #[derive(Debug, Clone)]
-pub struct Fields<'a> {
+pub(crate) struct Fields<'a> {
     source: &'a Source<'a>,
     path: String,
     /// Where the table begins in the text.

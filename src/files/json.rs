@@ -13,7 +13,7 @@ use super::is_invisible;
 ///
 /// # Errors
 /// If it cannot be written.
-pub fn write_json(out: &mut impl Write, object: &impl Serialize) -> io::Result<()> {
+pub(crate) fn write_json(out: &mut impl Write, object: &impl Serialize) -> io::Result<()> {
     let mut serializer = Serializer::with_formatter(out, SafeFormatter);
     Ok(object.serialize(&mut serializer)?)
 }

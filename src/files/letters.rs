@@ -60,7 +60,7 @@ pub(crate) fn percent_encoded(path: &[u8]) -> String {
 }
 
 /// What somebody is called whose name in a file has no visible letter.
-pub const NO_NAME: &str = "No name";
+pub(crate) const NO_NAME: &str = "No name";
 
 /// Whether a character takes room and shows nothing, as a blank does, though Unicode counts it
 /// among letters, signs or accents: fillers, empty patterns, vowels that are not written.
@@ -73,7 +73,7 @@ fn is_blank(letter: char) -> bool {
 
 /// Whether a name is made of characters that show nothing. Earlier versions took such a name, so
 /// it may stand in a file.
-pub fn is_blank_name(name: &str) -> bool {
+pub(crate) fn is_blank_name(name: &str) -> bool {
     name.chars().any(is_blank) && tidy_name(name).is_empty()
 }
 

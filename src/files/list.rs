@@ -62,7 +62,7 @@ pub fn embedded<'a>(folder: &'a Dir<'a>, ending: &str) -> Vec<&'a File<'a>> {
 }
 
 /// The fault of what should be a file and is none.
-pub fn not_a_file(path: &Path) -> FileError {
+pub(crate) fn not_a_file(path: &Path) -> FileError {
     let found = match fs::metadata(path) {
         Ok(about) if about.is_dir() => "a folder",
         Ok(_) => "something else",

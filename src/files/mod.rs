@@ -17,19 +17,23 @@ mod read;
 mod source;
 
 pub use csv_table::csv_table;
-pub use draft::{UNFINISHED, UnplacedFile, fsync_dir};
-pub use error::{
-    FileError, FileErrors, LONGEST_QUOTE, brief, escape_control, escape_control_lines, quoted,
-};
-pub use fields::{Fields, newer};
+pub(crate) use draft::{UNFINISHED, UnplacedFile, fsync_dir};
+pub use error::{FileError, LONGEST_QUOTE, escape_control, escape_control_lines, quoted};
+pub(crate) use error::{FileErrors, brief};
+pub(crate) use fields::Fields;
+pub use fields::newer;
 pub(crate) use fields::{all, is_id};
-pub use json::write_json;
-pub use letters::{NO_NAME, is_blank_name, is_invisible, tidy_name};
+pub(crate) use json::write_json;
+pub(crate) use letters::{NO_NAME, is_blank_name};
+pub use letters::{is_invisible, tidy_name};
 pub(crate) use letters::{one_line, percent_encoded, short_name};
 pub use library::FileLibrary;
 pub use lines::read_line;
-pub use list::{List, embedded, list, not_a_file};
-pub use number::{NumberSpec, Range};
-pub use put::{Document, Existing, Unwritten, put};
-pub use read::{LARGEST, read, read_stdin};
-pub use source::{BYTE_ORDER_MARK, Source};
+pub(crate) use list::not_a_file;
+pub use list::{List, embedded, list};
+pub(crate) use number::{NumberSpec, Range};
+pub use put::{Document, put};
+pub(crate) use put::{Existing, Unwritten};
+pub use read::read;
+pub(crate) use read::{LARGEST, read_stdin};
+pub(crate) use source::{BYTE_ORDER_MARK, Source};

@@ -4,7 +4,7 @@ use std::fmt;
 
 /// A kind of number with its unit and bounds, in the unit of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NumberSpec {
+pub(crate) struct NumberSpec {
     what: &'static str,
     unit: &'static str,
     bounds: Range,
@@ -42,23 +42,18 @@ pub struct Range {
 
 impl Range {
     /// Whether a number lies between the bounds.
-    pub fn holds(&self, number: f64) -> bool {
+    pub(crate) fn holds(&self, number: f64) -> bool {
         (self.from..=self.to).contains(&number)
     }
 
     /// The number between the bounds that is nearest.
-    pub fn nearest(&self, number: f64) -> f64 {
+    pub(crate) fn nearest(&self, number: f64) -> f64 {
         number.max(self.from).min(self.to)
     }
 
     /// The number that divides the range as `share`, 0 to 1, says.
-    pub fn at(&self, share: f64) -> f64 {
+    pub(crate) fn at(&self, share: f64) -> f64 {
         self.from + share * (self.to - self.from)
-    }
-
-    /// Distance between the bounds.
-    pub fn width(&self) -> f64 {
-        self.to - self.from
     }
 
     /// Both bounds times a factor above 0: the change of a unit.

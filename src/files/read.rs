@@ -7,7 +7,7 @@ use std::path::Path;
 use super::FileError;
 
 /// Largest text file that is looked at where nothing else is said, in bytes.
-pub const LARGEST: usize = 1 << 20;
+pub(crate) const LARGEST: usize = 1 << 20;
 
 /// The bytes of a file, up to one more than the `most` that may be read: who takes them
 /// for text by [`Source::of_bytes`](super::Source::of_bytes) refuses that many.
@@ -23,7 +23,7 @@ pub fn read(path: &Path, most: usize) -> Result<Vec<u8>, FileError> {
 ///
 /// # Errors
 /// If it cannot be read.
-pub fn read_stdin(name: &str, most: usize) -> Result<Vec<u8>, FileError> {
+pub(crate) fn read_stdin(name: &str, most: usize) -> Result<Vec<u8>, FileError> {
     take(io::stdin(), most).map_err(|error| unreadable(name, &error))
 }
 

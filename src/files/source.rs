@@ -5,14 +5,14 @@ use std::cell::RefCell;
 use super::{FileError, FileErrors};
 
 /// U+FEFF in UTF-8.
-pub const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+pub(crate) const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Most errors that are looked for in a file: each takes a walk to its line.
 const MOST_NOTED: usize = 200;
 
 /// A file's text, and all that is found wrong with it while it is read.
 #[derive(Debug)]
-pub struct Source<'a> {
+pub(crate) struct Source<'a> {
     name: &'a str,
     text: &'a str,
     /// The line of the file that the text begins with, from 1.
@@ -46,7 +46,7 @@ impl<'a> Source<'a> {
     ///
     /// # Errors
     /// If there are more than `most` of them, or they are no UTF-8.
-    pub fn of_bytes(name: &'a str, bytes: &'a [u8], most: usize) -> Result<Self, FileError> {
+    pub(crate) fn of_bytes(name: &'a str, bytes: &'a [u8], most: usize) -> Result<Self, FileError> {
         if bytes.len() > most {
             let message = format!("expected a file of at most {}, found more", size(most));
             return Err(Self::new(name, "", 1).error_at(0, "", message));
@@ -67,8 +67,7 @@ impl<'a> Source<'a> {
             })
     }
 
-    /// Its text.
-    pub fn text(&self) -> &'a str {
+    pub(crate) fn text(&self) -> &'a str {
         self.text
     }
 

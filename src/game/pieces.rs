@@ -86,7 +86,7 @@ impl Colour {
     }
 
     /// The colour as an adjective: "white".
-    pub fn adjective(self) -> &'static str {
+    pub(crate) fn adjective(self) -> &'static str {
         self.piece().into()
     }
 }
@@ -147,7 +147,7 @@ pub enum PieceSet {
 
 impl PieceSet {
     /// The disc a piece is in this set.
-    pub const fn disc(self, piece: Piece) -> Disc {
+    pub(crate) const fn disc(self, piece: Piece) -> Disc {
         match (piece, self) {
             (Piece::Striker, _) => Disc::from_g_mm(15.0, 20.65),
             (_, Self::Tournament) => Disc::from_g_mm(5.5, 15.9),
@@ -156,12 +156,12 @@ impl PieceSet {
     }
 
     /// Radius of the striker in metres.
-    pub const fn striker_radius(self) -> f64 {
+    pub(crate) const fn striker_radius(self) -> f64 {
         self.disc(Piece::Striker).radius
     }
 
     /// Radius of a coin in metres; the queen has it too.
-    pub const fn coin_radius(self) -> f64 {
+    pub(crate) const fn coin_radius(self) -> f64 {
         self.disc(Piece::White).radius
     }
 }

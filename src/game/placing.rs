@@ -60,7 +60,7 @@ pub enum Stand {
 
 impl Stand {
     /// In short: "12 mm left".
-    pub fn words(self) -> String {
+    pub(crate) fn words(self) -> String {
         match self {
             Self::Middle => "the middle".into(),
             Self::Circle(side) => format!("the {side} circle"),
@@ -69,7 +69,7 @@ impl Stand {
     }
 
     /// In a sentence: "place the striker 12 mm left of the middle".
-    pub fn phrase(self) -> String {
+    pub(crate) fn phrase(self) -> String {
         match self {
             Self::Middle => "in the middle".into(),
             Self::Circle(side) => format!("on the {side} circle"),
@@ -83,7 +83,7 @@ impl Stand {
 
 impl<'a> BaseLines<'a> {
     /// The base lines of the player at `seat`, with `coins` on the board.
-    pub const fn new(set: PieceSet, seat: Seat, coins: &'a [Coin]) -> Self {
+    pub(crate) const fn new(set: PieceSet, seat: Seat, coins: &'a [Coin]) -> Self {
         Self { set, seat, coins }
     }
 
@@ -107,12 +107,12 @@ impl<'a> BaseLines<'a> {
 
     /// Distance from the middle of the base lines to the centre of a base
     /// circle, in metres.
-    pub const fn base_circle_along() -> f64 {
+    pub(crate) const fn base_circle_along() -> f64 {
         BASE_LINE_LENGTH / 2.0 - BASE_CIRCLE_RADIUS
     }
 
     /// Where a striker at `at` stands, as it is seen on the screen.
-    pub fn stand(&self, at: DVec2) -> Stand {
+    pub(crate) fn stand(&self, at: DVec2) -> Stand {
         let along = self.along(at);
         // What the player has on the left hand and on the right.
         let (sides, circles) = match self.seat {
@@ -135,7 +135,7 @@ impl<'a> BaseLines<'a> {
     ///
     /// # Errors
     /// The first reason why not.
-    pub fn check(&self, at: DVec2) -> Result<(), Misplaced> {
+    pub(crate) fn check(&self, at: DVec2) -> Result<(), Misplaced> {
         let here = self.seat.turn_back(at);
         let middle = self.middle();
         let striker = self.set.striker_radius();
@@ -179,7 +179,7 @@ impl<'a> BaseLines<'a> {
     /// Legal places from left to right: `steps` of them spread evenly between
     /// the base circles and the two that cover a circle, less those that coins
     /// bar.
-    pub fn candidates(&self, steps: u16) -> Vec<DVec2> {
+    pub(crate) fn candidates(&self, steps: u16) -> Vec<DVec2> {
         let end = self.end_of_the_lines();
         let spread = (0..steps).map(|i| {
             let share = (f64::from(i) + 0.5) / f64::from(steps);

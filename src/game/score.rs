@@ -24,7 +24,7 @@ pub struct Score {
 impl Score {
     /// The score after `boards`, the last of them just finished: a game it
     /// decided still shows its points.
-    pub fn after<'a>(rules: Rules, boards: impl IntoIterator<Item = &'a BoardWon>) -> Self {
+    pub(crate) fn after<'a>(rules: Rules, boards: impl IntoIterator<Item = &'a BoardWon>) -> Self {
         boards.into_iter().fold(Self::default(), |score, board| {
             let mut score = score.before_next_board(rules);
             let points = &mut score.points[board.winner];
@@ -36,7 +36,7 @@ impl Score {
 
     /// The score with which the next board starts: a game that has been won is
     /// put away.
-    pub fn before_next_board(mut self, rules: Rules) -> Self {
+    pub(crate) fn before_next_board(mut self, rules: Rules) -> Self {
         if let Some(winner) = self.game_winner(rules) {
             self.points = ByTeam::default();
             self.boards = 0;
@@ -51,7 +51,7 @@ impl Score {
     /// In a tournament that is who reaches 25 points or leads after the eighth
     /// board; at a tie one more board is played, and another (29). Friendly, it is
     /// who won the board. Practice has no winner.
-    pub fn game_winner(&self, rules: Rules) -> Option<Team> {
+    pub(crate) fn game_winner(&self, rules: Rules) -> Option<Team> {
         let [first, second] = Team::BOTH.map(|team| self.points[team]);
         let decided = match rules {
             Rules::Tournament => first.max(second) >= GAME_POINTS || self.boards >= GAME_BOARDS,
@@ -68,7 +68,7 @@ impl Score {
 
     /// Whether the present game is tied with its last board played, so that one
     /// more is needed (29b).
-    pub fn is_tied(&self, rules: Rules) -> bool {
+    pub(crate) fn is_tied(&self, rules: Rules) -> bool {
         rules == Rules::Tournament
             && self.boards >= GAME_BOARDS
             && self.game_winner(rules).is_none()
@@ -76,7 +76,7 @@ impl Score {
 
     /// Who has won the match, if anybody has: the first to win two games of a
     /// tournament (30). A friendly evening has no end.
-    pub fn match_winner(&self, rules: Rules) -> Option<Team> {
+    pub(crate) fn match_winner(&self, rules: Rules) -> Option<Team> {
         let winner = self.game_winner(rules)?;
         (rules == Rules::Tournament && self.games[winner] + 1 >= MATCH_GAMES).then_some(winner)
     }

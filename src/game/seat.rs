@@ -32,7 +32,7 @@ impl Seat {
     }
 
     /// The seat across the board.
-    pub const fn opposite(self) -> Self {
+    pub(crate) const fn opposite(self) -> Self {
         self.right().right()
     }
 
@@ -58,7 +58,7 @@ impl Seat {
     }
 
     /// The reverse of [`Seat::turn`].
-    pub fn turn_back(self, at: DVec2) -> DVec2 {
+    pub(crate) fn turn_back(self, at: DVec2) -> DVec2 {
         match self {
             Self::South | Self::North => self.turn(at),
             Self::East => Self::West.turn(at),

@@ -39,14 +39,14 @@ pub(crate) fn on_steps(stroke: Motion, seat: Seat) -> Option<Motion> {
 impl BaseLines<'_> {
     /// The legal place nearest to `at` that steps from the middle lead to: a whole
     /// number of steps away from it, or on a base circle. `None` if there is none.
-    pub fn nearest_on_steps(&self, at: DVec2) -> Option<DVec2> {
+    pub(crate) fn nearest_on_steps(&self, at: DVec2) -> Option<DVec2> {
         self.nearest_of(Self::steps(), at)
     }
 
     /// The next legal place on the steps at least `metres` to the player's right of
     /// `from` (negative: to the left), over all that are not legal; where there is none
     /// so far, the last one. `None` if there is none any more.
-    pub fn next_on_steps(&self, from: DVec2, metres: f64) -> Option<DVec2> {
+    pub(crate) fn next_on_steps(&self, from: DVec2, metres: f64) -> Option<DVec2> {
         let (here, sense) = (self.along(from), metres.signum());
         // From between two steps the nearer one does.
         let least = here + metres - sense * PLACE_STEP / 2.0;

@@ -10,7 +10,7 @@ use crate::physics::{Board, DiscState, Shot};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stroke {
     /// Whether the striker touched any piece.
-    pub touched: bool,
+    pub(crate) touched: bool,
     /// The pieces that fell into pockets, in order; the striker among them if
     /// it fell too.
     pub pocketed: Vec<Piece>,
@@ -88,7 +88,7 @@ impl Stroke {
     }
 
     /// How many of `piece` fell.
-    pub fn fallen(&self, piece: Piece) -> u8 {
+    pub(crate) fn fallen(&self, piece: Piece) -> u8 {
         let found = self.pocketed.iter().filter(|p| **p == piece).count();
         u8::try_from(found).unwrap_or(u8::MAX)
     }

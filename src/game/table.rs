@@ -121,7 +121,7 @@ impl Game {
     }
 
     /// The number of this board in its game, from 1.
-    pub fn board_number(&self) -> u8 {
+    pub(crate) fn board_number(&self) -> u8 {
         self.score_before().boards.saturating_add(1)
     }
 
@@ -159,7 +159,7 @@ impl Game {
     ///
     /// # Errors
     /// Why not.
-    pub fn check_place(&self, at: DVec2) -> Result<(), Misplaced> {
+    pub(crate) fn check_place(&self, at: DVec2) -> Result<(), Misplaced> {
         match self.setup.rules {
             Rules::Practice => check_anywhere(self.setup.set, self.coins(), at),
             Rules::Tournament | Rules::Friendly => self.base_lines().check(at),
@@ -233,7 +233,7 @@ impl Game {
     /// # Errors
     /// If this is no practice, or the coins cannot lie so; the game is then
     /// unchanged.
-    pub fn lay_out(&mut self, coins: Vec<Coin>) -> Result<(), GameError> {
+    pub(crate) fn lay_out(&mut self, coins: Vec<Coin>) -> Result<(), GameError> {
         if self.setup.rules != Rules::Practice {
             return Err(GameError::NotInPractice);
         }

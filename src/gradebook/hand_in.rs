@@ -49,7 +49,7 @@ struct HandInFile<A> {
 
 impl HandIn {
     /// Largest file that is read, in bytes; ten thousand answers take some 6 MB.
-    pub const LARGEST_FILE: usize = 1 << 24;
+    pub(crate) const LARGEST_FILE: usize = 1 << 24;
 
     /// The file of a pupil. Names are made presentable; one without a visible letter stays
     /// empty. Answers that no teacher's carrom would read are left out: damage may have changed
@@ -145,7 +145,7 @@ impl HandIn {
     ///
     /// # Errors
     /// As for [`Self::read`].
-    pub fn of_value(value: Value) -> Result<Self, String> {
+    pub(crate) fn of_value(value: Value) -> Result<Self, String> {
         let kind = value.get("carrom").and_then(Value::as_str);
         let format = value.get("format").and_then(Value::as_u64);
         let (Some(KIND), Some(format)) = (kind, format) else {

@@ -11,9 +11,11 @@ mod pupils;
 mod results;
 mod tables;
 
-pub use beliefs::{BeliefCount, beliefs};
+pub(crate) use beliefs::BeliefCount;
+pub use beliefs::beliefs;
 pub use hand_in::HandIn;
-pub use items::{ItemStatistics, items};
+pub(crate) use items::ItemStatistics;
+pub use items::items;
 pub use pupils::{Gradebook, Pupil};
-pub use results::{ClassResults, PupilResults};
+pub(crate) use results::{ClassResults, PupilResults};
 pub use tables::{beliefs_csv, items_csv, pupils_csv};

@@ -122,7 +122,7 @@ impl Gradebook {
     }
 
     /// Notes who of these names has handed in nothing; case and blanks around them do not matter.
-    pub fn look_for<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
+    pub(crate) fn look_for<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
         let known = |name: &str| {
             let name = name.to_lowercase();
             self.pupils

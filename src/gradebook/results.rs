@@ -44,12 +44,12 @@ impl<'a> ClassResults<'a> {
     }
 
     /// The rounds that anybody has begun, in the order of their codes.
-    pub fn rounds(&self) -> Vec<&str> {
+    pub(crate) fn rounds(&self) -> Vec<&str> {
         sorted(self.pupils.iter().flat_map(|it| it.rounds.keys()))
     }
 
     /// The topics that anybody was asked about, in the order of their names.
-    pub fn topics(&self) -> Vec<&str> {
+    pub(crate) fn topics(&self) -> Vec<&str> {
         sorted(self.pupils.iter().flat_map(|it| it.topics.keys()))
     }
 }

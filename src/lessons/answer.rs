@@ -6,10 +6,10 @@ use super::GivenAnswer;
 use crate::quiz::{Rays, Response};
 
 /// Share of the credit that an answer after a hint earns.
-pub const AFTER_HINT: f64 = 0.5;
+pub(crate) const AFTER_HINT: f64 = 0.5;
 
 /// An answer as it is kept: angles in degrees, a line of a choice counted from 1.
-pub fn answer_json(said: &Response) -> Value {
+pub(crate) fn answer_json(said: &Response) -> Value {
     match said {
         Response::Rays(rays) => rays.json(),
         Response::Number(number) => json!({"number": number}),
@@ -35,7 +35,7 @@ pub(crate) fn tries_of_json(value: &Value) -> Option<(Response, Option<Response>
 }
 
 /// An answer as [`answer_json`] writes it; `None` if it is none.
-pub fn answer_of_json(value: &Value) -> Option<Response> {
+pub(crate) fn answer_of_json(value: &Value) -> Option<Response> {
     if let Some(number) = value.get("number") {
         let number = number.as_f64().filter(|it| it.is_finite());
         return number.map(Response::Number);

@@ -77,7 +77,7 @@ impl Book {
     }
 
     /// Whether it is known how far the chapters have been read.
-    pub fn is_known(&self) -> bool {
+    pub(crate) fn is_known(&self) -> bool {
         self.marks.is_some()
     }
 
@@ -123,7 +123,7 @@ impl Book {
     /// Where to read on: a chapter that was opened and is not done, the last of them, with
     /// the page where it was left; or else the next one that is not done, with no page if
     /// it was never opened. `None` where nothing was opened or all is done.
-    pub fn reading_on(&self) -> Option<(usize, Option<usize>)> {
+    pub(crate) fn reading_on(&self) -> Option<(usize, Option<usize>)> {
         let chapters = &self.library().chapters;
         let opened = |chapter: &&Chapter| {
             let mark = self.mark(&chapter.id);

@@ -45,7 +45,7 @@ impl Bookmark {
 
     /// The same with an answer given to what its page asks, `right` or not.
     #[must_use]
-    pub fn answering(
+    pub(crate) fn answering(
         page: &ChapterPage,
         asked: &Checkpoint,
         (answer, first): (Response, Option<Response>),
@@ -132,7 +132,7 @@ impl Bookmark {
 
     /// Adds what was done later: its place and angle, if it has any, take the place of
     /// those before; a page stays seen, and answered until it is answered anew.
-    pub fn merge(&mut self, later: Self) {
+    pub(crate) fn merge(&mut self, later: Self) {
         self.place = later.place.or_else(|| self.place.take());
         self.alpha_deg = later.alpha_deg.or(self.alpha_deg);
         for (title, given) in later.pages {

@@ -59,7 +59,7 @@ pub enum Expected {
 
 impl Expected {
     /// The right number. `figure` is the collision as the page's figure has it.
-    pub fn value(&self, figure: Option<&Collision>) -> Option<f64> {
+    pub(crate) fn value(&self, figure: Option<&Collision>) -> Option<f64> {
         match self {
             Self::Of(quantity, shot) => quantity.of(&shot.collision()),
             Self::Figure(quantity) => quantity.of(figure?),
@@ -68,7 +68,7 @@ impl Expected {
     }
 
     /// Its sign and its unit.
-    pub fn sign_and_unit(&self) -> (&str, &str) {
+    pub(crate) fn sign_and_unit(&self) -> (&str, &str) {
         match self {
             Self::Of(quantity, _) | Self::Figure(quantity) => (quantity.symbol, quantity.unit),
             Self::Fixed(_, unit) => ("your answer", unit),
@@ -120,7 +120,7 @@ impl Checkpoint {
 
     /// Whether a first answer gets a hint and a second try: it is wrong, there is something
     /// to say, and more than one answer is left.
-    pub fn offers_second_try(&self, form: &Form, said: &Response) -> bool {
+    pub(crate) fn offers_second_try(&self, form: &Form, said: &Response) -> bool {
         let has_hint = match form {
             Form::Choice { options, .. } => options.len() > 2,
             _ => !self.hint.is_empty(),
@@ -130,7 +130,7 @@ impl Checkpoint {
 
     /// The hint after a first wrong answer: what is said to the choice that was made where
     /// the checkpoint has no hint of its own.
-    pub fn hint_to(&self, said: &Response) -> Vec<TextBlock> {
+    pub(crate) fn hint_to(&self, said: &Response) -> Vec<TextBlock> {
         match (said, &self.asked) {
             (Response::Choice(chosen), CheckpointKind::Choice(choices)) if self.hint.is_empty() => {
                 let chosen = choices.get(*chosen).into_iter();

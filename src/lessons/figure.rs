@@ -129,7 +129,7 @@ impl Figure {
     ///
     /// # Errors
     /// What was expected.
-    pub fn from_words(text: &str) -> Result<Self, String> {
+    pub(crate) fn from_words(text: &str) -> Result<Self, String> {
         Self::read(text, &Shots::default())
     }
 }

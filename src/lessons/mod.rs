@@ -26,21 +26,23 @@ mod tests;
 mod words;
 mod written;
 
-pub use answer::{AFTER_HINT, answer_json, answer_of_json};
+pub(crate) use answer::{AFTER_HINT, answer_json};
 pub(crate) use answer::{given_json, tries_of_json};
-pub use block::{Inline, TextBlock, Tone};
+pub(crate) use block::Tone;
+pub use block::{Inline, TextBlock};
 pub use book::{Book, Forget};
 pub use bookmark::{Bookmark, GivenAnswer};
 pub use chapter::Chapter;
-pub use checkpoint::{Checkpoint, CheckpointChoice, CheckpointKind, Expected};
+pub(crate) use checkpoint::Expected;
+pub use checkpoint::{Checkpoint, CheckpointKind};
 pub use figure::{Figure, FigureKind};
-pub use formula::{Formula, Node, Term};
+pub use formula::{Formula, Node};
 pub use library::ChapterLibrary;
 pub use page::ChapterPage;
 
 pub use crate::files::FileError;
-pub use crate::physics::CollisionSpec;
-pub use crate::physics::named::{Constant, Quantity};
+pub(crate) use crate::physics::CollisionSpec;
+pub(crate) use crate::physics::named::{Constant, Quantity};
 
 /// A line of a file and its number, from 1.
 type SourceLine<'a> = (usize, &'a str);

@@ -84,7 +84,7 @@ impl LevelAim {
 
     /// The same aim with one dial set anew.
     #[must_use]
-    pub const fn with(mut self, dial: Dial, setting: f64) -> Self {
+    pub(crate) const fn with(mut self, dial: Dial, setting: f64) -> Self {
         self.0[dial as usize] = setting;
         self
     }
@@ -101,7 +101,7 @@ impl Adjust {
     }
 
     /// How far a dial may be turned; `None` if it is fixed.
-    pub fn range(&self, dial: Dial) -> Option<Range> {
+    pub(crate) fn range(&self, dial: Dial) -> Option<Range> {
         self.dials()
             .find_map(|(d, range)| (d == dial).then_some(range))
     }

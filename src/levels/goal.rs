@@ -115,7 +115,7 @@ impl HitMeasure {
 
 impl Goal {
     /// Whether it is decided by the first hit alone.
-    pub fn is_of_the_first_hit(&self) -> bool {
+    pub(crate) fn is_of_the_first_hit(&self) -> bool {
         matches!(self, Self::FirstHit { .. })
     }
 }
@@ -224,7 +224,7 @@ impl Goal {
     }
 
     /// The circle that belongs on the board, and the disc it is for.
-    pub fn circle(&self) -> Option<(GoalCircle, usize)> {
+    pub(crate) fn circle(&self) -> Option<(GoalCircle, usize)> {
         match self {
             Self::Rest { disc, circle } | Self::Pass { disc, circle } => Some((*circle, *disc)),
             _ => None,
@@ -232,7 +232,7 @@ impl Goal {
     }
 
     /// What to do, in plain words.
-    pub fn describe(&self, scene: &Scene) -> String {
+    pub(crate) fn describe(&self, scene: &Scene) -> String {
         let name = |disc: &usize| scene.name(*disc);
         match self {
             Self::Pocket { discs } => {

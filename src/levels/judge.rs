@@ -34,7 +34,7 @@ impl Judgement {
     }
 
     /// How many goals are met.
-    pub fn met(&self) -> usize {
+    pub(crate) fn met(&self) -> usize {
         self.findings.iter().filter(|finding| finding.met).count()
     }
 }

@@ -28,7 +28,7 @@ impl DiscKind {
     ];
 
     /// Mass and size of this kind.
-    pub const fn disc(self) -> Disc {
+    pub(crate) const fn disc(self) -> Disc {
         match self {
             Self::Striker => Disc::from_g_mm(15.0, 20.65),
             Self::White | Self::Black | Self::Queen => Disc::from_g_mm(5.5, 15.9),
@@ -37,7 +37,7 @@ impl DiscKind {
     }
 
     /// What to call one on the screen.
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Striker => "striker",
             Self::White => "white coin",

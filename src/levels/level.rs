@@ -9,7 +9,7 @@ use crate::files::{self, Fields, FileErrors, Range, Source, all};
 use crate::physics::units::{g_from_kg, kg_from_g, m_from_mm, mm_from_m};
 
 /// The format that this program reads and writes.
-pub const FORMAT: u32 = 1;
+pub(crate) const FORMAT: u32 = 1;
 
 /// The most goals a level may have.
 const MOST_GOALS: usize = 8;
@@ -44,7 +44,7 @@ pub struct Level {
     /// Discs whose direction after the first impact the player says first.
     pub say_first: Vec<usize>,
     /// Discs whose mass the player is not told until the level is won.
-    pub unknown_mass: Vec<usize>,
+    pub(crate) unknown_mass: Vec<usize>,
     /// The board and the discs, and the shot as it is set when the level opens.
     pub scene: Scene,
     /// What the player may set.
@@ -129,7 +129,7 @@ impl Level {
     }
 
     /// Whether nothing counts but the first hit: neither cushions nor pockets matter.
-    pub fn is_of_the_first_hit(&self) -> bool {
+    pub(crate) fn is_of_the_first_hit(&self) -> bool {
         let no_pockets = self.scene.board.pocket_diameter <= 0.0;
         no_pockets && self.goals.iter().all(Goal::is_of_the_first_hit)
     }

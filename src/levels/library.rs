@@ -23,7 +23,7 @@ pub struct Pack {
 
 impl Pack {
     /// The name as a title: `first-hits` is "First hits".
-    pub fn title(&self) -> String {
+    pub(crate) fn title(&self) -> String {
         capital(&self.name.replace(['-', '_'], " "))
     }
 }

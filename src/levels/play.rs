@@ -44,7 +44,7 @@ impl Scene {
     }
 
     /// Plays the shot as far as a moment goes: the first that its disc meets is in that.
-    pub fn play_for_a_moment(&self) -> Shot {
+    pub(crate) fn play_for_a_moment(&self) -> Shot {
         let mut shot = Shot::default();
         // What was played stands.
         let _ = self.play_into(&mut Engine::default(), &mut shot, Patience::AMoment);

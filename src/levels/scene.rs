@@ -11,7 +11,7 @@ use crate::physics::units::{kg_from_g, m_from_mm, mm_from_m};
 use crate::physics::{Board, Disc, Motion};
 
 /// The most discs a scene may hold.
-pub const MOST_DISCS: usize = 256;
+pub(crate) const MOST_DISCS: usize = 256;
 
 /// How far discs may overlap each other or the frame, in metres: what rounding
 /// leaves of places meant to touch, and as much as the engine takes.
@@ -42,7 +42,7 @@ pub struct Launch {
 
 impl Launch {
     /// The velocity in m/s; exact along the axes and alike in all four quadrants.
-    pub fn velocity(&self) -> DVec2 {
+    pub(crate) fn velocity(&self) -> DVec2 {
         self.speed * unit_vector(self.direction_deg)
     }
 }

@@ -93,7 +93,7 @@ impl Shelf {
     }
 
     /// Notes stars that were won before; says whether they are more than was known.
-    pub fn recall(&mut self, starred: &Starred) -> bool {
+    pub(crate) fn recall(&mut self, starred: &Starred) -> bool {
         let key = (starred.pack.clone(), starred.level.clone());
         let best = self.best.entry(key).or_default();
         let stars = starred.stars.min(MOST_STARS);

@@ -1,10 +1,10 @@
 //! How well a level was won.
 
 /// The most stars a level gives.
-pub const MOST_STARS: u8 = 3;
+pub(crate) const MOST_STARS: u8 = 3;
 
 /// Up to this many shots, without a hint, a win has the star for few shots.
-pub const FEW_SHOTS: u32 = 3;
+pub(crate) const FEW_SHOTS: u32 = 3;
 
 /// A level won.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,24 +15,24 @@ pub struct Win {
     pub hints: usize,
     /// Whether what the player said before the winning shot was right; `None` where
     /// there was nothing to say.
-    pub said_right: Option<bool>,
+    pub(crate) said_right: Option<bool>,
 }
 
 impl Win {
     /// One star for winning, one for finding the shot oneself in few shots, and one for
     /// saying first what would come about; where there is nothing to say, for winning with
     /// the first shot.
-    pub fn stars(&self) -> u8 {
+    pub(crate) fn stars(&self) -> u8 {
         1 + u8::from(self.has_few_shots()) + u8::from(self.is_accurate())
     }
 
     /// Whether it has the star for few shots without a hint.
-    pub fn has_few_shots(&self) -> bool {
+    pub(crate) fn has_few_shots(&self) -> bool {
         self.shots <= FEW_SHOTS && self.hints == 0
     }
 
     /// Whether it has the star for accuracy.
-    pub fn is_accurate(&self) -> bool {
+    pub(crate) fn is_accurate(&self) -> bool {
         self.said_right.unwrap_or(self.shots <= 1)
     }
 }

@@ -89,7 +89,7 @@ impl Mouse {
     }
 
     /// Whether the button is down, just now or for some time.
-    pub fn is_held(&self) -> bool {
+    pub(crate) fn is_held(&self) -> bool {
         matches!(self.kind, MouseKind::Down | MouseKind::Drag)
     }
 

@@ -60,7 +60,7 @@ impl From<char> for Key {
 
 impl Key {
     /// The four arrows: up, down, left, right.
-    pub const ARROWS: [Self; 4] = [Self::Up, Self::Down, Self::Left, Self::Right];
+    pub(crate) const ARROWS: [Self; 4] = [Self::Up, Self::Down, Self::Left, Self::Right];
 
     /// The key of a text: a character is its own key, a name is read as in a tape.
     pub fn parse(text: &str) -> Option<Self> {

@@ -144,7 +144,7 @@ pub struct Kept<T> {
     /// Its name.
     pub name: String,
     /// How long ago it was saved; `None` if the time is unknown.
-    pub age: Option<Duration>,
+    pub(crate) age: Option<Duration>,
     /// The day on which it was saved, likewise.
     pub day: Option<Date>,
     /// What it holds, or why it cannot be read.

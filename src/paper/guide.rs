@@ -10,7 +10,7 @@ const STYLE: &str = include_str!("guide.css");
 /// A guide of the program's own as an HTML document. A link to another guide (`class.md`)
 /// leads to its page beside this one (`class.html`); of a link to anywhere else only its
 /// words stay.
-pub fn guide_page(markdown: &str) -> String {
+pub(crate) fn guide_page(markdown: &str) -> String {
     let events: Vec<_> = Parser::new_ext(markdown, Options::ENABLE_TABLES).collect();
     let mut body = String::new();
     let mut is_linked = false;

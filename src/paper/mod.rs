@@ -32,7 +32,7 @@ pub mod report;
 pub mod worksheet;
 
 pub use clean::clean;
-pub use guide::guide_page;
+pub(crate) use guide::guide_page;
 pub use markdown::Markdown;
 pub use page::{Paper, html_page};
 

@@ -9,7 +9,7 @@ use super::direction::direction;
 ///
 /// What is rounding noise across `from` counts as nothing, so that straight on is
 /// 0 and straight back is +π.
-pub fn signed_angle(from: DVec2, to: DVec2) -> Option<f64> {
+pub(crate) fn signed_angle(from: DVec2, to: DVec2) -> Option<f64> {
     let from = from.try_normalize()?;
     let to = to.try_normalize()?;
     let across = from.perp_dot(to);
@@ -44,7 +44,7 @@ fn along(angle_deg: f64, of_radians: fn(f64) -> DVec2) -> DVec2 {
 
 /// The angle between two velocities in radians, in [0, π]; `None` where either is
 /// zero.
-pub fn angle_between(a: DVec2, b: DVec2) -> Option<f64> {
+pub(crate) fn angle_between(a: DVec2, b: DVec2) -> Option<f64> {
     signed_angle(a, b).map(f64::abs)
 }
 

@@ -17,7 +17,7 @@ pub enum Beam {
 impl Beam {
     /// The share of a beam of half-width r₁ + r₂ that passes nearer than `nearness`
     /// times r₁ + r₂, 0 to 1.
-    pub fn share_within(self, nearness: f64) -> f64 {
+    pub(crate) fn share_within(self, nearness: f64) -> f64 {
         let nearness = nearness.clamp(0.0, 1.0);
         match self {
             Self::Board => nearness,

@@ -51,7 +51,7 @@ impl Board {
 
     /// Radius of a pocket in metres; 0 for none.
     #[inline]
-    pub fn pocket_radius(&self) -> f64 {
+    pub(crate) fn pocket_radius(&self) -> f64 {
         0.5 * self.pocket_diameter
     }
 
@@ -67,7 +67,7 @@ impl Board {
     }
 
     /// Whether a disc whose centre is at `at` falls into a pocket.
-    pub fn has_pocket_at(&self, at: DVec2) -> bool {
+    pub(crate) fn has_pocket_at(&self, at: DVec2) -> bool {
         self.pockets()
             .any(|hole| hole.distance(at) <= self.pocket_radius())
     }

@@ -12,9 +12,9 @@ use super::impact::reduced_mass;
 pub(crate) struct Capture {
     /// Angular velocity ω in rad/s, positive clockwise for a positive offset, as
     /// the recoil angle is.
-    pub spin: f64,
+    pub(crate) spin: f64,
     /// Energy of that rotation, ½ I ω², in joules.
-    pub rotation_energy: f64,
+    pub(crate) rotation_energy: f64,
     /// Kinetic energy that is gone, rotation counted as kept, in joules.
     pub energy_lost: f64,
 }

@@ -50,7 +50,7 @@ pub struct Collision {
 
 /// How the two met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Meeting {
+pub(crate) enum Meeting {
     /// They pass without touching, or never come nearer.
     Miss,
     /// They touch at |b| = r₁ + r₂ and exchange nothing.
@@ -63,7 +63,7 @@ pub enum Meeting {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CollisionOutcome {
     /// How the two met.
-    pub meeting: Meeting,
+    pub(crate) meeting: Meeting,
     /// Line of impact n, the unit vector from centre 1 to centre 2 at contact;
     /// `None` for a miss.
     pub normal: Option<DVec2>,
@@ -76,7 +76,7 @@ pub struct CollisionOutcome {
     pub v2: DVec2,
     /// Angular velocity of a pair that sticks, in rad/s, positive clockwise (the
     /// sense it has for a positive offset); 0 for discs that slip.
-    pub spin: f64,
+    pub(crate) spin: f64,
     /// Scattering angle θ₁ from u₁ to v₁ in radians, positive anticlockwise, in
     /// (−π, π]; `None` where either is zero.
     pub theta1: Option<f64>,
@@ -199,7 +199,7 @@ impl Collision {
     /// The centres of striker and target when they touch, with the point of contact
     /// at the origin. For a miss: when they are nearest, with the origin between
     /// them; without relative motion: side by side, the target to the right.
-    pub fn placed_at_contact(&self) -> (DVec2, DVec2) {
+    pub(crate) fn placed_at_contact(&self) -> (DVec2, DVec2) {
         let apart = match (self.normal(), self.relative_velocity().try_normalize()) {
             (Some(normal), _) => self.contact_distance() * normal,
             (None, Some(along)) => -self.offset * along.perp(),
@@ -211,7 +211,7 @@ impl Collision {
 
     /// The centres of striker and target `time` seconds before they are
     /// [placed at contact](Self::placed_at_contact).
-    pub fn positions_before(&self, time: f64) -> (DVec2, DVec2) {
+    pub(crate) fn positions_before(&self, time: f64) -> (DVec2, DVec2) {
         let (centre1, centre2) = self.placed_at_contact();
         (centre1 - time * self.u1, centre2 - time * self.u2)
     }
@@ -247,7 +247,7 @@ impl Collision {
     }
 
     /// Velocity of the common centre of mass, (m₁u₁ + m₂u₂) / (m₁ + m₂), in m/s.
-    pub fn centre_of_mass_velocity(&self) -> DVec2 {
+    pub(crate) fn centre_of_mass_velocity(&self) -> DVec2 {
         let (m1, m2) = (self.striker.mass, self.target.mass);
         self.u1 * (m1 / (m1 + m2)) + self.u2 * (m2 / (m1 + m2))
     }
@@ -255,7 +255,7 @@ impl Collision {
     /// Velocities of the two centres right after the contact, in m/s. For discs that
     /// slip they are v₁ and v₂. A pair that sticks turns about its centre of mass with
     /// ω, so each centre has V + ω × r, r being its place as seen from there.
-    pub fn centres_after(&self) -> [DVec2; 2] {
+    pub(crate) fn centres_after(&self) -> [DVec2; 2] {
         let outcome = self.outcome();
         let (centre1, centre2) = self.placed_at_contact();
         let apart = centre2 - centre1;

@@ -37,7 +37,7 @@ impl Motion {
     }
 
     /// A disc that lies still at `position`.
-    pub const fn at_rest(position: DVec2) -> Self {
+    pub(crate) const fn at_rest(position: DVec2) -> Self {
         Self::new(position, DVec2::ZERO)
     }
 }

@@ -38,7 +38,7 @@ impl Rutherford {
 
 impl Hyperbola {
     /// The point nearest to the charge. Head-on that is where it turns back.
-    pub fn nearest(&self) -> DVec2 {
+    pub(crate) fn nearest(&self) -> DVec2 {
         self.mirrored(DVec2::from_angle(self.apse()) * self.closest_approach)
     }
 
@@ -60,7 +60,7 @@ impl Hyperbola {
     /// The path from a distance of `reach` metres in to the same distance out, as
     /// `pieces` (2 or more) straight pieces, closest together where it bends most; empty
     /// where it never comes as near as `reach`.
-    pub fn points(&self, reach: f64, pieces: u32) -> Vec<DVec2> {
+    pub(crate) fn points(&self, reach: f64, pieces: u32) -> Vec<DVec2> {
         if !(reach > self.closest_approach && reach.is_finite()) {
             return Vec::new();
         }

@@ -102,7 +102,7 @@ impl RestingTarget {
 
     /// v₁ along and across u, v₁ = (1 − k cos²α, k sin α cos α); positive across is
     /// the side away from the target when α > 0.
-    pub fn striker_velocity(&self, alpha: f64) -> (f64, f64) {
+    pub(crate) fn striker_velocity(&self, alpha: f64) -> (f64, f64) {
         let (sin, cos) = sin_cos(alpha);
         // 1 − k cos²α, written so that nothing cancels near k = 1.
         let along = self.normal_kept() * cos * cos + sin * sin;
@@ -180,7 +180,7 @@ impl RestingTarget {
 
     /// The impact angle, 0 to 90°, that passes on `share` of the striker's energy;
     /// `None` where none does.
-    pub fn alpha_for_energy_passed(&self, share: f64) -> Option<f64> {
+    pub(crate) fn alpha_for_energy_passed(&self, share: f64) -> Option<f64> {
         arccosine_of_root(share / self.head_on_energy_passed())
     }
 }

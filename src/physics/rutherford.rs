@@ -6,13 +6,13 @@
 use std::f64::consts::PI;
 
 /// Elementary charge e in coulombs, exact by definition of the SI (2019).
-pub const ELEMENTARY_CHARGE: f64 = 1.602_176_634e-19;
+pub(crate) const ELEMENTARY_CHARGE: f64 = 1.602_176_634e-19;
 
 /// Electric constant ε₀ in F/m, CODATA 2018.
-pub const ELECTRIC_CONSTANT: f64 = 8.854_187_812_8e-12;
+pub(crate) const ELECTRIC_CONSTANT: f64 = 8.854_187_812_8e-12;
 
 /// e²/(4πε₀) in joule metres; 1.43996 MeV·fm.
-pub const COULOMB_ENERGY_LENGTH: f64 =
+pub(crate) const COULOMB_ENERGY_LENGTH: f64 =
     ELEMENTARY_CHARGE * ELEMENTARY_CHARGE / (4.0 * PI * ELECTRIC_CONSTANT);
 
 /// One mega-electronvolt in joules.
@@ -22,7 +22,7 @@ pub const MEV: f64 = 1e6 * ELEMENTARY_CHARGE;
 pub const FM: f64 = 1e-15;
 
 /// Charge number of an α particle.
-pub const ALPHA_CHARGE: f64 = 2.0;
+pub(crate) const ALPHA_CHARGE: f64 = 2.0;
 
 /// Charge number of gold.
 pub const GOLD_CHARGE: f64 = 79.0;
@@ -63,7 +63,7 @@ impl Rutherford {
     }
 
     /// Impact parameter b = (d/2) cot(Θ/2) in metres.
-    pub fn impact_parameter(&self, angle: f64) -> Option<f64> {
+    pub(crate) fn impact_parameter(&self, angle: f64) -> Option<f64> {
         let half = half_angle(angle)?;
         Some(self.head_on_approach / 2.0 * half.cos() / half.sin())
     }
@@ -74,26 +74,31 @@ impl Rutherford {
     }
 
     /// Closest approach r_min = (d/2)(1 + 1/sin(Θ/2)) in metres.
-    pub fn closest_approach(&self, angle: f64) -> Option<f64> {
+    pub(crate) fn closest_approach(&self, angle: f64) -> Option<f64> {
         let half = half_angle(angle)?;
         Some(self.head_on_approach / 2.0 * (1.0 + 1.0 / half.sin()))
     }
 
     /// Differential cross-section dσ/dΩ = (d/4)² / sin⁴(Θ/2) in m²/sr.
-    pub fn differential_cross_section(&self, angle: f64) -> Option<f64> {
+    pub(crate) fn differential_cross_section(&self, angle: f64) -> Option<f64> {
         let half = half_angle(angle)?;
         Some((self.head_on_approach / 4.0).powi(2) / half.sin().powi(4))
     }
 
     /// Cross-section for scattering by more than Θ, π (d/2)² cot²(Θ/2), in m².
-    pub fn cross_section_beyond(&self, angle: f64) -> Option<f64> {
+    pub(crate) fn cross_section_beyond(&self, angle: f64) -> Option<f64> {
         self.impact_parameter(angle).map(|b| PI * b * b)
     }
 
     /// The share of a beam that a foil of `atoms_per_area` atoms/m² scatters at Θ
     /// into a small solid angle of `solid_angle` steradians, each particle scattered
     /// at most once.
-    pub fn share_into(&self, angle: f64, solid_angle: f64, atoms_per_area: f64) -> Option<f64> {
+    pub(crate) fn share_into(
+        &self,
+        angle: f64,
+        solid_angle: f64,
+        atoms_per_area: f64,
+    ) -> Option<f64> {
         Some(self.differential_cross_section(angle)? * solid_angle * atoms_per_area)
     }
 }

@@ -71,7 +71,7 @@ impl EventKind {
     }
 
     /// The other disc of an impact in which this one takes part.
-    pub fn partner(&self, disc: usize) -> Option<usize> {
+    pub(crate) fn partner(&self, disc: usize) -> Option<usize> {
         match self.discs() {
             (a, Some(b)) if a == disc => Some(b),
             (a, Some(b)) if b == disc => Some(a),
@@ -195,7 +195,7 @@ impl Shot {
 
     /// Seconds until everything is at rest. Where nothing slows the discs it is the
     /// horizon asked for, or the time of the last event if none was.
-    pub fn duration(&self) -> f64 {
+    pub(crate) fn duration(&self) -> f64 {
         self.duration
     }
 
@@ -205,7 +205,7 @@ impl Shot {
     }
 
     /// The discs that fell into pockets, in order.
-    pub fn fallen(&self) -> impl Iterator<Item = usize> + '_ {
+    pub(crate) fn fallen(&self) -> impl Iterator<Item = usize> + '_ {
         self.events.iter().filter_map(|event| match event.kind {
             EventKind::Pocket { disc, .. } => Some(disc),
             _ => None,
@@ -261,12 +261,12 @@ impl Shot {
     }
 
     /// How each disc ends.
-    pub fn final_states(&self) -> impl Iterator<Item = Sample> + '_ {
+    pub(crate) fn final_states(&self) -> impl Iterator<Item = Sample> + '_ {
         (0..self.discs.len()).map(|disc| self.at(disc, self.duration))
     }
 
     /// Kinetic energy of all discs on the board at a time, in joules.
-    pub fn energy_at(&self, time: f64) -> f64 {
+    pub(crate) fn energy_at(&self, time: f64) -> f64 {
         match self.capture.as_ref().filter(|c| time >= c.time) {
             Some(capture) => capture.energy,
             None => self.sum_energy(|disc| self.at(disc, time).velocity),

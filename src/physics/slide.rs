@@ -10,7 +10,7 @@ use super::Motion;
 /// Time in seconds until a disc of this speed (m/s) stops: v / a.
 ///
 /// 0 for a disc at rest; infinite for a moving disc without friction.
-pub fn stopping_time(speed: f64, deceleration: f64) -> f64 {
+pub(crate) fn stopping_time(speed: f64, deceleration: f64) -> f64 {
     if speed <= 0.0 {
         0.0
     } else {
@@ -21,7 +21,7 @@ pub fn stopping_time(speed: f64, deceleration: f64) -> f64 {
 /// Distance in metres a disc of this speed (m/s) covers before it stops: v² / 2a.
 ///
 /// 0 for a disc at rest; infinite for a moving disc without friction.
-pub fn stopping_distance(speed: f64, deceleration: f64) -> f64 {
+pub(crate) fn stopping_distance(speed: f64, deceleration: f64) -> f64 {
     if speed <= 0.0 {
         0.0
     } else {
@@ -77,7 +77,7 @@ pub(super) fn parabola(start: Motion, acceleration: DVec2, time: f64) -> Motion 
 
 /// A disc left to itself: where it starts and what slows it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Slide {
+pub(crate) struct Slide {
     start: Motion,
     acceleration: DVec2,
     stopping_time: f64,
@@ -85,7 +85,7 @@ pub struct Slide {
 
 impl Slide {
     /// The slide that begins with `start` under a deceleration in m/s², at least 0.
-    pub fn new(start: Motion, deceleration: f64) -> Self {
+    pub(crate) fn new(start: Motion, deceleration: f64) -> Self {
         let speed = start.velocity.length();
         Self {
             start,
@@ -94,15 +94,9 @@ impl Slide {
         }
     }
 
-    /// Seconds from the start until the disc stops: 0 if it lies still, infinite
-    /// if nothing slows it.
-    pub fn stopping_time(&self) -> f64 {
-        self.stopping_time
-    }
-
     /// Position and velocity `time` seconds after the start: a parabola in time
     /// until the disc stops, rest from then on. Times before 0 count as 0.
-    pub fn at(&self, time: f64) -> Motion {
+    pub(crate) fn at(&self, time: f64) -> Motion {
         let Motion { position, velocity } = self.start;
         if self.stopping_time == 0.0 || time <= 0.0 {
             self.start
@@ -146,7 +140,7 @@ mod tests {
             velocity: DVec2::new(3.0, -4.0),
         };
         let slide = Slide::new(start, A);
-        close(slide.stopping_time(), 5.0 / A);
+        close(slide.stopping_time, 5.0 / A);
         let along = DVec2::new(0.6, -0.8);
         for t in [0.0, 0.1, 1.0, 4.0] {
             let s = 5.0 * t - 0.5 * A * t * t;
@@ -168,7 +162,7 @@ mod tests {
             },
             0.0,
         );
-        assert!(slide.stopping_time().is_infinite());
+        assert!(slide.stopping_time.is_infinite());
         assert_eq!(slide.at(1e6).position, DVec2::new(1e6, 0.0));
         assert_eq!(slowed(2.0, 0.0), Some(2.0));
     }

@@ -23,7 +23,7 @@ pub struct CollisionSpec {
     /// Speed of the striker in m/s.
     pub speed: f64,
     /// Direction of the striker in degrees from +x, anticlockwise.
-    pub aim_deg: f64,
+    pub(crate) aim_deg: f64,
     /// Speed of the target in m/s.
     pub target_speed: f64,
     /// Direction of the target in degrees from +x, anticlockwise.
@@ -53,7 +53,7 @@ pub enum ImpactPoint {
 
 /// What one number of a [`CollisionSpec`] may be.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FieldRange {
+pub(crate) struct FieldRange {
     /// Its name in files.
     pub name: &'static str,
     /// What it is, and its unit: "a mass in g".
@@ -66,7 +66,7 @@ pub struct FieldRange {
 
 impl FieldRange {
     /// The range of one field.
-    pub const fn new(name: &'static str, what: &'static str, least: f64, most: f64) -> Self {
+    pub(crate) const fn new(name: &'static str, what: &'static str, least: f64, most: f64) -> Self {
         Self {
             name,
             what,
@@ -79,7 +79,7 @@ impl FieldRange {
     ///
     /// # Errors
     /// What was expected, beside what was `found`.
-    pub fn check(&self, value: f64, found: impl Display) -> Result<f64, String> {
+    pub(crate) fn check(&self, value: f64, found: impl Display) -> Result<f64, String> {
         if (self.least..=self.most).contains(&value) {
             return Ok(value);
         }
@@ -113,10 +113,10 @@ impl Default for CollisionSpec {
 impl CollisionSpec {
     /// The largest offset as a share of both radii together: past 1 they miss, and a little
     /// beyond is nothing new.
-    pub const WIDEST: f64 = 1.25;
+    pub(crate) const WIDEST: f64 = 1.25;
 
     /// What lessons, concept questions and the lab take.
-    pub const RANGES: [FieldRange; 10] = [
+    pub(crate) const RANGES: [FieldRange; 10] = [
         FieldRange::new("m1_g", "a mass in g", 0.1, 1000.0),
         FieldRange::new("m2_g", "a mass in g", 0.1, 1000.0),
         FieldRange::new("r1_mm", "a radius in mm", 5.0, 60.0),
@@ -130,13 +130,13 @@ impl CollisionSpec {
     ];
 
     /// The names of the fields in files.
-    pub fn field_names() -> Vec<&'static str> {
+    pub(crate) fn field_names() -> Vec<&'static str> {
         let names = Self::RANGES.iter().map(|range| range.name);
         names.chain(["stick"]).collect()
     }
 
     /// Whether files have a field of this name.
-    pub fn has(field: &str) -> bool {
+    pub(crate) fn has(field: &str) -> bool {
         field == "stick" || Self::RANGES.iter().any(|range| range.name == field)
     }
 
@@ -144,7 +144,7 @@ impl CollisionSpec {
     ///
     /// # Errors
     /// What was expected, if there is no such field or the value is none for it.
-    pub fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
+    pub(crate) fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
         if field == "stick" {
             self.bond = match written {
                 "true" => Bond::Stick,
@@ -181,7 +181,7 @@ impl CollisionSpec {
     ///
     /// # Errors
     /// What was expected.
-    pub fn check_fields<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<(), String> {
+    pub(crate) fn check_fields<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<(), String> {
         let points = |name: &&str| ["alpha_deg", "offset_mm"].contains(name);
         match names.into_iter().filter(points).count() {
             0 | 1 => Ok(()),
@@ -195,7 +195,7 @@ impl CollisionSpec {
     ///
     /// # Errors
     /// What was expected.
-    pub fn check(&self) -> Result<(), String> {
+    pub(crate) fn check(&self) -> Result<(), String> {
         let most = Self::WIDEST * self.contact_distance_mm();
         match self.point {
             ImpactPoint::Offset { offset_mm } if offset_mm.abs() > most => Err(format!(
@@ -207,17 +207,17 @@ impl CollisionSpec {
     }
 
     /// Whether it says where the two meet by the offset rather than by the angle.
-    pub fn is_by_offset(&self) -> bool {
+    pub(crate) fn is_by_offset(&self) -> bool {
         matches!(self.point, ImpactPoint::Offset { .. })
     }
 
     /// Distance of the centres at contact, r₁ + r₂, in mm.
-    pub fn contact_distance_mm(&self) -> f64 {
+    pub(crate) fn contact_distance_mm(&self) -> f64 {
         self.r1_mm + self.r2_mm
     }
 
     /// How far off-centre they meet, in mm, positive when the target lies to the right.
-    pub fn offset_mm(&self) -> f64 {
+    pub(crate) fn offset_mm(&self) -> f64 {
         match self.point {
             ImpactPoint::Offset { offset_mm } => offset_mm,
             ImpactPoint::Angle { alpha_deg } => {
@@ -227,7 +227,7 @@ impl CollisionSpec {
     }
 
     /// The collision.
-    pub fn collision(&self) -> Collision {
+    pub(crate) fn collision(&self) -> Collision {
         let striker = Disc::from_g_mm(self.m1_g, self.r1_mm);
         let target = Disc::from_g_mm(self.m2_g, self.r2_mm);
         let u1 = self.speed * unit_vector(self.aim_deg);
@@ -266,7 +266,7 @@ impl From<&Collision> for CollisionSpec {
 impl Collision {
     /// The same collision at another point of impact.
     #[must_use]
-    pub fn meeting_at(self, point: ImpactPoint) -> Self {
+    pub(crate) fn meeting_at(self, point: ImpactPoint) -> Self {
         match point {
             ImpactPoint::Angle { alpha_deg } => self.with_alpha_deg(alpha_deg),
             ImpactPoint::Offset { offset_mm } => Self {

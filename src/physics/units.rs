@@ -3,22 +3,22 @@
 use std::f64::consts::PI;
 
 /// Grams to kilograms.
-pub const fn kg_from_g(mass_g: f64) -> f64 {
+pub(crate) const fn kg_from_g(mass_g: f64) -> f64 {
     mass_g / 1000.0
 }
 
 /// Kilograms to grams.
-pub const fn g_from_kg(mass: f64) -> f64 {
+pub(crate) const fn g_from_kg(mass: f64) -> f64 {
     mass * 1000.0
 }
 
 /// Millimetres to metres.
-pub const fn m_from_mm(length_mm: f64) -> f64 {
+pub(crate) const fn m_from_mm(length_mm: f64) -> f64 {
     length_mm / 1000.0
 }
 
 /// Metres to millimetres.
-pub const fn mm_from_m(length: f64) -> f64 {
+pub(crate) const fn mm_from_m(length: f64) -> f64 {
     length * 1000.0
 }
 

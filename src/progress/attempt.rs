@@ -101,7 +101,7 @@ impl Attempt {
     }
 
     /// What it was about, as shown: "equal masses, by offset", or the title of the chapter.
-    pub fn topic_name(&self) -> String {
+    pub(crate) fn topic_name(&self) -> String {
         topic_name(&self.family, &self.topic)
     }
 
@@ -192,7 +192,7 @@ impl Attempt {
     }
 
     /// Whether the player was sure, and wrong: what is worth most attention.
-    pub fn is_surely_wrong(&self) -> bool {
+    pub(crate) fn is_surely_wrong(&self) -> bool {
         self.confidence == Some(Confidence::Sure) && !self.right
     }
 }

@@ -17,7 +17,7 @@ pub struct HeldBelief {
 
 /// Where a belief is going.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Trend {
+pub(crate) enum Trend {
     /// It was not there before.
     New,
     /// It is still there.
@@ -32,7 +32,7 @@ pub enum Trend {
 
 impl Trend {
     /// As shown.
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::New => "new",
             Self::Held => "still there",
@@ -43,19 +43,14 @@ impl Trend {
     }
 
     /// Whether it goes the right way.
-    pub const fn is_good(self) -> bool {
+    pub(crate) const fn is_good(self) -> bool {
         matches!(self, Self::Fading | Self::Gone)
     }
 }
 
 impl HeldBelief {
-    /// How many answers fitted it.
-    pub fn count(&self) -> usize {
-        self.before.times + self.since.times
-    }
-
     /// Where it is going.
-    pub fn trend(&self) -> Trend {
+    pub(crate) fn trend(&self) -> Trend {
         let Self { before, since, .. } = self;
         if since.asked == 0 {
             Trend::NotMet

@@ -15,7 +15,7 @@ pub struct Calendar {
 }
 
 /// A day as it is read: "21 November 2026".
-pub fn long_day(day: Date) -> String {
+pub(crate) fn long_day(day: Date) -> String {
     day.strftime("%-d %B %Y").to_string()
 }
 

@@ -18,7 +18,7 @@ pub struct Calibrated {
 impl Calibrated {
     /// The shares of right answers, from and to, for which this confidence is the one
     /// that brings most points: [`Confidence::points`] says why.
-    pub const fn honest(confidence: Confidence) -> (f64, f64) {
+    pub(crate) const fn honest(confidence: Confidence) -> (f64, f64) {
         match confidence {
             Confidence::Guess => (0.0, 0.5),
             Confidence::ThinkSo => (0.5, 0.8),
@@ -29,7 +29,7 @@ impl Calibrated {
     /// How far the share of right answers lies beyond what this confidence is for:
     /// above 0 if there were more of them, below if fewer, 0 if it fits or if too few
     /// answers were given to tell.
-    pub fn beyond(&self) -> f64 {
+    pub(crate) fn beyond(&self) -> f64 {
         let (from, to) = Self::honest(self.confidence);
         match self.tally.share_right() {
             Some(share) if self.tally.attempts >= ENOUGH => {
@@ -56,7 +56,7 @@ pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
 /// among all attempts) of the answers of that confidence, and after each of them the
 /// share that was right among the last `reach` of them. Begins when there are enough of
 /// them to say something.
-pub fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<(usize, f64)>; 3] {
+pub(crate) fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<(usize, f64)>; 3] {
     let reach = reach.max(ENOUGH);
     Confidence::ALL.map(|confidence| {
         let numbered = (1..).zip(attempts);

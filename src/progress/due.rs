@@ -48,7 +48,7 @@ impl Due {
 impl Review {
     /// Whether anything asks about it again: the quiz, or the chapter that did before. A
     /// teacher's own questions may be about what nothing else is about.
-    pub fn comes_back(&self) -> bool {
+    pub(crate) fn comes_back(&self) -> bool {
         self.family == LESSON || self.is_of_quiz()
     }
 

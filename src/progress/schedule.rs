@@ -49,7 +49,7 @@ pub struct Review {
 
 impl Review {
     /// The topic, as shown.
-    pub fn topic_name(&self) -> String {
+    pub(crate) fn topic_name(&self) -> String {
         topic_name(&self.family, &self.topic)
     }
 
@@ -70,14 +70,14 @@ impl Review {
     }
 
     /// Whether it is due on this day.
-    pub fn is_due(&self, today: Date) -> bool {
+    pub(crate) fn is_due(&self, today: Date) -> bool {
         self.due <= today
     }
 }
 
 /// When to come back to each topic, the earliest first. Attempts whose time nobody
 /// knows are left out.
-pub fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> {
+pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> {
     let mut reviews: IndexMap<&str, Review> = IndexMap::new();
     for attempt in attempts {
         let day = attempt

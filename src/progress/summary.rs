@@ -133,7 +133,7 @@ impl<'a> Summary<'a> {
     }
 
     /// The same in words.
-    pub fn held_words(&self) -> Option<String> {
+    pub(crate) fn held_words(&self) -> Option<String> {
         let first = *self.named().first()?;
         let name = first.misconception.name();
         Some(format!(
@@ -198,7 +198,7 @@ impl<'a> Summary<'a> {
     /// The page of the chapters to read next: that which settles the misconception held
     /// most, or else teaches the first topic that was missed, one that was missed surely
     /// before the others; `None` if nothing was.
-    pub fn passage(&self) -> Option<Passage> {
+    pub(crate) fn passage(&self) -> Option<Passage> {
         if let Some((misconception, _)) = self.most_held() {
             return Some(misconception.settled_by());
         }

@@ -6,7 +6,7 @@ use crate::physics::units::deg_from_rad;
 use crate::quiz::Grade;
 
 /// Fewest angles whose mean error says something.
-pub const ENOUGH_ANGLES: usize = 3;
+pub(crate) const ENOUGH_ANGLES: usize = 3;
 
 /// Answers counted: those of a player, of a class to one question, of a round.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -29,7 +29,7 @@ impl Tally {
     }
 
     /// Counts answers that are graded and nothing else, as the votes of a class.
-    pub fn of_grades(grades: impl IntoIterator<Item = Grade>) -> Self {
+    pub(crate) fn of_grades(grades: impl IntoIterator<Item = Grade>) -> Self {
         let mut tally = Self::default();
         for grade in grades {
             tally.count(
@@ -71,7 +71,7 @@ impl Tally {
     }
 
     /// The mean of their points; `None` if there are none.
-    pub fn mean_points(&self) -> Option<f64> {
+    pub(crate) fn mean_points(&self) -> Option<f64> {
         self.share(self.points())
     }
 
@@ -82,14 +82,14 @@ impl Tally {
 
     /// The mean angle error in degrees; `None` where fewer than [`ENOUGH_ANGLES`] answers
     /// had one.
-    pub fn mean_error_deg(&self) -> Option<f64> {
+    pub(crate) fn mean_error_deg(&self) -> Option<f64> {
         let [mean, _] = self.spread_deg()?;
         (self.angles() >= ENOUGH_ANGLES).then_some(mean)
     }
 
     /// The mean angle error in degrees, however few there are, and the standard deviation about
     /// it: that of the answers given, not an estimate for others.
-    pub fn spread_deg(&self) -> Option<[f64; 2]> {
+    pub(crate) fn spread_deg(&self) -> Option<[f64; 2]> {
         let (count, sums) = self.errors;
         let [mean, square] = sums.map(|sum| sum / count as f64);
         let deviation = (square - mean * mean).max(0.0).sqrt();
@@ -110,7 +110,7 @@ pub(crate) fn discrimination(own_and_rest: impl IntoIterator<Item = (f64, f64)>)
 
 /// Of every attempt that has an angle error its number from 1, the error in degrees,
 /// and the mean of that and of up to `reach` − 1 errors before it.
-pub fn smoothed_errors_deg(attempts: &[Attempt], reach: usize) -> Vec<(usize, f64, f64)> {
+pub(crate) fn smoothed_errors_deg(attempts: &[Attempt], reach: usize) -> Vec<(usize, f64, f64)> {
     let with_error = |(i, attempt): (usize, &Attempt)| Some((i + 1, attempt.error_deg?));
     let errors: Vec<_> = attempts.iter().enumerate().filter_map(with_error).collect();
     let smoothed = |i: usize| {
@@ -127,7 +127,7 @@ const ENDS: usize = 10;
 
 /// The mean errors in degrees of the first ten angles that were asked for and of the last
 /// ten; `None` where they are not different ones.
-pub fn ends_deg(attempts: &[Attempt]) -> Option<(f64, f64)> {
+pub(crate) fn ends_deg(attempts: &[Attempt]) -> Option<(f64, f64)> {
     let errors: Vec<f64> = attempts.iter().filter_map(|it| it.error_deg).collect();
     let mean = |errors: &[f64]| errors.iter().sum::<f64>() / ENDS as f64;
     let (first, rest) = errors.split_first_chunk::<ENDS>()?;

@@ -5,7 +5,7 @@ use indexmap::IndexMap;
 use super::{Attempt, Tally};
 
 /// How many of the last attempts at a topic say how it stands now.
-pub const LATELY: usize = 5;
+pub(crate) const LATELY: usize = 5;
 
 /// A topic, and what was done with it.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,13 +15,13 @@ pub struct TopicStanding {
     /// All attempts at it.
     pub all: Tally,
     /// The last [`LATELY`] of them.
-    pub lately: Tally,
+    pub(crate) lately: Tally,
 }
 
 /// How well a topic is known, by how the last [`LATELY`] answers about it went, or as
 /// many as there are. It is the same wherever it is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Mastery {
+pub(crate) enum Mastery {
     /// Not answered yet.
     New,
     /// Less than half of them were right.
@@ -34,7 +34,7 @@ pub enum Mastery {
 
 impl Mastery {
     /// As shown.
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::New => "new",
             Self::NotYet => "not yet",
@@ -44,7 +44,7 @@ impl Mastery {
     }
 
     /// Its mark in a list.
-    pub const fn mark(self) -> char {
+    pub(crate) const fn mark(self) -> char {
         match self {
             Self::New => ' ',
             Self::NotYet => '-',
@@ -54,11 +54,11 @@ impl Mastery {
     }
 
     /// What the names mean, where there are no marks.
-    pub const MEANING: &str =
+    pub(crate) const MEANING: &str =
         "Solid: four of the last five right; growing: half or more; not yet: fewer.";
 
     /// What the marks mean.
-    pub fn legend() -> String {
+    pub(crate) fn legend() -> String {
         format!(
             "{} solid: four of the last five right; {} growing: half or more; {} not yet: fewer.",
             Self::Solid.mark(),
@@ -70,7 +70,7 @@ impl Mastery {
 
 impl TopicStanding {
     /// What was done with these attempts, under this name.
-    pub fn of<'a>(
+    pub(crate) fn of<'a>(
         name: impl Into<String>,
         attempts: impl IntoIterator<Item = &'a Attempt>,
     ) -> Self {
@@ -84,7 +84,7 @@ impl TopicStanding {
     }
 
     /// How well it is known.
-    pub fn mastery(&self) -> Mastery {
+    pub(crate) fn mastery(&self) -> Mastery {
         let Tally {
             attempts, right, ..
         } = self.lately;

@@ -30,13 +30,14 @@ mod question;
 mod rounds;
 
 pub use families::where_to::hits;
-pub use misconceptions::{
-    Clue, Evidence, Explanation, NAMED_ODDS, evidence, explain, named, reasoning, why, why_of_hit,
-};
+pub use misconceptions::{Clue, explain, named, why};
+pub(crate) use misconceptions::{Evidence, NAMED_ODDS, evidence, why_of_hit};
 pub(crate) use question::figures;
+pub(crate) use question::{AimTask, Diagnosis, Markings, Passage, RayGrade, RaysGrade};
 pub use question::{
-    AimTask, Answer, Confidence, Diagnosis, Dice, Difficulty, Family, Figures, Fit, Form, Grade,
-    Hit, Illustration, MIN_SEPARATION, Markings, Measure, Misconception, Passage, Pieces, Question,
-    RIGHT_DEG, Ray, RayGrade, Rays, RaysGrade, Response, Topic, WrongAnswer, letter,
+    Answer, Confidence, Dice, Difficulty, Family, Figures, Fit, Form, Grade, Hit, Illustration,
+    MIN_SEPARATION, Measure, Misconception, Pieces, Question, RIGHT_DEG, Ray, Rays, Response,
+    Topic, WrongAnswer, letter,
 };
-pub use rounds::{ChaptersRead, Code, Course, CourseKind, Round};
+pub(crate) use rounds::ChaptersRead;
+pub use rounds::{Code, Course, CourseKind, Round};

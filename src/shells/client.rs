@@ -25,7 +25,7 @@ const GONE: Duration = Duration::from_secs(65);
 const LARGEST_STATE: usize = 1 << 20;
 
 /// The way to a host.
-pub struct Client {
+pub(crate) struct Client {
     hear: Arc<dyn Fn(JoinNews) + Send + Sync>,
     /// Counts the calls: what comes of an earlier one means nothing any more.
     call: Arc<AtomicU64>,
@@ -62,7 +62,7 @@ impl Write for ClientStream {
 
 impl Client {
     /// Reaches nobody yet; `hear` is told all that is heard.
-    pub fn new(hear: impl Fn(JoinNews) + Send + Sync + 'static) -> Self {
+    pub(crate) fn new(hear: impl Fn(JoinNews) + Send + Sync + 'static) -> Self {
         Self {
             hear: Arc::new(hear),
             call: Arc::default(),
@@ -73,7 +73,7 @@ impl Client {
     }
 
     /// Does what a screen asks for.
-    pub fn call(&mut self, call: &JoinCall) {
+    pub(crate) fn call(&mut self, call: &JoinCall) {
         match call {
             JoinCall::Dial(address) => {
                 self.hang_up();

@@ -166,7 +166,7 @@ impl Store {
     }
 
     /// Stops its clock at `time_s`, in seconds since 1970 began.
-    pub fn stop_clock(&mut self, time_s: i64) {
+    pub(crate) fn stop_clock(&mut self, time_s: i64) {
         self.clock = Clock::Stopped(time_s, Offset::UTC);
     }
 
@@ -368,7 +368,7 @@ impl Store {
     ///
     /// # Errors
     /// How much is lost, and why.
-    pub fn pay_at_last(&mut self) -> Result<(), String> {
+    pub(crate) fn pay_at_last(&mut self) -> Result<(), String> {
         self.pay().map_err(|reason| {
             let owed = self.owed.len();
             let things = if owed == 1 { "thing" } else { "things" };

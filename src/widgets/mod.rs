@@ -46,15 +46,19 @@ pub mod text;
 pub(crate) mod theme;
 pub(crate) mod tracks;
 
-pub use answer::{AnswerAction, AnswerInput, draw_question, question_picture};
+pub use answer::draw_question;
+pub(crate) use answer::{AnswerAction, AnswerInput, question_picture};
 pub(crate) use answer::{Asking, AskingAction, lettered};
-pub use ink::gallery::{DrawnPicture, gather};
-pub use input::{NumberEntry, NumberInput, Outcome, RayInput, brief, shown};
+pub use ink::gallery::gather;
+pub(crate) use input::{NumberEntry, NumberInput, RayInput, brief};
+pub use input::{Outcome, shown};
 pub use panels::SplitLayout;
 pub use svg::painted::{PaintedCell, PaintedPicture, glyph_shape, inks, painted};
+pub use text::bar;
 pub use text::{
-    Charset, Item, Lines, Look, PictureSizes, Room, Scroll, Section, Sheet, SheetKind, Words, bar,
-    cells, formula, keys, overflow, recorded, scroll_keys,
+    Charset, Item, Look, PictureSizes, Scroll, Section, Sheet, SheetKind, Words, cells, formula,
+    keys, recorded,
 };
+pub(crate) use text::{Lines, Room, scroll_keys};
 pub(crate) use text::{areas, big, flow, rehearsed, sheet, signs};
 pub use theme::{Depth, Palette, Role, Theme};

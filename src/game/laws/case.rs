@@ -34,19 +34,19 @@ pub(crate) struct Case {
     /// The queen before the stroke.
     pub queen: QueenBefore,
     /// Whether the queen fell.
-    pub queen_fell: bool,
+    pub(crate) queen_fell: bool,
     /// Whether the striker fell.
-    pub striker_fell: bool,
+    pub(crate) striker_fell: bool,
     /// Whether the striker touched any piece.
-    pub touched: bool,
+    pub(crate) touched: bool,
     /// While the pack is unbroken: how many strokes this player has already
     /// spent on it. `None` once the break is made.
-    pub break_tries: Option<u8>,
+    pub(crate) break_tries: Option<u8>,
     /// Whether the player owes a coin.
     pub owes: bool,
     /// Whether a coin of the player's colour had been pocketed in this board
     /// before this stroke, which gives the right to the queen (65).
-    pub may_take_queen: bool,
+    pub(crate) may_take_queen: bool,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -115,9 +115,9 @@ pub(crate) struct Verdict {
     /// What happened and what it means, in one sentence.
     pub text: String,
     /// Own coins that are put back at once.
-    pub own_back: u8,
+    pub(crate) own_back: u8,
     /// Dues: further own coins to put back, now or as soon as there are any.
-    pub dues: u8,
+    pub(crate) dues: u8,
     /// What becomes of the queen.
     pub queen: QueenFate,
     /// Who strikes next.

@@ -39,7 +39,8 @@ mod ruling;
 mod tests;
 
 pub(crate) use case::{Case, QueenBefore, QueenFate, Side, TurnFate, Verdict};
-pub use ruling::{BoardWon, Law, Ruling, RulingEffect};
+pub(crate) use ruling::Law;
+pub use ruling::{BoardWon, Ruling, RulingEffect};
 
 use serde::{Deserialize, Serialize};
 

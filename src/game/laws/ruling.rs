@@ -11,7 +11,7 @@ pub struct Law {
     /// Number of the law.
     pub number: u8,
     /// Its clause, if it has several.
-    pub clause: Option<char>,
+    pub(crate) clause: Option<char>,
 }
 
 impl Law {

@@ -35,7 +35,7 @@ pub struct SavedGame {
 impl SavedGame {
     /// Largest file that is read, and so the largest that may be written, in bytes:
     /// some eight thousand strokes.
-    pub const LARGEST_FILE: usize = 1 << 20;
+    pub(crate) const LARGEST_FILE: usize = 1 << 20;
 }
 
 /// A game of so many strokes that no file may hold it.

@@ -5,7 +5,7 @@ mod markdown;
 mod pictures;
 mod rows;
 
-pub use pictures::ReportPicture;
+pub(crate) use pictures::ReportPicture;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -114,7 +114,7 @@ impl<'a> Report<'a> {
     }
 
     /// Several reports as one HTML document, each on a page of its own.
-    pub fn html_of_all(reports: &[Self]) -> String {
+    pub(crate) fn html_of_all(reports: &[Self]) -> String {
         html::document(reports)
     }
 

@@ -13,7 +13,7 @@ mod words;
 use crate::quiz::Round;
 
 pub use cards::cards;
-pub use pictures::WorksheetPicture;
+pub(crate) use pictures::WorksheetPicture;
 
 use super::{Paper, clean};
 

@@ -20,7 +20,7 @@ pub struct WorksheetPicture {
 
 impl WorksheetPicture {
     /// Whether a file of this name is a picture of some worksheet: `answer-07.svg`.
-    pub fn is_file_name(name: &str) -> bool {
+    pub(crate) fn is_file_name(name: &str) -> bool {
         let name = name.strip_suffix(".svg");
         let number = name.and_then(|it| it.strip_prefix(QUESTION).or(it.strip_prefix(ANSWER)));
         number.is_some_and(|it| it.len() >= 2 && it.bytes().all(|byte| byte.is_ascii_digit()))

@@ -28,7 +28,7 @@ mod work;
 mod tests;
 
 pub(super) use check::check;
-pub use error::EngineError;
+pub(crate) use error::EngineError;
 
 use super::{Board, Disc, Motion, Shot};
 use body::Body;
@@ -42,7 +42,7 @@ use work::Work;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Stop after this many seconds; may be infinite where the shot ends by itself.
-    pub horizon: f64,
+    pub(crate) horizon: f64,
     /// Give up with an error after this many events.
     pub events: usize,
     /// Give up with an error after this much work, counted in looks at a pair of discs:

@@ -76,14 +76,14 @@ const ALL: [(&str, ConstantFormula); 9] = [
 
 /// A number that follows from no collision.
 #[derive(Debug, Clone, Copy)]
-pub struct Constant {
+pub(crate) struct Constant {
     of: ConstantFormula,
     fields: ConstantFields,
 }
 
 impl Constant {
     /// The constant of this name, with the fields that are usual.
-    pub fn named(name: &str) -> Option<Self> {
+    pub(crate) fn named(name: &str) -> Option<Self> {
         let (_, of) = ALL.into_iter().find(|(known, _)| *known == name)?;
         Some(Self {
             of,
@@ -95,7 +95,7 @@ impl Constant {
     ///
     /// # Errors
     /// What was expected.
-    pub fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
+    pub(crate) fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
         let fields = &mut self.fields;
         let (slot, least, most) = match field {
             "angle_deg" => (&mut fields.angle_deg, 0.001, 180.0),
@@ -119,7 +119,7 @@ impl Constant {
     }
 
     /// Its value in the unit of its name.
-    pub fn value(&self) -> Option<f64> {
+    pub(crate) fn value(&self) -> Option<f64> {
         (self.of)(&self.fields).filter(|value| value.is_finite())
     }
 }

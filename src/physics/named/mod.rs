@@ -3,5 +3,5 @@
 mod constant;
 mod quantity;
 
-pub use constant::Constant;
-pub use quantity::Quantity;
+pub(crate) use constant::Constant;
+pub(crate) use quantity::Quantity;

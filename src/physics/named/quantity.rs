@@ -67,7 +67,7 @@ impl Unit {
 
 impl Quantity {
     /// All of them, in the order of the table in `docs/lessons.md`.
-    pub const ALL: [Self; 55] = [
+    pub(crate) const ALL: [Self; 55] = [
         SPEED.of("u", "u", |c, _| Some(c.u1.length())),
         SPEED.of("v1", "v₁", |_, o| Some(o.v1.length())),
         SPEED.of("v2", "v₂", |_, o| Some(o.v2.length())),
@@ -150,20 +150,20 @@ impl Quantity {
     ];
 
     /// The quantity of this name.
-    pub fn named(name: &str) -> Option<Self> {
+    pub(crate) fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|quantity| quantity.name == name)
     }
 
     /// Its value in its unit; `None` where it is undefined, as the direction of a
     /// disc at rest is.
-    pub fn of(&self, collision: &Collision) -> Option<f64> {
+    pub(crate) fn of(&self, collision: &Collision) -> Option<f64> {
         let value = (self.of)(collision, &collision.outcome())? * self.scale;
         value.is_finite().then_some(value + 0.0)
     }
 
     /// Its value as the screen shows it, without its unit; a word where it is
     /// undefined.
-    pub fn shown(&self, collision: &Collision) -> String {
+    pub(crate) fn shown(&self, collision: &Collision) -> String {
         self.of(collision).map_or_else(
             || "undefined".into(),
             |value| true_minus(&fixed(value, self.decimals)),

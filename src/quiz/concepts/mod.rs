@@ -88,7 +88,7 @@ impl Concept {
     }
 
     /// Whether a fault is one of this question.
-    pub fn is_at(&self, fault: &FileError) -> bool {
+    pub(crate) fn is_at(&self, fault: &FileError) -> bool {
         fault.file == self.file && fault.line == Some(self.line)
     }
 

@@ -11,7 +11,6 @@ pub(super) const EQUAL: &[Pieces] = &[Pieces::Equal];
 pub(super) const UNEQUAL: &[Pieces] = &[Pieces::Tournament, Pieces::Marbles];
 pub(super) const ALL: &[Pieces] = &[Pieces::Equal, Pieces::Tournament, Pieces::Marbles];
 
-/// No loss.
 pub(super) const NO_LOSS: &[f64] = &[1.0];
 
 /// What a hit on a resting target is drawn from: these sets of pieces, impact angles in

@@ -29,7 +29,7 @@ impl Misconception {
     }
 
     /// The page of a chapter that settles it.
-    pub fn settled_by(self) -> Passage {
+    pub(crate) fn settled_by(self) -> Passage {
         let Description { chapter, page, .. } = self.description();
         Passage { chapter, page }
     }

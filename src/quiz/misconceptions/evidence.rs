@@ -13,14 +13,14 @@ use crate::quiz::question::{Answer, Fit, Misconception, Question};
 
 /// The chance that somebody who holds a misconception answers a question that could show
 /// it in another way: by a slip, by doubt, or because this once another thought came first.
-pub const SLIP: f64 = 0.15;
+pub(crate) const SLIP: f64 = 0.15;
 
 /// How many times as likely answers have to be from somebody who holds a misconception as
 /// from somebody who guesses before it is named.
-pub const NAMED_ODDS: f64 = 40.0;
+pub(crate) const NAMED_ODDS: f64 = 40.0;
 
 /// How many different questions at least have to show a misconception that is named.
-pub const NAMED_QUESTIONS: usize = 2;
+pub(crate) const NAMED_QUESTIONS: usize = 2;
 
 /// What one answer says for and against misconceptions.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,7 +33,7 @@ pub struct Clue {
     pub shows: Option<Misconception>,
     /// The chance that a guess fits one of them as this answer does, or as one that shows it
     /// would: above 0 and below 1.
-    pub by_chance: f64,
+    pub(crate) by_chance: f64,
 }
 
 impl Clue {
@@ -90,7 +90,10 @@ pub struct Evidence {
 
 impl Evidence {
     /// What these answers say of a misconception.
-    pub fn of<'a>(misconception: Misconception, clues: impl IntoIterator<Item = &'a Clue>) -> Self {
+    pub(crate) fn of<'a>(
+        misconception: Misconception,
+        clues: impl IntoIterator<Item = &'a Clue>,
+    ) -> Self {
         let mut evidence = Self {
             misconception,
             weight: 0.0,
@@ -115,18 +118,18 @@ impl Evidence {
     }
 
     /// Whether it is enough to name the misconception.
-    pub fn names(&self) -> bool {
+    pub(crate) fn names(&self) -> bool {
         self.weight >= NAMED_ODDS.ln() && self.questions >= NAMED_QUESTIONS
     }
 
     /// Whether it is enough to say that the misconception is not held: as strong as what
     /// names it, the other way round.
-    pub fn denies(&self) -> bool {
+    pub(crate) fn denies(&self) -> bool {
         self.weight <= -NAMED_ODDS.ln()
     }
 
     /// The stronger first, to a millionth.
-    pub fn stronger_first(&self, other: &Self) -> Ordering {
+    pub(crate) fn stronger_first(&self, other: &Self) -> Ordering {
         let rank = |it: &Self| (1e6 * it.weight).round() as i64;
         rank(other).cmp(&rank(self))
     }
@@ -144,7 +147,7 @@ impl fmt::Display for Evidence {
 
 /// What these answers say of each misconception that they could have shown, the strongest
 /// first; of equals the first of [`Misconception::ALL`].
-pub fn evidence(clues: &[Clue]) -> Vec<Evidence> {
+pub(crate) fn evidence(clues: &[Clue]) -> Vec<Evidence> {
     let each = Misconception::ALL.iter();
     let mut all: Vec<Evidence> = each.map(|it| Evidence::of(*it, clues)).collect();
     all.retain(|it| it.asked > 0);

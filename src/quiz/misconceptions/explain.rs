@@ -17,7 +17,7 @@ pub struct Explanation {
     pub diagnosis: Option<Diagnosis>,
     /// The page where a wrong answer leads: that which settles the misconception, or else
     /// teaches the topic.
-    pub passage: Option<Passage>,
+    pub(crate) passage: Option<Passage>,
 }
 
 /// Explains a question to a player who gave this answer.

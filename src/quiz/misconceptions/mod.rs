@@ -13,11 +13,13 @@ mod of_rays;
 mod reasoning;
 mod why;
 
-pub use evidence::{Clue, Evidence, NAMED_ODDS, NAMED_QUESTIONS, SLIP, evidence, named};
-pub use explain::{Explanation, explain};
+pub use evidence::{Clue, named};
+pub(crate) use evidence::{Evidence, NAMED_ODDS, SLIP, evidence};
+pub use explain::explain;
 pub use of_rays::OF_RAYS;
-pub use reasoning::reasoning;
-pub use why::{why, why_of_hit};
+pub(crate) use reasoning::reasoning;
+pub use why::why;
+pub(crate) use why::why_of_hit;
 
 #[cfg(test)]
 mod tests {

@@ -7,7 +7,7 @@ use crate::physics::ImpactPoint;
 use crate::quiz::question::Hit;
 
 /// Why the two go where they go, on the hit's own figures.
-pub fn reasoning(hit: &Hit) -> String {
+pub(crate) fn reasoning(hit: &Hit) -> String {
     let outcome = hit.outcome();
     if hit.head_on() {
         return head_on(hit, &outcome);

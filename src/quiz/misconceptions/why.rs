@@ -22,7 +22,7 @@ pub fn why(collision: &Collision, said: Option<Rays>) -> (&'static str, String) 
 
 /// Why the two of a hit go where they go, starting from what the player said of them, if
 /// they did: a title, which is empty if they did not, and a text.
-pub fn why_of_hit(hit: &Hit, said: Option<Rays>) -> (&'static str, String) {
+pub(crate) fn why_of_hit(hit: &Hit, said: Option<Rays>) -> (&'static str, String) {
     let Some(rays) = said else {
         return ("", reasoning(hit));
     };

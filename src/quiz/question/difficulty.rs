@@ -24,7 +24,7 @@ impl Difficulty {
     }
 
     /// That of question `i` (from 0) of `count` in a round that rises.
-    pub fn rising(i: usize, count: usize) -> Self {
+    pub(crate) fn rising(i: usize, count: usize) -> Self {
         let third = (3 * i).checked_div(count).unwrap_or(0);
         Self::ALL[third.min(2)]
     }

@@ -52,12 +52,12 @@ pub struct AimTask {
 
 impl AimTask {
     /// What becomes of the hit with this offset in metres.
-    pub fn outcome(&self, offset: f64) -> CollisionOutcome {
+    pub(crate) fn outcome(&self, offset: f64) -> CollisionOutcome {
         self.with(offset).outcome()
     }
 
     /// The hit with this offset in metres.
-    pub fn with(&self, offset: f64) -> Collision {
+    pub(crate) fn with(&self, offset: f64) -> Collision {
         Collision {
             offset,
             ..self.collision
@@ -66,13 +66,13 @@ impl AimTask {
 
     /// The furthest offset that can be set, in millimetres either way: a little more than still
     /// hits.
-    pub fn furthest_offset_mm(&self) -> f64 {
+    pub(crate) fn furthest_offset_mm(&self) -> f64 {
         (1.1 * mm_from_m(self.collision.contact_distance())).ceil()
     }
 
     /// How far off its way the disc goes with this offset, in radians from 0 to π;
     /// `None` if it does not move, or if nothing is hit.
-    pub fn error(&self, offset: f64) -> Option<f64> {
+    pub(crate) fn error(&self, offset: f64) -> Option<f64> {
         let outcome = self.outcome(offset);
         if !outcome.hit() {
             return None;
@@ -101,7 +101,7 @@ impl Form {
     }
 
     /// The chance that a guess fits one given answer.
-    pub fn by_chance(&self) -> f64 {
+    pub(crate) fn by_chance(&self) -> f64 {
         match self {
             Self::Rays { .. } => RAYS_BY_CHANCE,
             Self::Number { .. } | Self::Shot(_) => NUMBER_BY_CHANCE,
@@ -133,7 +133,7 @@ impl Form {
 
     /// How far apart two answers are, counted in the widest that can count as right: see
     /// [`Measure::spacing`].
-    pub fn spacing(&self, a: &Response, b: &Response) -> f64 {
+    pub(crate) fn spacing(&self, a: &Response, b: &Response) -> f64 {
         let angle = |angle: f64| deg_from_rad(angle) / RIGHT_DEG;
         match (self, a, b) {
             (Self::Rays { .. }, Response::Rays(a), Response::Rays(b)) => angle(a.gap(b)),
@@ -178,7 +178,7 @@ impl Form {
 
     /// An answer in at most ten columns, for a table: "60 30", "63.4°", "B", "12.5 mm".
     /// Rays count from the target's side, as the player turns them.
-    pub fn brief(&self, said: &Response) -> String {
+    pub(crate) fn brief(&self, said: &Response) -> String {
         match (self, said) {
             (Self::Rays { side, .. }, Response::Rays(rays)) => {
                 let whole = |ray| match rays.get(ray) {

@@ -37,13 +37,13 @@ pub struct RayGrade {
 impl RayGrade {
     /// Credit from 0 to 1: full up to 2°, nothing from 30° on. A ray where there is
     /// none, or none where there is one, earns 0.
-    pub fn credit(&self) -> f64 {
+    pub(crate) fn credit(&self) -> f64 {
         self.error
             .map_or(0.0, |error| credit(deg_from_rad(error) / RIGHT_DEG))
     }
 
     /// Whether it counts as right.
-    pub fn is_right(&self) -> bool {
+    pub(crate) fn is_right(&self) -> bool {
         self.error
             .is_some_and(|error| error <= rad_from_deg(RIGHT_DEG))
     }
@@ -60,7 +60,7 @@ pub struct RaysGrade {
 
 impl RaysGrade {
     /// Grades what was said of both.
-    pub fn new(said: &Rays, truth: &Rays) -> Self {
+    pub(crate) fn new(said: &Rays, truth: &Rays) -> Self {
         let [striker, target] = Ray::BOTH.map(|ray| RayGrade {
             error: said.apart(truth, ray),
         });
@@ -68,18 +68,18 @@ impl RaysGrade {
     }
 
     /// Credit from 0 to 1: the mean of both rays.
-    pub fn credit(&self) -> f64 {
+    pub(crate) fn credit(&self) -> f64 {
         f64::midpoint(self.striker.credit(), self.target.credit())
     }
 
     /// Error of the ray that is further off, in radians; `None` where there is none.
-    pub fn error(&self) -> Option<f64> {
+    pub(crate) fn error(&self) -> Option<f64> {
         let errors = [self.striker.error, self.target.error];
         errors.into_iter().flatten().reduce(f64::max)
     }
 
     /// Whether both rays count as right.
-    pub fn is_right(&self) -> bool {
+    pub(crate) fn is_right(&self) -> bool {
         self.striker.is_right() && self.target.is_right()
     }
 }
@@ -125,7 +125,7 @@ impl Form {
     }
 
     /// Each of two rays, if that is what is asked for.
-    pub fn rays_grade(&self, said: &Response) -> Option<RaysGrade> {
+    pub(crate) fn rays_grade(&self, said: &Response) -> Option<RaysGrade> {
         match (self, said) {
             (Self::Rays { truth, .. }, Response::Rays(said)) => Some(RaysGrade::new(said, truth)),
             _ => None,

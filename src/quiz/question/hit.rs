@@ -109,12 +109,12 @@ impl Hit {
     }
 
     /// That side in words, "right" or "left".
-    pub fn side_name(&self) -> &'static str {
+    pub(crate) fn side_name(&self) -> &'static str {
         if self.side() < 0.0 { "left" } else { "right" }
     }
 
     /// Mass of the striker over mass of the target.
-    pub fn mass_ratio(&self) -> f64 {
+    pub(crate) fn mass_ratio(&self) -> f64 {
         self.pieces.striker().mass / self.pieces.target().mass
     }
 

@@ -46,21 +46,21 @@ pub struct Markings {
 
 impl Markings {
     /// Everything.
-    pub const ALL: Self = Self {
+    pub(crate) const ALL: Self = Self {
         offset: true,
         angle: true,
         figures: true,
     };
 
     /// All figures, and nothing of where the two will meet.
-    pub const FIGURES: Self = Self {
+    pub(crate) const FIGURES: Self = Self {
         offset: false,
         angle: false,
         figures: true,
     };
 
     /// What a hit is given by, with all figures.
-    pub const fn given(hit: &Hit) -> Self {
+    pub(crate) const fn given(hit: &Hit) -> Self {
         let angle = matches!(hit.given, ImpactPoint::Angle { .. });
         Self {
             offset: !angle,

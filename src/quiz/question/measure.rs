@@ -39,7 +39,7 @@ pub enum Measure {
 
 impl Measure {
     /// In words what counts as right: see [`distance`](Self::distance).
-    pub const RIGHT: &str = "an angle, a share or e within a tenth of the truth, but never \
+    pub(crate) const RIGHT: &str = "an angle, a share or e within a tenth of the truth, but never \
         further off than 4°, 4 percentage points or 0.04; any other number within a twentieth";
 
     /// The unit behind a number, as typed beside it; empty for a pure number.
@@ -124,7 +124,7 @@ impl Measure {
     /// about either: never more than [`distance`](Self::distance). By it questions are
     /// chosen whose truth and beliefs lie apart, so it is part of what a round's code
     /// fixes, and may not change.
-    pub fn spacing(&self, a: f64, b: f64) -> f64 {
+    pub(crate) fn spacing(&self, a: f64, b: f64) -> f64 {
         match self {
             Self::Angle => apart_deg(a, b) / RIGHT_DEG,
             Self::Share => (a - b).abs() / MOST_SHARE,
@@ -165,7 +165,7 @@ impl Measure {
     }
 
     /// Whether a number makes sense.
-    pub fn allows(&self, x: f64) -> bool {
+    pub(crate) fn allows(&self, x: f64) -> bool {
         is_within(x, self.smallest(), self.largest())
     }
 }

@@ -43,7 +43,7 @@ impl Pieces {
     }
 
     /// What body 2 is called; body 1 is always "striker".
-    pub const fn target_name(self) -> &'static str {
+    pub(crate) const fn target_name(self) -> &'static str {
         match self {
             Self::Equal | Self::Tournament | Self::Own { .. } => "coin",
             Self::Marbles => "marble",

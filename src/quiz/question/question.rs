@@ -76,7 +76,7 @@ pub enum Fit {
 
 impl Question {
     /// The frame in which its hit is shown once it is answered: the one it asks about.
-    pub fn seen_from(&self) -> Frame {
+    pub(crate) fn seen_from(&self) -> Frame {
         match self.family {
             Family::CentreOfMass => Frame::CentreOfMass,
             _ => Frame::Laboratory,
@@ -94,7 +94,7 @@ impl Question {
 
     /// Whether an answer tells which of the misconceptions it follows, if any, and whether
     /// it has to be found rather than read in the text: only such questions are asked.
-    pub fn is_clear(&self) -> bool {
+    pub(crate) fn is_clear(&self) -> bool {
         let told = match &self.form {
             Form::Number { quantity, truth } => self.text.contains(&quantity.print(*truth)),
             Form::Rays { .. } | Form::Choice { .. } | Form::Shot(_) => false,
@@ -104,7 +104,7 @@ impl Question {
 
     /// All wrong answers that have something of their own to be told, with the misconception
     /// that each follows, if any: those of misconceptions, then other choices.
-    pub fn wrong_answers(&self) -> Vec<(Response, Option<Misconception>, &str)> {
+    pub(crate) fn wrong_answers(&self) -> Vec<(Response, Option<Misconception>, &str)> {
         let beliefs = self.beliefs.iter();
         let beliefs = beliefs.map(|it| (it.said, Some(it.misconception), it.says.as_str()));
         let replies = self.replies.iter();
@@ -156,7 +156,7 @@ impl Question {
 
     /// The chance that a guess fits what a misconception would answer so far: both rays,
     /// or one of them, which is as easily guessed as a number.
-    pub fn by_chance(&self, fit: Fit) -> f64 {
+    pub(crate) fn by_chance(&self, fit: Fit) -> f64 {
         match fit {
             Fit::Whole => self.form.by_chance(),
             Fit::OneRay(_) => super::tolerance::NUMBER_BY_CHANCE,

@@ -59,7 +59,7 @@ pub struct Rays {
 
 impl Rays {
     /// The furthest that a ray can be turned, in degrees either way.
-    pub const FURTHEST_DEG: f64 = 180.0;
+    pub(crate) const FURTHEST_DEG: f64 = 180.0;
 
     /// Both discs move, at these angles in radians.
     pub const fn new(theta1: f64, theta2: f64) -> Self {
@@ -70,7 +70,7 @@ impl Rays {
     }
 
     /// Whether both can be turned so far: by no more than [`Self::FURTHEST_DEG`].
-    pub fn are_in_range(&self) -> bool {
+    pub(crate) fn are_in_range(&self) -> bool {
         let most = Self::FURTHEST_DEG;
         let mut angles = [self.striker, self.target].into_iter().flatten();
         angles.all(|angle| is_within(deg_from_rad(angle), -most, most))
@@ -85,7 +85,7 @@ impl Rays {
     }
 
     /// Rays as [`Rays::json`] writes them; `None` if they are none.
-    pub fn of_figures(figures: &Figures) -> Option<Self> {
+    pub(crate) fn of_figures(figures: &Figures) -> Option<Self> {
         let ray = |name| match figures.get(name)? {
             Value::Null => Some(None),
             angle => {

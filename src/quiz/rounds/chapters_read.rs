@@ -30,7 +30,7 @@ pub struct ChaptersRead(BTreeSet<char>);
 
 impl ChaptersRead {
     /// The chapters of these ids; `None` if no question is about any of them.
-    pub fn of<'a>(ids: impl IntoIterator<Item = &'a str>) -> Option<Self> {
+    pub(crate) fn of<'a>(ids: impl IntoIterator<Item = &'a str>) -> Option<Self> {
         let letter = |id| {
             let found = LETTERS.iter().find(|(_, known)| *known == id);
             found.map(|(letter, _)| *letter)

@@ -141,13 +141,13 @@ impl Course {
     }
 
     /// Whether the player hears only at the end what was right.
-    pub fn tells_at_end(&self) -> bool {
+    pub(crate) fn tells_at_end(&self) -> bool {
         matches!(self.kind, CourseKind::Exam | CourseKind::FindOut)
     }
 
     /// Whether what is asked follows from what was answered, so that there is no such round
     /// on paper or for a class.
-    pub fn follows_answers(&self) -> bool {
+    pub(crate) fn follows_answers(&self) -> bool {
         self.kind == CourseKind::FindOut
     }
 }
@@ -243,7 +243,7 @@ impl Code {
     ///
     /// # Errors
     /// Why it is no such name.
-    pub fn read_noted(text: &str) -> Result<(String, Option<Self>), NoCode> {
+    pub(crate) fn read_noted(text: &str) -> Result<(String, Option<Self>), NoCode> {
         match Self::read(text) {
             Ok(code) => Ok((code.to_string(), Some(code))),
             Err(NoCode::Review) => {
@@ -268,7 +268,7 @@ impl Code {
     ///
     /// # Errors
     /// If each is asked by their own answers, in words.
-    pub fn same_for_all(self) -> Result<Self, String> {
+    pub(crate) fn same_for_all(self) -> Result<Self, String> {
         match self.course.follows_answers() {
             true => Err(format!(
                 "expected a round that is the same for all; {self} asks everyone by their own \

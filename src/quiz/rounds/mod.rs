@@ -7,6 +7,6 @@ mod find_out;
 mod review;
 mod round;
 
-pub use chapters_read::ChaptersRead;
+pub(crate) use chapters_read::ChaptersRead;
 pub use course::{Code, Course, CourseKind};
 pub use round::Round;

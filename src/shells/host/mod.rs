@@ -28,7 +28,7 @@ use crate::messages::{HostCall, HostNews, OpenDoor};
 use switchboard::Switchboard;
 
 /// The port where none is asked for; the next ones are tried where it is taken.
-pub const PORT: u16 = 8090;
+pub(crate) const PORT: u16 = 8090;
 /// How many ports are tried.
 const PORTS: u16 = 10;
 /// How long a carrom that has just ended, or a round that was just left, may need to let go of its

@@ -70,7 +70,7 @@ pub(super) struct PlainOption {
     /// The key that does it.
     pub key: Option<Key>,
     /// Whether it is the one that is chosen.
-    pub is_chosen: bool,
+    pub(crate) is_chosen: bool,
 }
 
 /// What can be chosen.

@@ -35,7 +35,7 @@ use thiserror::Error;
 
 pub use crash::report_crashes;
 pub(super) use export::write as export;
-pub use surroundings::{Unusable, charset, check, depth};
+pub use surroundings::{charset, check, depth};
 
 use crate::app::App;
 use crate::messages::{Effect, Input};

@@ -34,7 +34,7 @@ pub enum AnswerInput {
 /// What keys do to an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
-pub enum AnswerAction {
+pub(crate) enum AnswerAction {
     /// turn a ray
     Ray(RayAction),
     /// enter a number
@@ -51,7 +51,7 @@ pub enum AnswerAction {
 
 impl AnswerInput {
     /// Nothing said yet.
-    pub fn new(form: &Form) -> Self {
+    pub(crate) fn new(form: &Form) -> Self {
         match form {
             Form::Rays { side, .. } => Self::Rays(RayInput::new(*side)),
             Form::Number { quantity, .. } => Self::Number(NumberInput::new(quantity.clone())),
@@ -67,7 +67,7 @@ impl AnswerInput {
     }
 
     /// What was said before, to be changed.
-    pub fn saying(form: &Form, said: &Response) -> Self {
+    pub(crate) fn saying(form: &Form, said: &Response) -> Self {
         let mut input = Self::new(form);
         match (&mut input, said) {
             (Self::Rays(input), Response::Rays(rays)) => *input = input.clone().saying(rays),
@@ -84,7 +84,7 @@ impl AnswerInput {
     }
 
     /// What has been said; `None` while nothing was, or not all that is asked for.
-    pub fn said(&self) -> Option<Response> {
+    pub(crate) fn said(&self) -> Option<Response> {
         Some(match self {
             Self::Rays(rays) => Response::Rays(rays.said()?),
             Self::Number(number) => Response::Number(number.value()?),
@@ -94,7 +94,7 @@ impl AnswerInput {
     }
 
     /// The rays, for a ray answer.
-    pub fn rays(&self) -> Option<&RayInput> {
+    pub(crate) fn rays(&self) -> Option<&RayInput> {
         match self {
             Self::Rays(rays) => Some(rays),
             _ => None,
@@ -102,7 +102,7 @@ impl AnswerInput {
     }
 
     /// The keys that give it.
-    pub fn keys(&self) -> KeyTable<AnswerAction> {
+    pub(crate) fn keys(&self) -> KeyTable<AnswerAction> {
         use AnswerAction::{Choose, Enter, Move, Number, Ray};
         match self {
             Self::Rays(rays) => rays.keys("next").map(Ray),
@@ -124,7 +124,7 @@ impl AnswerInput {
     }
 
     /// Does what a key stands for; done once all that is asked for has been said.
-    pub fn act(&mut self, action: AnswerAction) -> Outcome {
+    pub(crate) fn act(&mut self, action: AnswerAction) -> Outcome {
         match (self, action) {
             (Self::Rays(rays), AnswerAction::Ray(action)) => return rays.act(action),
             (Self::Number(number) | Self::Shot(number), AnswerAction::Number(action)) => {
@@ -154,7 +154,7 @@ impl AnswerInput {
     /// Points at a place of the question's picture, in cells of the screen, with the button down, just now
     /// (`pressed`) or for some time: turns a ray, or drags the coin sideways. Says
     /// whether there is anything to point at.
-    pub fn point(
+    pub(crate) fn point(
         &mut self,
         question: &Question,
         picture: Rect,
@@ -231,7 +231,7 @@ impl AnswerInput {
     }
 
     /// How it is answered, in a sentence or two.
-    pub fn about(&self, form: &Form) -> String {
+    pub(crate) fn about(&self, form: &Form) -> String {
         match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) => rays.about(target),
             (Self::Number(number), _) => number.about(),

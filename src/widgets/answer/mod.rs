@@ -4,6 +4,7 @@ mod answer_input;
 mod asking;
 mod question_picture;
 
-pub use answer_input::{AnswerAction, AnswerInput};
+pub(crate) use answer_input::{AnswerAction, AnswerInput};
 pub(crate) use asking::{Asking, AskingAction, lettered};
-pub use question_picture::{draw_question, question_picture};
+pub use question_picture::draw_question;
+pub(crate) use question_picture::question_picture;

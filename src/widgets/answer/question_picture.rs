@@ -13,7 +13,7 @@ use crate::widgets::{Look, sheet};
 /// What a question shows, with no more in it than it gives, and what is being said to
 /// it; nothing for a question of words alone.
 #[must_use]
-pub fn question_picture(
+pub(crate) fn question_picture(
     area: Rect,
     question: &Question,
     input: Option<&AnswerInput>,

@@ -23,10 +23,10 @@ pub enum Overlay {
 
 impl Overlay {
     /// All layers, in the order of their keys.
-    pub const ALL: &'static [Self] = Self::VARIANTS;
+    pub(crate) const ALL: &'static [Self] = Self::VARIANTS;
 
     /// What it shows, in a few words.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Lines => "line of impact",
             Self::Split => "split of u",

@@ -30,7 +30,7 @@ pub(crate) struct HitLayout {
     /// The collision.
     pub collision: Collision,
     /// The centres at contact, or where the two pass nearest.
-    pub centres: [DVec2; 2],
+    pub(crate) centres: [DVec2; 2],
     /// The middle of the picture.
     middle: DVec2,
 }

@@ -1,13 +1,15 @@
 //! What can be set of a collision: one table of names, ranges, steps and units for the lab,
 //! the figures of chapters and whatever else has a collision set up by hand.
 
+use strum::VariantArray;
+
 use super::{Field, FieldRow, FieldValue};
 use crate::numbers::fixed;
 use crate::physics::{Bond, CollisionSpec, ImpactPoint};
 
 /// One thing that can be set of a collision.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CollisionField {
+#[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
+pub(crate) enum CollisionField {
     /// Impact parameter b.
     Offset,
     /// Impact angle α: the same as the offset, given by the line of impact.
@@ -37,7 +39,7 @@ pub enum CollisionField {
 type Row = FieldRow<CollisionSpec>;
 
 /// All of them, in the order of [`CollisionField`] and of the lab's panel.
-static ROWS: [Row; 12] = [
+static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     Row {
         name: "offset b",
         about: "how far off-centre they meet: + the coin lies to the right, - to the left",
@@ -141,24 +143,24 @@ static ROWS: [Row; 12] = [
 
 impl CollisionField {
     /// The setting as it stands.
-    pub fn field(self, spec: &CollisionSpec) -> Field {
+    pub(crate) fn field(self, spec: &CollisionSpec) -> Field {
         ROWS[self as usize].field(spec)
     }
 
     /// Sets it, held to its range. Whatever else changes, the two meet as far off-centre as
     /// before, or as far as a smaller disc allows.
-    pub fn set(self, spec: &mut CollisionSpec, value: f64) {
+    pub(crate) fn set(self, spec: &mut CollisionSpec, value: f64) {
         set_at(self as usize, spec, value);
     }
 }
 
 /// All settings as they stand, in the order of [`CollisionField`].
-pub fn collision_fields(spec: &CollisionSpec) -> Vec<Field> {
+pub(crate) fn collision_fields(spec: &CollisionSpec) -> Vec<Field> {
     ROWS.iter().map(|row| row.field(spec)).collect()
 }
 
 /// Sets the one at a place, as [`CollisionField::set`] does.
-pub fn set_at(at: usize, spec: &mut CollisionSpec, value: f64) {
+pub(crate) fn set_at(at: usize, spec: &mut CollisionSpec, value: f64) {
     let offset_mm = spec.offset_mm();
     spec.point = ImpactPoint::Offset { offset_mm };
     if let Some(row) = ROWS.get(at) {

@@ -15,7 +15,7 @@ const BIG: f64 = 10.0;
 
 /// One thing that can be set, as it stands.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Field {
+pub(crate) struct Field {
     /// Its name on the panel.
     pub name: Cow<'static, str>,
     /// Its value as it reads, with its unit.
@@ -31,7 +31,7 @@ pub struct Field {
 impl Field {
     /// A field that can be changed: its name, its value as it reads, its value, and what
     /// it is.
-    pub fn new(
+    pub(crate) fn new(
         name: impl Into<Cow<'static, str>>,
         shown: String,
         value: FieldValue,
@@ -49,7 +49,7 @@ impl Field {
 
 /// The value of a field, and what it may be.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum FieldValue {
+pub(crate) enum FieldValue {
     /// A number that can be typed and stepped.
     Number {
         /// In the unit of the screen.
@@ -73,7 +73,12 @@ pub enum FieldValue {
 
 impl FieldValue {
     /// A number; see [`FieldValue::Number`].
-    pub const fn number(value: f64, range: (f64, f64), step: f64, unit: &'static str) -> Self {
+    pub(crate) const fn number(
+        value: f64,
+        range: (f64, f64),
+        step: f64,
+        unit: &'static str,
+    ) -> Self {
         Self::Number {
             value,
             range,
@@ -83,7 +88,7 @@ impl FieldValue {
     }
 
     /// The value so many steps further, onto the grid of steps.
-    pub fn stepped(self, steps: f64) -> f64 {
+    pub(crate) fn stepped(self, steps: f64) -> f64 {
         match self {
             Self::Choice { at, count } => {
                 let by = steps.signum() as i64;
@@ -106,7 +111,7 @@ impl FieldValue {
 
 /// One thing that can be set in `S`, as a row of a table: all that a form has to know of it.
 #[derive(Debug)]
-pub struct FieldRow<S> {
+pub(crate) struct FieldRow<S> {
     /// Its name on the panel.
     pub name: &'static str,
     /// What it is, in one line.
@@ -121,12 +126,12 @@ pub struct FieldRow<S> {
 
 impl<S> FieldRow<S> {
     /// The setting as it stands.
-    pub fn field(&self, of: &S) -> Field {
+    pub(crate) fn field(&self, of: &S) -> Field {
         Field::new(self.name, (self.shown)(of), (self.value)(of), self.about)
     }
 
     /// Sets it, held to its range, a choice by its place.
-    pub fn set(&self, of: &mut S, value: f64) {
+    pub(crate) fn set(&self, of: &mut S, value: f64) {
         let (least, most) = match (self.value)(of) {
             FieldValue::Number { range, .. } => range,
             FieldValue::Choice { count, .. } => (0.0, count.saturating_sub(1) as f64),
@@ -136,13 +141,13 @@ impl<S> FieldRow<S> {
     }
 
     /// Changes it by so many steps; choices go round.
-    pub fn step(&self, of: &mut S, steps: f64) {
+    pub(crate) fn step(&self, of: &mut S, steps: f64) {
         self.set(of, (self.value)(of).stepped(steps));
     }
 }
 
 /// What a form sets.
-pub trait FormFields {
+pub(crate) trait FormFields {
     /// All fields as they stand, from the top.
     fn fields(&self) -> Vec<Field>;
 
@@ -172,7 +177,7 @@ pub enum FormAction {
 
 /// Which field of a form is selected, and the number that is being typed for it.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct SettingsForm {
+pub(crate) struct SettingsForm {
     at: usize,
     entry: NumberEntry,
     /// Whether the last number typed was out of range, and held to it.
@@ -181,10 +186,10 @@ pub struct SettingsForm {
 
 impl SettingsForm {
     /// Sets the number that was typed.
-    pub const SET: FormAction = FormAction::Number(EntryAction::Enter);
+    pub(crate) const SET: FormAction = FormAction::Number(EntryAction::Enter);
 
     /// A form with this field selected.
-    pub fn at(at: usize) -> Self {
+    pub(crate) fn at(at: usize) -> Self {
         Self {
             at,
             ..Self::default()
@@ -192,7 +197,7 @@ impl SettingsForm {
     }
 
     /// The selected one of so many fields, from 0.
-    pub fn selected(&self, fields: usize) -> usize {
+    pub(crate) fn selected(&self, fields: usize) -> usize {
         self.at.min(fields.saturating_sub(1))
     }
 
@@ -203,24 +208,24 @@ impl SettingsForm {
     }
 
     /// Selects a field, after taking over what was typed for the one before.
-    pub fn select(&mut self, at: usize, form: &mut impl FormFields) {
+    pub(crate) fn select(&mut self, at: usize, form: &mut impl FormFields) {
         self.commit(form);
         self.held = false;
         self.at = at;
     }
 
     /// Whether a number is being typed.
-    pub fn is_typing(&self) -> bool {
+    pub(crate) fn is_typing(&self) -> bool {
         self.entry.is_open()
     }
 
     /// Gives up the number that is being typed.
-    pub fn give_up(&mut self) {
+    pub(crate) fn give_up(&mut self) {
         self.entry.take();
     }
 
     /// The keys that work it.
-    pub fn keys(&self, form: &impl FormFields) -> KeyTable<FormAction> {
+    pub(crate) fn keys(&self, form: &impl FormFields) -> KeyTable<FormAction> {
         use FormAction::{Big, Choose, End, Fine, Step};
         let many = form.fields().len() > 1;
         let free = self.chosen(form).filter(|field| field.locked.is_none());
@@ -246,7 +251,7 @@ impl SettingsForm {
     }
 
     /// Does what a key stands for.
-    pub fn act(&mut self, action: FormAction, form: &mut impl FormFields) {
+    pub(crate) fn act(&mut self, action: FormAction, form: &mut impl FormFields) {
         self.held = false;
         match action {
             FormAction::Choose(by) => self.go(by, form),
@@ -264,19 +269,19 @@ impl SettingsForm {
     }
 
     /// Takes over a number that was typed and not entered.
-    pub fn commit(&mut self, form: &mut impl FormFields) {
+    pub(crate) fn commit(&mut self, form: &mut impl FormFields) {
         if let Some(number) = self.entry.take() {
             self.set(number, form);
         }
     }
 
     /// Changes the selected field by so many steps.
-    pub fn step(&mut self, steps: f64, form: &mut impl FormFields) {
+    pub(crate) fn step(&mut self, steps: f64, form: &mut impl FormFields) {
         self.step_at(self.at, steps, form);
     }
 
     /// Changes a field by so many steps, selected or not.
-    pub fn step_at(&mut self, at: usize, steps: f64, form: &mut impl FormFields) {
+    pub(crate) fn step_at(&mut self, at: usize, steps: f64, form: &mut impl FormFields) {
         self.commit(form);
         let fields = form.fields();
         let at = at.min(fields.len().saturating_sub(1));

@@ -182,13 +182,13 @@ impl<A: Copy> KeyTable<A> {
     }
 
     /// The same without these keys, which mean something else on the screen.
-    pub fn without_keys(mut self, keys: &[Key]) -> Self {
+    pub(crate) fn without_keys(mut self, keys: &[Key]) -> Self {
         self.rows.iter_mut().for_each(|row| row.lose(keys));
         self
     }
 
     /// Another id for the rows whose only shown key is this one.
-    pub fn identified(mut self, key: Key, id: &str) -> Self {
+    pub(crate) fn identified(mut self, key: Key, id: &str) -> Self {
         for row in &mut self.rows {
             if let [(own, _)] = row.keys.as_slice()
                 && *own == key
@@ -201,7 +201,7 @@ impl<A: Copy> KeyTable<A> {
 
     /// The same without keys that an earlier row has already, without rows that have none
     /// left, and with one row for each id: what a later one has are other keys for it.
-    pub fn distinct(mut self) -> Self {
+    pub(crate) fn distinct(mut self) -> Self {
         let mut taken = Vec::new();
         let mut rows: Vec<KeyRow<A>> = Vec::new();
         for mut row in self.rows {
@@ -273,7 +273,7 @@ impl<A: Copy> KeyTable<A> {
     }
 
     /// The first key that does this.
-    pub fn key_of(&self, action: &A) -> Option<Key>
+    pub(crate) fn key_of(&self, action: &A) -> Option<Key>
     where
         A: PartialEq,
     {
@@ -295,7 +295,7 @@ impl<A: Copy> KeyTable<A> {
     }
 
     /// What a capital letter does that has no meaning of its own: what the small one does.
-    pub fn folded(&self, key: Key) -> Option<A> {
+    pub(crate) fn folded(&self, key: Key) -> Option<A> {
         match key {
             Key::Char(c) if c.is_ascii_uppercase() => self.exact(Key::Char(c.to_ascii_lowercase())),
             _ => None,

@@ -27,28 +27,28 @@ pub enum ListAction {
 
 /// Where the mark of a list is. A list ends at its ends: it does not go round.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct ListView {
+pub(crate) struct ListView {
     at: usize,
 }
 
 impl ListView {
     /// A list with the mark at a line, from 0.
-    pub const fn at(at: usize) -> Self {
+    pub(crate) const fn at(at: usize) -> Self {
         Self { at }
     }
 
     /// The chosen one of so many lines, from 0; 0 where there is none.
-    pub fn chosen(&self, lines: usize) -> usize {
+    pub(crate) fn chosen(&self, lines: usize) -> usize {
         self.at.min(lines.saturating_sub(1))
     }
 
     /// Puts the mark at a line.
-    pub fn choose(&mut self, at: usize) {
+    pub(crate) fn choose(&mut self, at: usize) {
         self.at = at;
     }
 
     /// The keys that move the mark and open its line; `open` is what opening is called.
-    pub fn keys(open: &'static str) -> KeyTable<ListAction> {
+    pub(crate) fn keys(open: &'static str) -> KeyTable<ListAction> {
         use ListAction::{Choose, End, Open, Page};
         KeyTable::new("list")
             .by([Key::Up, Key::Down], Choose, [-1, 1], "choose")
@@ -61,7 +61,7 @@ impl ListView {
 
     /// Does what a key stands for in a list of so many lines; done with the line that is
     /// to be opened.
-    pub fn act(&mut self, action: ListAction, lines: usize) -> Outcome<usize> {
+    pub(crate) fn act(&mut self, action: ListAction, lines: usize) -> Outcome<usize> {
         match action {
             ListAction::Choose(by) => self.go(by, lines),
             ListAction::Page(by) => self.go(by * PAGE, lines),
@@ -75,7 +75,12 @@ impl ListView {
 
     /// The mouse over a list of so many lines, `line` being the one it points at: the
     /// wheel moves the mark, a click puts it at a line and opens the line it is at.
-    pub fn mouse(&mut self, mouse: &Mouse, lines: usize, line: Option<usize>) -> Outcome<usize> {
+    pub(crate) fn mouse(
+        &mut self,
+        mouse: &Mouse,
+        lines: usize,
+        line: Option<usize>,
+    ) -> Outcome<usize> {
         match (mouse.kind, line) {
             (MouseKind::ScrollUp, _) => self.go(-1, lines),
             (MouseKind::ScrollDown, _) => self.go(1, lines),
@@ -99,13 +104,13 @@ impl ListView {
     }
 
     /// The row of an area at a cell, from 0 at its top; `None` beside it.
-    pub fn row_at(area: Rect, cell: (u16, u16)) -> Option<usize> {
+    pub(crate) fn row_at(area: Rect, cell: (u16, u16)) -> Option<usize> {
         let inside = area.contains(cell.into());
         inside.then(|| usize::from(cell.1 - area.y))
     }
 
     /// The one of so many lines, a row each, at a cell of an area, the mark being at `at`.
-    pub fn line_at(area: Rect, cell: (u16, u16), at: usize, lines: usize) -> Option<usize> {
+    pub(crate) fn line_at(area: Rect, cell: (u16, u16), at: usize, lines: usize) -> Option<usize> {
         let first = Self::first_shown(at, lines, area.height);
         let line = first + Self::row_at(area, cell)?;
         (line < lines).then_some(line)
@@ -113,7 +118,7 @@ impl ListView {
 
     /// The first of so many rows that is shown in a place of this height: `row`, where
     /// the mark is, stands in the middle where there are more rows than that.
-    pub fn first_shown(row: usize, rows: usize, height: u16) -> usize {
+    pub(crate) fn first_shown(row: usize, rows: usize, height: u16) -> usize {
         let height = usize::from(height);
         row.saturating_sub(height / 2)
             .min(rows.saturating_sub(height))

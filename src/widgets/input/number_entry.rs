@@ -10,7 +10,7 @@ const LONGEST: usize = 9;
 
 /// A number on its way in, digit by digit.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct NumberEntry {
+pub(crate) struct NumberEntry {
     text: String,
 }
 
@@ -30,27 +30,27 @@ pub enum EntryAction {
 
 impl NumberEntry {
     /// Whether something has been typed and neither entered nor given up.
-    pub fn is_open(&self) -> bool {
+    pub(crate) fn is_open(&self) -> bool {
         !self.text.is_empty()
     }
 
     /// What has been typed.
-    pub fn text(&self) -> &str {
+    pub(crate) fn text(&self) -> &str {
         &self.text
     }
 
     /// What has been typed, with a mark for what may follow; `None` while nothing has.
-    pub fn shown(&self) -> Option<String> {
+    pub(crate) fn shown(&self) -> Option<String> {
         self.is_open().then(|| format!("{}_", self.text))
     }
 
     /// The number as far as typed; `None` while it is not one yet.
-    pub fn value(&self) -> Option<f64> {
+    pub(crate) fn value(&self) -> Option<f64> {
         self.text.parse().ok().filter(|v: &f64| v.is_finite())
     }
 
     /// Empties the entry and gives the number it held.
-    pub fn take(&mut self) -> Option<f64> {
+    pub(crate) fn take(&mut self) -> Option<f64> {
         let value = self.value();
         self.text.clear();
         value
@@ -58,7 +58,7 @@ impl NumberEntry {
 
     /// The keys that type; while something has been typed, Enter enters and Escape
     /// gives up.
-    pub fn keys(&self) -> KeyTable<EntryAction> {
+    pub(crate) fn keys(&self) -> KeyTable<EntryAction> {
         let typed = |c| (Key::Char(c), EntryAction::Type(c));
         let open = self.is_open();
         KeyTable::new("number")
@@ -73,7 +73,7 @@ impl NumberEntry {
     }
 
     /// Does what a key stands for; done with a number once one was entered.
-    pub fn act(&mut self, action: EntryAction) -> Outcome<f64> {
+    pub(crate) fn act(&mut self, action: EntryAction) -> Outcome<f64> {
         match action {
             EntryAction::Type(c) => self.push(c),
             EntryAction::Erase => drop(self.text.pop()),

@@ -21,7 +21,7 @@ pub struct NumberInput {
 /// What keys do to a number that is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
-pub enum NumberAction {
+pub(crate) enum NumberAction {
     /// change the number: Left and Right in small steps, Up and Down in big steps
     Dial(DialStep),
     /// enter the number
@@ -32,7 +32,7 @@ pub enum NumberAction {
 
 /// A step of the dial, up or down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DialStep {
+pub(crate) enum DialStep {
     /// So many small steps.
     Small(i8),
     /// So many large ones.
@@ -41,13 +41,13 @@ pub enum DialStep {
 
 impl NumberInput {
     /// Nothing given yet.
-    pub fn new(quantity: Measure) -> Self {
+    pub(crate) fn new(quantity: Measure) -> Self {
         let (least, most) = (quantity.smallest(), quantity.largest());
         Self::within(quantity, least, most)
     }
 
     /// The same, held within these bounds.
-    pub fn within(quantity: Measure, least: f64, most: f64) -> Self {
+    pub(crate) fn within(quantity: Measure, least: f64, most: f64) -> Self {
         Self {
             quantity,
             range: (least, most),
@@ -57,18 +57,18 @@ impl NumberInput {
     }
 
     /// The number, if one has been given.
-    pub fn value(&self) -> Option<f64> {
+    pub(crate) fn value(&self) -> Option<f64> {
         self.value
     }
 
     /// Sets it, held within its bounds.
-    pub fn set(&mut self, value: f64) {
+    pub(crate) fn set(&mut self, value: f64) {
         // Adding 0 turns −0 into 0.
         self.value = Some(value.clamp(self.range.0, self.range.1) + 0.0);
     }
 
     /// The keys that give it.
-    pub fn keys(&self) -> KeyTable<NumberAction> {
+    pub(crate) fn keys(&self) -> KeyTable<NumberAction> {
         use NumberAction::{Dial, Enter};
         let [up, down] = [1, -1].map(DialStep::Large);
         let [left, right] = [-1, 1].map(DialStep::Small);
@@ -82,7 +82,7 @@ impl NumberInput {
     }
 
     /// Does what a key stands for; done by Enter once there is a number.
-    pub fn act(&mut self, action: NumberAction) -> Outcome {
+    pub(crate) fn act(&mut self, action: NumberAction) -> Outcome {
         match action {
             NumberAction::Dial(step) => {
                 if let Some((small, large)) = steps(&self.quantity) {
@@ -111,7 +111,7 @@ impl NumberInput {
     }
 
     /// As it reads: as typed so far, or as it stands.
-    pub fn shown(&self) -> String {
+    pub(crate) fn shown(&self) -> String {
         let unit = self.quantity.unit();
         let number = self.value.map_or("_".into(), |value| short(value, 3));
         with_unit(&self.entry.shown().unwrap_or(number), unit)
@@ -134,7 +134,7 @@ impl NumberInput {
     }
 
     /// How it is given.
-    pub fn about(&self) -> String {
+    pub(crate) fn about(&self) -> String {
         match self.quantity.unit() {
             _ if steps(&self.quantity).is_none() => "Type a number.".into(),
             "" => "Type a number, or dial it with the arrows.".into(),

@@ -13,7 +13,7 @@ pub enum Outcome<T = ()> {
 
 impl<T> Outcome<T> {
     /// Whether it meant anything.
-    pub fn is_used(&self) -> bool {
+    pub(crate) fn is_used(&self) -> bool {
         !matches!(self, Self::Ignored)
     }
 }

@@ -52,7 +52,7 @@ impl RayInput {
 
     /// Nothing said yet. `side` is +1 where the coin lies to the right of
     /// the striker's way and −1 where it lies to the left.
-    pub fn new(side: f64) -> Self {
+    pub(crate) fn new(side: f64) -> Self {
         Self {
             angles_deg: [None; 2],
             turning: Ray::Striker,
@@ -64,7 +64,7 @@ impl RayInput {
 
     /// The same with these rays said, to be changed.
     #[must_use]
-    pub fn saying(mut self, rays: &Rays) -> Self {
+    pub(crate) fn saying(mut self, rays: &Rays) -> Self {
         for ray in Ray::BOTH {
             let angle = rays.get(ray).map(|angle| self.side * angle.to_degrees());
             // As it was typed, whatever rounding left.
@@ -77,36 +77,36 @@ impl RayInput {
     /// The same with one ray alone to be said. The other one reads as a disc that
     /// stays still.
     #[must_use]
-    pub fn only(mut self, ray: Ray) -> Self {
+    pub(crate) fn only(mut self, ray: Ray) -> Self {
         self.turning = ray;
         self.only = Some(ray);
         self
     }
 
     /// Whether a ray is to be said.
-    pub fn asks(&self, ray: Ray) -> bool {
+    pub(crate) fn asks(&self, ray: Ray) -> bool {
         self.only.is_none_or(|only| only == ray)
     }
 
     /// Whether Enter ends it: the last ray that is asked for is being turned.
-    pub fn is_last(&self) -> bool {
+    pub(crate) fn is_last(&self) -> bool {
         self.only.is_some() || self.turning == Ray::Target
     }
 
     /// What has been said; `None` while something asked for has not been.
-    pub fn said(&self) -> Option<Rays> {
+    pub(crate) fn said(&self) -> Option<Rays> {
         let said = |ray| self.is_said(ray) || !self.asks(ray);
         Ray::BOTH.into_iter().all(said).then(|| self.so_far())
     }
 
     /// Both rays, if both are asked for and have been said.
-    pub fn both(&self) -> Option<Rays> {
+    pub(crate) fn both(&self) -> Option<Rays> {
         self.said().filter(|_| self.only.is_none())
     }
 
     /// The rays as far as they have been said; one that has not reads as a disc that
     /// stays still.
-    pub fn so_far(&self) -> Rays {
+    pub(crate) fn so_far(&self) -> Rays {
         let signed = |ray| Some((self.side * self.angle_deg(ray)?).to_radians());
         Rays {
             striker: signed(Ray::Striker),
@@ -115,17 +115,17 @@ impl RayInput {
     }
 
     /// Whether anything has been said of a ray.
-    pub fn is_said(&self, ray: Ray) -> bool {
+    pub(crate) fn is_said(&self, ray: Ray) -> bool {
         self.angles_deg[ray as usize].is_some()
     }
 
     /// The ray that keys turn.
-    pub fn turning(&self) -> Ray {
+    pub(crate) fn turning(&self) -> Ray {
         self.turning
     }
 
     /// The keys that say it; `next` is what Enter is called.
-    pub fn keys(&self, next: &'static str) -> KeyTable<RayAction> {
+    pub(crate) fn keys(&self, next: &'static str) -> KeyTable<RayAction> {
         use RayAction::{Next, OtherRay, StaysStill, Turn};
         KeyTable::new("ray")
             .by(Key::ARROWS, Turn, [5, -5, -1, 1], "turn")
@@ -138,7 +138,7 @@ impl RayInput {
     }
 
     /// Does what a key stands for; done once all that is asked for has been said.
-    pub fn act(&mut self, action: RayAction) -> Outcome {
+    pub(crate) fn act(&mut self, action: RayAction) -> Outcome {
         match action {
             RayAction::Turn(degrees) => self.turn(degrees.into()),
             RayAction::StaysStill => {
@@ -165,19 +165,19 @@ impl RayInput {
     }
 
     /// Points a ray by hand, to the whole degree.
-    pub fn point(&mut self, ray: Ray, angle_deg: f64) {
+    pub(crate) fn point(&mut self, ray: Ray, angle_deg: f64) {
         self.choose(ray);
         self.set(angle_deg.round());
     }
 
     /// The angle of a ray as the screen counts it; `None` for a disc that stays still,
     /// and while nothing has been said.
-    pub fn angle_deg(&self, ray: Ray) -> Option<f64> {
+    pub(crate) fn angle_deg(&self, ray: Ray) -> Option<f64> {
         self.angles_deg[ray as usize].flatten()
     }
 
     /// How the answer for a ray reads: as typed so far, or as it stands.
-    pub fn shown(&self, ray: Ray) -> String {
+    pub(crate) fn shown(&self, ray: Ray) -> String {
         let typed = self.entry.shown().filter(|_| ray == self.turning);
         typed.unwrap_or_else(|| self.angles_deg[ray as usize].map_or("_".into(), shown))
     }
@@ -226,7 +226,7 @@ impl RayInput {
     }
 
     /// How the angle of the ray that keys turn is counted, in a sentence.
-    pub fn about(&self, target: &str) -> String {
+    pub(crate) fn about(&self, target: &str) -> String {
         match self.turning {
             Ray::Striker => format!(
                 "The striker: degrees from its old direction, to the side away from the {target}."
@@ -283,7 +283,7 @@ pub fn shown(angle_deg: Option<f64>) -> String {
 
 /// The same in as little room as a table has: no unit, and one word for a disc that
 /// stays still.
-pub fn brief(angle_deg: Option<f64>) -> String {
+pub(crate) fn brief(angle_deg: Option<f64>) -> String {
     angle_deg.map_or("still".into(), |angle| true_minus(&fixed(angle, 1)))
 }
 

@@ -33,7 +33,7 @@ impl TextField {
     }
 
     /// The text before the cursor, and the text from there on.
-    pub fn around_cursor(&self) -> (&str, &str) {
+    pub(crate) fn around_cursor(&self) -> (&str, &str) {
         let text = self.line.value();
         let at = text.char_indices().nth(self.line.cursor());
         text.split_at(at.map_or(text.len(), |(at, _)| at))

@@ -20,7 +20,7 @@ pub(crate) struct Panel<A> {
     /// far it was scrolled.
     pub subject: usize,
     /// Whether it is read from its top, rather than follow what is chosen in it.
-    pub from_top: bool,
+    pub(crate) from_top: bool,
     blocks: Vec<Block<A>>,
     /// How many of the blocks, from the first on, stay in sight however far it is scrolled.
     pinned: usize,
@@ -165,7 +165,7 @@ pub(crate) struct TableColumn {
     /// Letters of its widest cell.
     pub width: u16,
     /// Whether its cells are flush right, as numbers are.
-    pub flush_right: bool,
+    pub(crate) flush_right: bool,
     /// Columns of the panel from which on there is room for it.
     pub room: u16,
     /// Whether its cells are drawn, and say nothing that the others do not.

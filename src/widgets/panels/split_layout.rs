@@ -56,12 +56,12 @@ impl SplitLayout {
     }
 
     /// Lays out a panel of text alone, in the middle.
-    pub fn text_alone(room: impl Into<Room>) -> Self {
+    pub(crate) fn text_alone(room: impl Into<Room>) -> Self {
         Self::text_of(room, TEXT)
     }
 
     /// Lays out a panel of text alone, in the middle, of so many columns at most.
-    pub fn text_of(room: impl Into<Room>, columns: u16) -> Self {
+    pub(crate) fn text_of(room: impl Into<Room>, columns: u16) -> Self {
         let area = room.into().area;
         let panel = areas::middle(area, columns);
         let nothing = Rect { width: 0, ..area };
@@ -104,12 +104,12 @@ impl SplitLayout {
     }
 
     /// Lays them out with a panel of so many columns, its frame included.
-    pub fn with_panel(room: impl Into<Room>, panel_width: u16) -> Self {
+    pub(crate) fn with_panel(room: impl Into<Room>, panel_width: u16) -> Self {
         Self::of(areas::picture_and_panel(room.into(), panel_width))
     }
 
     /// The same with no frame around the panel.
-    pub fn with_open_panel(room: impl Into<Room>, panel_width: u16) -> Self {
+    pub(crate) fn with_open_panel(room: impl Into<Room>, panel_width: u16) -> Self {
         let [picture, panel] = areas::picture_and_panel(room.into(), panel_width);
         Self {
             picture: inside(picture),

@@ -9,9 +9,9 @@ pub struct WatchRate(i32);
 
 impl WatchRate {
     /// As it was.
-    pub const REAL: Self = Self(0);
+    pub(crate) const REAL: Self = Self(0);
     /// All there are, the slowest first.
-    pub const ALL: [Self; 7] = [
+    pub(crate) const ALL: [Self; 7] = [
         Self(-4),
         Self(-3),
         Self(-2),
@@ -21,21 +21,21 @@ impl WatchRate {
         Self(2),
     ];
     /// Four times slower.
-    pub const QUARTER: Self = Self(-2);
+    pub(crate) const QUARTER: Self = Self(-2);
 
     /// Seconds of the stroke that pass in a second.
-    pub fn seconds(self) -> f64 {
+    pub(crate) fn seconds(self) -> f64 {
         2.0_f64.powi(self.0)
     }
 
     /// The speed so many steps faster.
     #[must_use]
-    pub fn faster(self, steps: i8) -> Self {
+    pub(crate) fn faster(self, steps: i8) -> Self {
         Self((self.0 + i32::from(steps)).clamp(-4, 2))
     }
 
     /// In words: "real speed", "1/4 speed", "2× speed".
-    pub fn words(self) -> String {
+    pub(crate) fn words(self) -> String {
         match self.seconds() {
             rate if rate < 1.0 => format!("1/{:.0} speed", 1.0 / rate),
             rate if rate > 1.0 => format!("{rate:.0}× speed"),

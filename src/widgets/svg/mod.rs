@@ -125,7 +125,7 @@ impl Svg {
     /// A picture whose area begins in the corner of the screen. `words` say what is to be
     /// seen, to whoever cannot see it. At a `scale` of 1, letters are 14 CSS pixels high.
     #[must_use]
-    pub fn new(words: &str, picture: &Picture, look: &Look, scale: f64) -> Self {
+    pub(crate) fn new(words: &str, picture: &Picture, look: &Look, scale: f64) -> Self {
         Self {
             words: words.to_owned(),
             size: size(picture.area()).map(|length| length as f64),
@@ -137,13 +137,13 @@ impl Svg {
 
     /// Width and height as it is shown, in CSS pixels.
     #[must_use]
-    pub fn size(&self) -> [f64; 2] {
+    pub(crate) fn size(&self) -> [f64; 2] {
         self.size.map(|length| length * self.scale)
     }
 
     /// What is to be seen.
     #[must_use]
-    pub fn words(&self) -> &str {
+    pub(crate) fn words(&self) -> &str {
         &self.words
     }
 

@@ -28,7 +28,7 @@ pub fn rows(buffer: &Buffer) -> impl Iterator<Item = &[Cell]> {
 
 /// The cells of a row that show something of their own, with their columns: a
 /// wide symbol hides the cell after it.
-pub fn symbols(cells: &[Cell]) -> impl Iterator<Item = (usize, &Cell)> {
+pub(crate) fn symbols(cells: &[Cell]) -> impl Iterator<Item = (usize, &Cell)> {
     let mut next = 0;
     cells.iter().enumerate().filter(move |(column, cell)| {
         let shown = *column >= next;

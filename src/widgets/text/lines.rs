@@ -35,7 +35,7 @@ struct Standing {
 
 impl<'a> Lines<'a> {
     /// Starts at the top of `area`, with a column of margin on the left.
-    pub fn new(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
+    pub(crate) fn new(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
         let [_, area] = areas::left(area, 1);
         Self {
             area,
@@ -58,23 +58,23 @@ impl<'a> Lines<'a> {
 
     /// Leaves the first `rows` out, so that those after them are seen.
     #[must_use]
-    pub fn scrolled(mut self, rows: u16) -> Self {
+    pub(crate) fn scrolled(mut self, rows: u16) -> Self {
         self.scrolled = rows;
         self
     }
 
     /// Columns of a row.
-    pub fn width(&self) -> u16 {
+    pub(crate) fn width(&self) -> u16 {
         self.area.width
     }
 
     /// Rows written so far, seen or not.
-    pub fn written(&self) -> u16 {
+    pub(crate) fn written(&self) -> u16 {
         self.written
     }
 
     /// The glyphs it is written in.
-    pub fn charset(&self) -> Charset {
+    pub(crate) fn charset(&self) -> Charset {
         self.look.charset
     }
 
@@ -84,7 +84,7 @@ impl<'a> Lines<'a> {
     }
 
     /// Rows that are left.
-    pub fn left(&self) -> u16 {
+    pub(crate) fn left(&self) -> u16 {
         self.area.height.saturating_sub(self.written)
     }
 
@@ -219,7 +219,7 @@ impl<'a> Lines<'a> {
     }
 
     /// An empty row, unless there is nothing above it.
-    pub fn gap(&mut self) {
+    pub(crate) fn gap(&mut self) {
         if self.written > 0 {
             self.record(|_| Words::Gap);
             self.written += 1;
@@ -227,7 +227,7 @@ impl<'a> Lines<'a> {
     }
 
     /// One row; cut at the edge.
-    pub fn line(&mut self, text: &str, role: Role) {
+    pub(crate) fn line(&mut self, text: &str, role: Role) {
         self.record_text("", &[Run::new(self.unmarked(text), role)]);
         self.put(0, text, role);
         self.written += 1;
@@ -269,7 +269,7 @@ impl<'a> Lines<'a> {
 
     /// One row: a name on the left, its value flush right. A name too long for the room
     /// beside the value is cut, and dots tell of it.
-    pub fn pair(&mut self, name: &str, value: &str, name_role: Role, value_role: Role) {
+    pub(crate) fn pair(&mut self, name: &str, value: &str, name_role: Role, value_role: Role) {
         self.record(|charset| Words::Pair {
             name: Run::new(self.unmarked(name), name_role).spelt(charset),
             value: Run::new(value, value_role).spelt(charset),
@@ -289,7 +289,7 @@ impl<'a> Lines<'a> {
     /// One row: a name, and values flush right in columns of their own. The name has
     /// twice the room of a value; a value too wide for its column moves to the right
     /// rather than touch what is before it.
-    pub fn columns(&mut self, name: (&str, Role), values: &[(&str, Role)]) {
+    pub(crate) fn columns(&mut self, name: (&str, Role), values: &[(&str, Role)]) {
         self.record(|charset| {
             let spelt = |(text, role): &(&str, Role)| Run::new(*text, *role).spelt(charset);
             Words::Columns {
@@ -310,13 +310,13 @@ impl<'a> Lines<'a> {
     }
 
     /// Text over as many rows as it takes.
-    pub fn paragraph(&mut self, text: &str, role: Role) {
+    pub(crate) fn paragraph(&mut self, text: &str, role: Role) {
         self.hanging("", text, role);
     }
 
     /// An equation over as many rows as it takes, those after the first set in by
     /// `indent`: the rest of an equation is no equation of its own.
-    pub fn equation(&mut self, equation: &str, indent: u16, role: Role) {
+    pub(crate) fn equation(&mut self, equation: &str, indent: u16, role: Role) {
         self.record(|charset| Words::Equation {
             runs: vec![Run::new(equation, role).spelt(charset)],
         });
@@ -332,7 +332,7 @@ impl<'a> Lines<'a> {
 
     /// Text in several styles over as many rows as it takes, the rows after the first
     /// set in by `indent`; the first begins with `mark`.
-    pub fn flowing(&mut self, mark: &str, indent: u16, runs: &[Run]) {
+    pub(crate) fn flowing(&mut self, mark: &str, indent: u16, runs: &[Run]) {
         self.record_text(self.unmarked(mark), runs);
         let width = self.area.width.saturating_sub(1 + indent).into();
         self.put(0, mark, Role::Dim);
@@ -348,7 +348,7 @@ impl<'a> Lines<'a> {
 
     /// Text over as many rows as it takes behind a mark, under which nothing else is
     /// written.
-    pub fn hanging(&mut self, mark: &str, text: &str, role: Role) {
+    pub(crate) fn hanging(&mut self, mark: &str, text: &str, role: Role) {
         self.record_text(self.unmarked(mark), &[Run::new(text, role)]);
         let (indent, rows) = self.hung(mark, text);
         self.put(0, mark, role);

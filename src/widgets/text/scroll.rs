@@ -57,7 +57,7 @@ pub(crate) fn hint_below(area: Rect, buf: &mut Buffer, look: Look, hint: &str) {
 
 /// The keys that turn the pages of a text, with what a screen calls scrolling by so many
 /// rows.
-pub fn scroll_keys<A>(action: impl Fn(i16) -> A) -> [(Key, A); 2] {
+pub(crate) fn scroll_keys<A>(action: impl Fn(i16) -> A) -> [(Key, A); 2] {
     [
         (Key::PageUp, action(-Scroll::PAGE)),
         (Key::PageDown, action(Scroll::PAGE)),
@@ -65,7 +65,7 @@ pub fn scroll_keys<A>(action: impl Fn(i16) -> A) -> [(Key, A); 2] {
 }
 
 /// Rows of what `write` writes that `area` has no room for.
-pub fn overflow(area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> u16 {
+pub(crate) fn overflow(area: Rect, look: Look, write: impl FnOnce(&mut Lines)) -> u16 {
     let written = rehearsed(area, look, |lines| {
         write(lines);
         lines.written()

@@ -82,7 +82,7 @@ pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
 }
 
 /// The text with blanks that do not break within what is held together: "5 g", "e = 1.00".
-pub fn unbroken(text: &str) -> String {
+pub(crate) fn unbroken(text: &str) -> String {
     let words: Vec<&str> = text.split(' ').collect();
     let parts = held(&words, UNBROKEN).into_iter();
     let parts = parts.map(|range| words.get(range).unwrap_or_default().join("\u{a0}"));

@@ -151,7 +151,7 @@ fn break_word(lines: &mut Vec<String>, line: &mut String, word: &str, columns: u
 }
 
 /// A time that has passed, in few letters.
-pub fn ago(age: Duration) -> String {
+pub(crate) fn ago(age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     match minutes {
         0 => "now".into(),
@@ -164,7 +164,7 @@ pub fn ago(age: Duration) -> String {
 
 /// The beginning of a text, in at most so many columns; what is cut off is told by dots. Marks
 /// without a width of their own do not pile up either: a column has two signs at most.
-pub fn clipped(text: &str, columns: usize) -> String {
+pub(crate) fn clipped(text: &str, columns: usize) -> String {
     let fits =
         |text: &str, columns| width(text) <= columns && text.chars().nth(2 * columns).is_none();
     if fits(text, columns) {

@@ -84,14 +84,14 @@ impl Theme {
 
     /// Whether no colour is used at all.
     #[must_use]
-    pub fn is_mono(self) -> bool {
+    pub(crate) fn is_mono(self) -> bool {
         self.palette == Palette::Mono || self.depth == Depth::None
     }
 
     /// Whether a disc of this role is but a rim: black coins where there is no
     /// colour to tell them from white ones.
     #[must_use]
-    pub fn is_hollow(self, role: Role) -> bool {
+    pub(crate) fn is_hollow(self, role: Role) -> bool {
         self.is_mono() && role == Role::Black
     }
 
@@ -128,7 +128,7 @@ impl Theme {
     /// [`Theme::style`], faded towards the background: 0 is fresh, 1 nearly gone.
     /// Outside 0 to 1 the nearer end counts.
     #[must_use]
-    pub fn faded(self, role: Role, age: f64) -> Style {
+    pub(crate) fn faded(self, role: Role, age: f64) -> Style {
         let age = if age > 0.0 { age.min(1.0) } else { 0.0 };
         if age < 1.0 / 64.0 {
             return self.style(role);
@@ -174,7 +174,7 @@ impl Theme {
 
     /// [`Theme::on`] for what should not outshine the disc: geometry drawn over it.
     #[must_use]
-    pub fn faintly_on(self, role: Role) -> Style {
+    pub(crate) fn faintly_on(self, role: Role) -> Style {
         if self.is_mono() || self.depth == Depth::Ansi16 {
             return self.on(role);
         }

@@ -81,7 +81,7 @@ impl Role {
 
     /// The mark before one of several rows and its role, which is this one unless the row
     /// is `chosen`.
-    pub const fn of_choice(self, chosen: bool) -> (&'static str, Self) {
+    pub(crate) const fn of_choice(self, chosen: bool) -> (&'static str, Self) {
         match chosen {
             true => (">", Self::Selected),
             false => (" ", self),

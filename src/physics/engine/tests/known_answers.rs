@@ -3,9 +3,10 @@
 use glam::DVec2;
 
 use super::tables::{COIN, STRIKER, Table, assert_close, assert_near, closed_board, rack};
+use crate::physics::slide::stopping_time;
 use crate::physics::{
     Board, Disc, DiscState, Engine, EngineError, EventKind, Limits, Motion, Shot, play,
-    stopping_distance, stopping_time,
+    stopping_distance,
 };
 
 fn impacts(shot: &Shot) -> Vec<[usize; 2]> {
