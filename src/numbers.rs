@@ -4,6 +4,8 @@
 //! is set in formulas passes through [`true_minus`], and the Unicode screen makes minus
 //! signs of the rest.
 
+use std::fmt;
+
 /// `x` with so many decimals, and without the sign of what rounds to nothing: "63.4",
 /// "0.0".
 pub(crate) fn fixed(x: f64, decimals: usize) -> String {
@@ -70,6 +72,66 @@ pub(crate) fn degrees(angle: f64) -> String {
 /// An angle of `angle` radians to a tenth of a degree, without a unit: "63.4".
 pub(crate) fn bare_degrees(angle: f64) -> String {
     format!("{:.1}", tenths(angle) as f64 / 10.0)
+}
+
+/// A value on the way to a printed result, with the figures it needs: three, or a tenth of a
+/// degree, or as many more as it takes for the result to follow from what is printed.
+#[derive(Debug, Clone)]
+pub(crate) struct Intermediate {
+    text: String,
+    /// The value as printed; an angle in radians.
+    pub(crate) value: f64,
+}
+
+impl fmt::Display for Intermediate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl Intermediate {
+    /// The text without a sign.
+    pub(crate) fn size(&self) -> &str {
+        self.text.trim_start_matches('-')
+    }
+
+    /// How many decimals are printed.
+    pub(crate) fn decimals(&self) -> usize {
+        let decimals = self.text.split_once('.');
+        decimals.map_or(0, |(_, decimals)| decimals.len())
+    }
+
+    /// The value of a printed result that follows from it.
+    pub(crate) fn new<T: PartialEq>(x: f64, result: impl Fn(f64) -> T) -> Self {
+        let text = |more| fixed(x, decimals_for(x, 3) + more);
+        Self::leading_to(&result(x), text, |read| read, result)
+    }
+
+    /// The same of an angle in radians, printed in degrees without a unit.
+    pub(crate) fn angle<T: PartialEq>(angle: f64, result: impl Fn(f64) -> T) -> Self {
+        let text = |more| fixed(angle.to_degrees(), 1 + more);
+        Self::leading_to(&result(angle), text, f64::to_radians, result)
+    }
+
+    fn leading_to<T: PartialEq>(
+        wanted: &T,
+        text: impl Fn(usize) -> String,
+        value: impl Fn(f64) -> f64,
+        result: impl Fn(f64) -> T,
+    ) -> Self {
+        /// Beyond so many more figures the result hangs on rounding noise.
+        const MOST: usize = 6;
+        let printed = |more| {
+            let text = text(more);
+            let value = value(text.parse().unwrap_or(f64::NAN));
+            Self { text, value }
+        };
+        let enough = |it: &Self| result(it.value) == *wanted;
+        (0..MOST)
+            .map(&printed)
+            .find(enough)
+            .unwrap_or_else(|| printed(MOST))
+    }
 }
 
 /// Points to a tenth: "8.0", "-2.0".
@@ -218,6 +280,22 @@ mod tests {
         for (x, text) in [(8.0, "8.0"), (-2.0, "-2.0"), (-0.04, "0.0"), (9.96, "10.0")] {
             assert_eq!(points(x), text);
         }
+    }
+
+    /// 1.14⁴ is 1.69, but √1.31⁴ is 1.72; (90° − 21.5°) / 2 is 34.25°.
+    #[test]
+    fn intermediate_values_lead_to_the_result() {
+        let ratio = 1.31_f64.sqrt();
+        let shown = Intermediate::new(ratio, |x| significant(x.powi(4)));
+        assert_eq!((shown.to_string(), shown.value), ("1.145".into(), 1.145));
+        let plain = Intermediate::new(0.5, |x| significant(x * x));
+        assert_eq!(plain.to_string(), "0.500");
+        let most = 21.48_f64.to_radians();
+        let half = |angle: f64| degrees((90.0_f64.to_radians() - angle) / 2.0);
+        assert_eq!(half(most), "34.3°");
+        assert_eq!(Intermediate::angle(most, half).to_string(), "21.5");
+        let sixty = Intermediate::angle(60.0_f64.to_radians(), degrees);
+        assert_eq!(sixty.to_string(), "60.0");
     }
 
     #[test]

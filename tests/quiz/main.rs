@@ -11,3 +11,4 @@ mod find_out;
 mod forms;
 mod frozen;
 mod rounds;
+mod working;

@@ -72,17 +72,17 @@ fn knowns(c: &Collision, by_offset: bool) -> WorkedStep {
     lines.push(match c.alpha() {
         _ if by_offset => format!("offset   b = {} mm", mm(c.offset)),
         Some(alpha) => format!("impact angle  α = {}", degrees(alpha)),
-        None => "impact angle  none: the target sees no motion of the striker".to_owned(),
+        None => "impact angle  none: the striker does not move relative to the target".to_owned(),
     });
     lines.push(match c.bond {
         Bond::Slip => format!("restitution  e = {}, smooth discs", number(c.restitution)),
-        Bond::Stick => "the discs stick where they touch".to_owned(),
+        Bond::Stick => "perfectly inelastic: the discs move on together".to_owned(),
     });
     WorkedStep {
         title: "What we know",
-        why: "The impact angle α runs from the striker's motion, as the target sees it, to \
-              the line of impact n through both centres. It is positive when the target's \
-              centre lies to the right of that motion."
+        why: "The impact angle α is measured from the striker's velocity relative to the target \
+              to the line of impact n through both centres. α is positive when the target's centre \
+              lies to the right of that velocity."
             .to_owned(),
         lines,
     }
@@ -98,12 +98,12 @@ fn where_they_meet(c: &Collision) -> WorkedStep {
         }
         None if c.offset.abs() > reach => {
             let b = mm(c.offset.abs());
-            format!("b is {b} mm and r₁ + r₂ only {sum} mm: they pass each other")
+            format!("b is {b} mm and r₁ + r₂ only {sum} mm: the discs miss each other")
         }
-        None => "u₁ = u₂: neither comes nearer to the other".to_owned(),
+        None => "u₁ = u₂: the distance between the discs never changes".to_owned(),
     };
     WorkedStep {
-        title: "Do they meet, and how squarely?",
+        title: "Do the discs collide, and at which impact angle?",
         why: "When the discs touch, their centres are r₁ + r₂ apart, and the offset b is the \
               side opposite α in the right-angled triangle with that hypotenuse."
             .to_owned(),
@@ -122,8 +122,8 @@ fn directions(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     };
     WorkedStep {
         title: "Read off the angles",
-        why: "Both are measured from the striker's old direction u₁: θ₁ to where the striker \
-              goes, θ₂ to where the target goes."
+        why: "Both angles are measured from the striker's original direction u₁: θ₁ to the \
+              striker's final direction, θ₂ to the target's."
             .to_owned(),
         lines: vec![
             angle_line("θ₁", after.theta1, c.u1, after.v1),
@@ -196,10 +196,11 @@ fn check(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     WorkedStep {
         title: "Check",
         why: if lost {
-            "Momentum is conserved in every collision. Energy of motion need not be: what is \
-             missing has gone into heat and sound."
+            "With no external force during the short contact, momentum is conserved. Kinetic \
+             energy need not be: the energy lost has become heat and sound."
         } else {
-            "Momentum is conserved in every collision, and at e = 1 the energy of motion is too."
+            "With no external force during the short contact, momentum is conserved. At e = 1 \
+             kinetic energy is conserved, too."
         }
         .to_owned(),
         lines,

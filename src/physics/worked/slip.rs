@@ -1,4 +1,4 @@
-//! The working for smooth discs: split, resolve along n, keep across, put together.
+//! The working for smooth discs: resolve along n and t, collide along n, add the components.
 
 use super::number::{beside, factor, number, vector};
 use super::{WorkedStep, directions, grams, speed_scale};
@@ -35,11 +35,11 @@ fn split(c: &Collision, n: DVec2, t: DVec2) -> WorkedStep {
         ("", "", how)
     };
     WorkedStep {
-        title: "Split each velocity along n and across it",
+        title: "Resolve each velocity along n and along t",
         why: format!(
-            "Smooth discs can push on each other only along the line through their centres. \
-             So the hit has two parts that do not mix: along n they collide, and along the \
-             tangent t they do not feel each other. {how}"
+            "Smooth discs exert forces on each other only along the line through their centres. \
+             So there are two independent directions: along n the discs collide, and along the \
+             tangent t no force acts. {how}"
         ),
         lines: vec![
             format!("n{n_form} = {}", vector(n, 1.0)),
@@ -65,8 +65,8 @@ fn along(c: &Collision, after: &CollisionOutcome, n: DVec2) -> WorkedStep {
     let impulse = number(g_from_kg(after.impulse));
     WorkedStep {
         title: "Along n: a head-on collision in one dimension",
-        why: "Momentum along n is kept, and restitution says how fast the two part along n: \
-              e times as fast as they came together. Solved for the two speeds:"
+        why: "Momentum along n is conserved, and the speed of separation along n is e times the \
+              speed of approach. Solved for the two velocities:"
             .to_owned(),
         lines: vec![
             "v₁ₙ = [(m₁ − e m₂) u₁ₙ + (1 + e) m₂ u₂ₙ] / (m₁ + m₂)".to_owned(),
@@ -86,8 +86,8 @@ fn across(c: &Collision, t: DVec2) -> WorkedStep {
     let scale = speed_scale(c);
     let line = |sub: char, u: DVec2| format!("v{sub}ₜ = u{sub}ₜ = {} m/s", beside(u.dot(t), scale));
     WorkedStep {
-        title: "Across: nothing changes",
-        why: "No force acts along t, so each disc keeps that part of its velocity.".to_owned(),
+        title: "Along t: nothing changes",
+        why: "No force acts along t, so each disc keeps that component of its velocity.".to_owned(),
         lines: vec![line('₁', c.u1), line('₂', c.u2)],
     }
 }
@@ -103,8 +103,9 @@ fn together(c: &Collision, after: &CollisionOutcome, n: DVec2, t: DVec2) -> Work
         ]
     };
     WorkedStep {
-        title: "Put the parts together",
-        why: "n and t stand at right angles, so the speeds follow from Pythagoras.".to_owned(),
+        title: "Add the components",
+        why: "n and t are at right angles, so the speeds follow from Pythagoras' theorem."
+            .to_owned(),
         lines: [body('₁', after.v1), body('₂', after.v2)].concat(),
     }
 }

@@ -23,8 +23,8 @@ fn centre_of_mass(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     let shared = vector(after.v1, speed_scale(c));
     WorkedStep {
         title: "The centre of mass",
-        why: "Stuck together the two are one body. Its centre of mass takes all the momentum \
-              along; there is nothing to split."
+        why: "The discs move on together as one body. All of the momentum belongs to its centre \
+              of mass, so no components along n and t are needed."
             .to_owned(),
         lines: vec![
             "V = (m₁u₁ + m₂u₂) / (m₁ + m₂)".to_owned(),
@@ -42,7 +42,7 @@ fn turning(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     let sense = match after.spin {
         spin if spin > 0.0 => ", clockwise",
         spin if spin < 0.0 => ", anticlockwise",
-        _ => ": a hit through the middle turns nothing",
+        _ => ": a head-on collision causes no rotation",
     };
     let omega = beside(after.spin, 1e-9);
     let mut lines = vec![
@@ -59,11 +59,11 @@ fn turning(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
         }
     }
     WorkedStep {
-        title: "And a turn",
-        why: "The striker comes in beside the common centre of mass, so there is angular \
-              momentum too, μ b w with μ = m₁m₂ / (m₁ + m₂) and w the relative speed. It is \
-              kept, and the pair turns with it. I counts each disc about its own centre and \
-              both centres about the common one."
+        title: "Rotation",
+        why: "The discs approach their centre of mass on opposite sides, so they have angular \
+              momentum about it: μ b w, with the reduced mass μ = m₁m₂ / (m₁ + m₂) and the \
+              relative speed w. It is conserved, and the pair rotates. I includes each disc about \
+              its own centre and both centres about the centre of mass."
             .to_owned(),
         lines,
     }
@@ -73,8 +73,8 @@ fn turning(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
 fn direction(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     WorkedStep {
         title: "Read off the direction",
-        why: "It is that of the centre of mass, measured from the striker's old direction u₁. \
-              The two stay together, so there is no angle between them."
+        why: "It is the direction of the centre of mass, measured from the striker's original \
+              direction u₁. The discs move on together, so there is no angle between their paths."
             .to_owned(),
         lines: vec![angle_line("θ", after.theta1, c.u1, after.v1)],
     }

@@ -11,13 +11,14 @@ const SQUARE: f64 = 1e-9;
 pub(super) fn result(c: &Collision, after: &CollisionOutcome) -> String {
     match after.meeting {
         Meeting::Miss if c.relative_velocity().length() <= 0.0 => {
-            "Both move with the same velocity, so they never meet and nothing changes.".to_owned()
+            "Both discs have the same velocity, so they never collide and nothing changes."
+                .to_owned()
         }
-        Meeting::Miss => "A miss: the offset is larger than the two radii together, so the discs \
+        Meeting::Miss => "A miss: the offset is larger than the sum of the radii, so the discs \
                           pass each other and nothing changes."
             .to_owned(),
-        Meeting::Graze => "A graze: the discs just touch, with no speed along the line of impact, \
-                           so nothing changes."
+        Meeting::Graze => "A graze: the discs just touch, with no relative velocity along the \
+                           line of impact, so nothing changes."
             .to_owned(),
         Meeting::Hit if c.bond == Bond::Stick => stuck(after),
         Meeting::Hit => [target(c, after), striker(c, after), parting(c, after)].join(" "),
@@ -27,20 +28,20 @@ pub(super) fn result(c: &Collision, after: &CollisionOutcome) -> String {
 fn stuck(after: &CollisionOutcome) -> String {
     let speed = after.v1.length();
     let going = if speed > 0.0 {
-        format!("goes on at {} m/s", number(speed))
+        format!("moves on at {} m/s", number(speed))
     } else {
         "comes to rest".to_owned()
     };
     let turning = if after.energy_rotation > 0.0 {
         format!(
-            ", and they turn about it at {} rad/s, {} times a second",
+            ", and they rotate about it at {} rad/s, {} times a second",
             number(after.spin.abs()),
             number(after.spin.abs() / TAU)
         )
     } else {
         String::new()
     };
-    format!("The two stay together: their centre of mass {going}{turning}.")
+    format!("The two discs move on together: their centre of mass {going}{turning}.")
 }
 
 fn target(c: &Collision, after: &CollisionOutcome) -> String {
@@ -50,7 +51,7 @@ fn target(c: &Collision, after: &CollisionOutcome) -> String {
         Some(angle) => {
             let course = course(angle, "right", "left", "the striker's");
             let pushed = if c.u2.length() <= 0.0 {
-                "was at rest and is pushed along the line of impact: it "
+                "was at rest and is pushed along the line of impact; it "
             } else {
                 ""
             };
@@ -64,17 +65,17 @@ fn striker(c: &Collision, after: &CollisionOutcome) -> String {
     let speed = number(after.v1.length());
     match after.theta1 {
         _ if after.v1.length() <= 0.0 => {
-            "The striker stops dead: it has no direction any more, so θ₁ and the separation are \
+            "The striker stops: it no longer has a direction, so θ₁ and the separation are \
              undefined."
                 .to_owned()
         }
         Some(angle) => format!(
-            "The striker goes off at {speed} m/s, {}.",
+            "The striker leaves at {speed} m/s, {}.",
             course(angle, "left", "right", "its")
         ),
         None if c.u1.length() <= 0.0 => format!(
-            "The striker was at rest and leaves at {speed} m/s; without an old course there is no \
-             scattering angle."
+            "The striker was at rest and leaves at {speed} m/s; without an original direction \
+             there is no scattering angle."
         ),
         None => format!("The striker leaves at {speed} m/s."),
     }
@@ -83,10 +84,10 @@ fn striker(c: &Collision, after: &CollisionOutcome) -> String {
 /// Where a disc goes, by the side of the striker's old course.
 fn course(angle: f64, positive: &str, negative: &str, whose: &str) -> String {
     match beside(angle.to_degrees().abs(), 180.0).as_str() {
-        "0" => format!("straight on along {whose} old course"),
-        "180" => format!("straight back along {whose} old course"),
+        "0" => format!("straight on in {whose} original direction"),
+        "180" => format!("straight back along {whose} original path"),
         _ => format!(
-            "{} to the {} of {whose} old course",
+            "{} to the {} of {whose} original direction",
             degrees(angle.abs()),
             if angle > 0.0 { positive } else { negative }
         ),
@@ -98,7 +99,7 @@ fn parting(c: &Collision, after: &CollisionOutcome) -> String {
     let Some(separation) = after.separation else {
         return String::new();
     };
-    let parted = format!("They part at {}", degrees(separation));
+    let parted = format!("The angle between their paths is {}", degrees(separation));
     let head_on = c.offset.abs() <= 0.0;
     if c.u2.length() > 0.0 {
         let seen = Frame::Target.view(c).outcome().separation;
@@ -106,14 +107,15 @@ fn parting(c: &Collision, after: &CollisionOutcome) -> String {
             Some(seen) if !head_on => {
                 let (angle, reason) = (degrees(seen), reason(c, seen));
                 format!(
-                    "{parted}. Seen by someone who moves as the target did, it is {angle}: {reason}."
+                    "{parted}. In the frame in which the target was at rest it is {angle}: \
+                     {reason}."
                 )
             }
             _ => format!("{parted}."),
         };
     }
     if head_on {
-        return format!("{parted}, because all of it happens on one line.");
+        return format!("{parted}, because all motion is on one line.");
     }
     format!("{parted}: {}.", reason(c, separation))
 }
@@ -132,7 +134,7 @@ fn reason(c: &Collision, separation: f64) -> String {
     };
     if off.abs() <= SQUARE {
         if elastic {
-            "a right angle, as always between equal masses that lose nothing".to_owned()
+            "a right angle, as always for equal masses if no energy is lost".to_owned()
         } else {
             format!("a right angle, because the striker's mass is {target}")
         }

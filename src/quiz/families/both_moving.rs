@@ -69,14 +69,14 @@ impl MovingPair {
     /// A question about the two, after this sentence on where they meet.
     fn told(&self, collision: Collision, place: &str) -> Outline {
         let way = match self.way_deg {
-            0 => "ahead of it, the same way".into(),
-            180 => "the opposite way".into(),
-            way => format!("at {} to its path", in_degrees(way)),
+            0 => "ahead of the striker in the same direction".into(),
+            180 => "in the opposite direction".into(),
+            way => format!("at {} to the striker's direction", in_degrees(way)),
         };
         let [u1, u2] = [self.speed, self.target_speed].map(|it| significant(it.into()));
         let text = format!(
-            "A striker moves at {u1} m/s, an equal coin at {u2} m/s {way}. {place} Smooth rims, \
-             no energy lost."
+            "A striker moves at {u1} m/s, an equal coin at {u2} m/s {way}. {place} The discs are \
+             smooth, and no energy is lost."
         );
         let disc = collision.striker;
         Outline::new(text, Illustration::before(collision, Markings::FIGURES))
@@ -99,9 +99,9 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let collision = pair.collision()?;
     let outcome = collision.outcome();
     let place = match difficulty {
-        Difficulty::Easy | Difficulty::Middle => "They meet off-centre.".into(),
+        Difficulty::Easy | Difficulty::Middle => "They collide off-centre.".into(),
         Difficulty::Hard => format!(
-            "The line of impact makes {} with the striker's path.",
+            "The line of impact is at {} to the striker's direction.",
             in_degrees(pair.line_deg)
         ),
     };
@@ -126,25 +126,29 @@ fn frames(
     draft: Outline,
     dice: &mut Dice,
 ) -> Option<Question> {
-    const RIDES: &str = "Move with the velocity that the coin had before the hit: seen from there \
-                         it is at rest at first, and the rule for a coin at rest holds.";
-    const BACK_TO_BACK: &str = "With the centre of mass the momentum is zero, so the two part \
-                                back to back: 180°.";
+    const RIDES: &str = "In the frame that moves as the coin did before the collision, the coin \
+                         starts at rest, so the 90° rule for a coin at rest holds.";
+    const BACK_TO_BACK: &str = "In the centre-of-mass frame the total momentum is zero, so the \
+                                two leave in opposite directions: 180°.";
     const WHO: [&str; 4] = [
-        "Someone who moves as the coin did before the hit",
-        "Someone who stands still at the edge of the board",
-        "Someone who moves with the centre of mass",
-        "Everyone, however they move",
+        "An observer who moves as the coin did at first",
+        "An observer who stands still at the edge of the board",
+        "An observer who moves with the centre of mass",
+        "Every observer, at any steady velocity",
     ];
     const ANGLES: [&str; 3] = [
-        "At 90°, wherever they touch",
-        "At 180°, wherever they touch",
-        "At an angle that depends on the offset",
+        "90°, whatever the offset",
+        "180°, whatever the offset",
+        "It depends on the offset",
     ];
-    const IT_DEPENDS: &str = "The offset decides where they go. But seen from there, the angle \
-                              between them is always the same.";
-    let angle_for =
-        |ride: &str| format!("At what angle do they part, seen by someone who moves {ride}?");
+    const IT_DEPENDS: &str = "The offset determines the two directions. But for this observer the \
+                              angle between them is always the same.";
+    let angle_for = |ride: &str| {
+        format!(
+            "An observer moves {ride}. What angle between the two paths does \
+                              this observer see?"
+        )
+    };
     // The board would be the frame of the centre of mass.
     if pair.way_deg == 180 && pair.speed == pair.target_speed {
         return None;
@@ -154,29 +158,32 @@ fn frames(
         0 => (
             draft
                 .named("who", TOPIC)
-                .ask("Who sees them part at exactly 90°?")
+                .ask("For which observer is the angle between their paths exactly 90°?")
                 .options(WHO, 0)
                 .chooses(SquareOnTheGround, 1)
                 .says(
-                    "You looked for 90° on the board. There it takes a coin at rest, and here \
-                     both move.",
+                    "You assumed 90° in the laboratory frame. There one coin must be at rest at \
+                     first, and here both move.",
                 )
                 .chooses(FramesMixed, 2)
                 .says(BACK_TO_BACK)
                 .chooses(AlwaysSquare, 3)
                 .says(
-                    "You took 90° for everyone. But whoever moves sees other velocities, and \
-                     other angles.",
+                    "You assumed 90° for every observer. But a moving observer sees other \
+                     velocities, and so other angles.",
                 ),
             RIDES,
         ),
         1 => (
             draft
                 .named("from-the-coin", TOPIC)
-                .ask(angle_for("as the coin did before the hit"))
+                .ask(angle_for("as the coin did before the collision"))
                 .options(ANGLES, 0)
                 .chooses(FramesMixed, 1)
-                .says("You took 180°. That is seen from the centre of mass, not from the coin.")
+                .says(
+                    "You answered 180°. That is the angle in the centre-of-mass frame, not in \
+                       the coin's.",
+                )
                 .chooses(None, 2)
                 .says(IT_DEPENDS),
             RIDES,
@@ -187,15 +194,18 @@ fn frames(
                 .ask(angle_for("with their centre of mass"))
                 .options(ANGLES, 1)
                 .chooses(FramesMixed, 0)
-                .says("You took 90°. That is seen by someone who moves as the coin did before the hit.")
+                .says(
+                    "You answered 90°. That is the angle for an observer who moves as the coin \
+                       did before the collision.",
+                )
                 .chooses(None, 2)
                 .says(IT_DEPENDS),
             BACK_TO_BACK,
         ),
     };
-    draft
-        .shuffled(dice)
-        .why(format!("{rule} On the board the angle is {on_board}."))
+    draft.shuffled(dice).why(format!(
+        "{rule} In the laboratory frame the angle is {on_board}."
+    ))
 }
 
 /// More or less than 90° on the board. For equal masses without loss v₁·v₂ = u₁·u₂, so
@@ -206,51 +216,70 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -
     let (right, came) = match pair.way_deg {
         0..90 => (
             0,
-            "They came the same way, more or less, and so they go on:",
+            "Before the collision the angle was less than 90°, and so it is afterwards:",
         ),
-        90 => (1, "They came at right angles, and so they part:"),
-        _ => (2, "They came towards each other, and so they part:"),
+        90 => (
+            1,
+            "Before the collision the angle was 90°, and so it is afterwards:",
+        ),
+        _ => (
+            2,
+            "Before the collision the angle was more than 90°, and so it is afterwards:",
+        ),
     };
     if right != 1 && (deg_from_rad(separation) - 90.0).abs() < NEAR_SQUARE_DEG {
         return None;
     }
     draft
         .named("on-the-board", TOPIC)
-        .ask("On the board, at what angle do they part?")
+        .ask("In the laboratory frame, what is the angle between their paths afterwards?")
         .options(CORNERS, right)
         .chooses(None, 0)
-        .says("You let them go on side by side. But as they came, so they part.")
+        .says(
+            "You answered less than 90°. But v₁·v₂ = u₁·u₂, so an angle of 90° or more before \
+               the collision stays 90° or more.",
+        )
         .chooses(SquareOnTheGround, 1)
-        .says("You looked for 90° on the board. But that rule wants one coin at rest.")
+        .says("You assumed 90° in the laboratory frame. But that rule requires one coin at rest.")
         .chooses(None, 2)
         .says(
-            "Did you take a fast meeting to throw them wide apart? How fast they come does change \
-             the angle. But whether it is more than 90° or less, the angle at which they came \
-             decides.",
+            "Did you assume that a fast collision makes the angle large? The speeds do change the \
+             angle. But whether it is more or less than 90° depends only on the angle before.",
         )
         .why(format!(
-            "Equal masses, momentum and energy kept: so v₁·v₂ = u₁·u₂. {came} {}.",
+            "For equal masses, with momentum and energy conserved, v₁·v₂ = u₁·u₂. {came} {}.",
             degrees(separation)
         ))
 }
 
 /// The angle between the two on the board.
 fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Question> {
-    let [v1, v2] = [outcome.v1, outcome.v2].map(|it| significant(it.length()));
-    let sign = if pair.way_deg == 180 { "-" } else { "" };
+    let sign = if pair.way_deg == 180 { -1.0 } else { 1.0 };
+    let dot = sign * f64::from(pair.speed * pair.target_speed);
+    let between = |v1: f64, v2: f64| degrees((dot / (v1 * v2)).acos());
+    let [v1, v2] = [outcome.v1.length(), outcome.v2.length()];
+    let separation = between(v1, v2);
+    let v1 = Intermediate::new(v1, |v1| between(v1, v2));
+    let v2 = Intermediate::new(v2, |v2| between(v1.value, v2));
     draft
         .named("separation", TOPIC)
-        .ask("At what angle do they part on the board?")
+        .ask("What is the angle between their paths in the laboratory frame?")
         .number(Measure::Angle, deg_from_rad(outcome.separation?))
         .wrong(SquareOnTheGround, 90.0)
-        .says("You took 90°. On the board that wants a coin at rest.")
+        .says(
+            "You answered 90°. In the laboratory frame that is guaranteed only if one coin was \
+               at rest.",
+        )
         .wrong(FramesMixed, 180.0)
-        .says("You took 180°. That is seen from the centre of mass, not on the board.")
+        .says(
+            "You answered 180°. That is the angle in the centre-of-mass frame, not in the \
+               laboratory frame.",
+        )
         .why(format!(
-            "Along the line of impact they exchange velocities, across it each keeps its own: so \
-             they leave at {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle is \
-             {sign}{} / ({v1} × {v2}).",
-            significant(f64::from(pair.speed * pair.target_speed))
+            "Along the line of impact they exchange velocities, perpendicular to it each keeps its \
+             own: the speeds become {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle \
+             is {} / ({v1} × {v2}), and the angle is {separation}.",
+            true_minus(&significant(dot))
         ))
 }
 
@@ -277,31 +306,34 @@ fn speed(
     };
     let (own, others) = if of_target { (u2, u1) } else { (u1, u2) };
     let truth = velocity.length();
-    let [taken, along] = [others, others * cos].map(significant);
-    let [kept, across, all] = [own, own * sin, truth].map(significant);
+    let speed = |along: f64, across: f64| significant(along.hypot(across));
+    let (along, across) = (others * cos, own * sin);
+    let along = Intermediate::new(along, |along| speed(along, across));
+    let across = Intermediate::new(across, |across| speed(along.value, across));
+    let [taken, kept, all] = [others, own, truth].map(significant);
     draft
         .named(id, TOPIC)
-        .ask(format!("How fast does the {name} leave?"))
+        .ask(format!("What is the {name}'s speed after the collision?"))
         .number(Measure::Speed, truth)
         .wrong(CoinAtRest, seen)
         .says(format!(
-            "You took the coin as if it had been at rest. That is the speed of the {name} as seen \
-             from the coin before the hit."
+            "You treated the coin as if it had been at rest. That is the {name}'s speed in the \
+             frame in which the coin started at rest."
         ))
         .wrong(SineCosine, (others * sin).hypot(own * cos))
         .says(
-            "You exchanged the parts across the line of impact. They are kept; those along it are \
-             exchanged.",
+            "You exchanged the components perpendicular to the line of impact. Those stay the \
+             same; the components along it are exchanged.",
         )
         .wrong(OneLineFormula, others)
         .says(
-            "You let them exchange all of their velocities. That is for a head-on hit; here only \
-             the parts along the line are exchanged.",
+            "You exchanged the whole velocities. That is right for a head-on collision; here only \
+             the components along the line of impact are exchanged.",
         )
         .why(format!(
-            "Along the line of impact equal discs exchange: the {name} takes over {taken} cos \
-             {line} = {along} m/s. Across it, it keeps {kept} sin {line} = {across} m/s. At right \
-             angles they make {all} m/s.",
+            "Along the line of impact equal discs exchange velocities: the {name} gets {taken} m/s \
+             × cos {line}° = {along} m/s. Perpendicular to it the {name} keeps {kept} m/s × sin \
+             {line}° = {across} m/s. Together: √({along}² + {across}²) = {all} m/s.",
             line = bare_degrees(line),
         ))
 }

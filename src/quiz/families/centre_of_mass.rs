@@ -1,6 +1,8 @@
 //! The frame of the centre of mass: how fast it moves, by what angle Θ it sees both
 //! turned, and what that is on the board.
 
+use std::f64::consts::PI;
+
 use super::prelude::*;
 use crate::physics::frames::{cm_scattering_angle, lab_scattering_angle};
 
@@ -36,12 +38,17 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
+/// The impact angle, with the figures that Θ = 180° − 2α needs.
+fn shown(alpha: f64) -> Intermediate {
+    Intermediate::angle(alpha, |alpha| degrees(PI - 2.0 * alpha))
+}
+
 /// Why Θ = 180° − 2α.
 fn why_turn(alpha: f64, turn: f64) -> String {
     format!(
-        "Seen from there the part along the line of impact is turned round and the part across \
-         stays, as off a wall. So Θ = 180 - 2 × {} = {}.",
-        bare_degrees(alpha),
+        "In the centre-of-mass frame the component along the line of impact is reversed and the \
+         perpendicular component stays the same, as at a wall. So Θ = 180° − 2 × {}° = {}.",
+        shown(alpha),
         degrees(turn)
     )
 }
@@ -56,19 +63,22 @@ fn turn(hit: &Hit, turn: f64) -> Outline {
     Outline::told(hit, in_short(hit), picture)
         .named("turn", TOPIC)
         .ask(
-            "No energy is lost. By what angle Θ does the hit turn the striker as seen from their \
-             centre of mass?",
+            "No energy is lost. By what angle Θ is the striker deflected in the centre-of-mass \
+             frame?",
         )
         .number(Measure::Angle, deg_from_rad(turn))
         .wrong(
             DoubleAngleForgotten,
             180.0 - deg_from_rad(hit.alpha().abs()),
         )
-        .says("You took α off 180° once. It counts twice: on the way in and on the way out.")
+        .says(
+            "You subtracted α from 180° only once. It counts twice: before the collision and \
+               after it.",
+        )
         .wrong(FramesMixed, on_board)
         .says(
-            "That is by how much the striker turns on the board. The centre of mass moves, and \
-             sees another angle.",
+            "That is the striker's deflection in the laboratory frame. In the centre-of-mass \
+             frame the angle is different.",
         )
 }
 
@@ -78,7 +88,10 @@ fn turn_from_angle(hit: &Hit) -> Option<Question> {
     let angle = cm_scattering_angle(alpha, hit.restitution)?;
     turn(hit, angle)
         .wrong(CopiedAngle, deg_from_rad(alpha))
-        .says("You took α itself. It says where they touch, not by how much they turn.")
+        .says(
+            "You answered α itself. It describes where they touch, not how far the striker is \
+               deflected.",
+        )
         .why(why_turn(alpha, angle))
 }
 
@@ -97,14 +110,14 @@ fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Question> {
     turn(&hit, angle)
         .wrong(OffsetAsAngle, 180.0 * (1.0 - offset_mm / reach_mm))
         .says(
-            "You let the angle shrink in step with the offset. It is the sine of α that goes with \
-             the offset.",
+            "You assumed that the angle is proportional to the offset. It is the sine of α that \
+             is proportional to the offset.",
         )
         .why(format!(
-            "sin α = {} / {}: α = {}. {}",
+            "sin α = {} / {}, so α = {}°. {}",
             bare_millimetres(offset_mm),
             bare_millimetres(reach_mm),
-            degrees(alpha),
+            shown(alpha),
             why_turn(alpha, angle)
         ))
 }
@@ -133,13 +146,13 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
     }
     let [m1_words, m2_words, u1_words, u2_words] = [m1, m2, u1, u2.abs()].map(significant);
     let (sign, way) = if u2 > 0.0 {
-        ("+", "ahead of it, the same way")
+        ("+", "ahead of the striker in the same direction")
     } else {
-        ("-", "towards it")
+        ("−", "towards the striker")
     };
     let (setting, momentum) = match target_speed {
         None => (
-            format!("{} at {u1_words} m/s.", hit.who("striker", "hits")),
+            format!("{}.", hit.who("striker", &hit.hits())),
             format!("{m1_words} × {u1_words}"),
         ),
         Some(_) => (
@@ -151,7 +164,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         ),
     };
     let backward = if along < 0.0 {
-        format!(" It moves the way the {name} came, which brings more momentum.")
+        format!(" The minus sign is the direction of the {name}, which has the larger momentum.")
     } else {
         String::new()
     };
@@ -162,25 +175,30 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         .figure("target_speed", u2)
         .number(Measure::Speed, velocity.length())
         .wrong(HalfwayCentre, (u1 + u2).abs() / 2.0)
-        .says("You took the middle between the two velocities. The heavier disc counts for more.")
+        .says("You used the mean of the two velocities. The heavier disc counts for more.")
         .wrong(UpsideDown, exchanged.abs())
-        .says("You had the masses the other way round: the centre moves more like the heavier one.")
+        .says(
+            "You swapped the two masses: the velocity of the centre of mass is closer to that \
+               of the heavier disc.",
+        )
         .wrong(ScalarMomentum, (m1 * u1 + m2 * u2.abs()) / (m1 + m2))
         .says(
             "You added the momenta as plain numbers. They point in opposite directions, so one is \
              subtracted.",
         )
         .why(format!(
-            "All the momentum, {momentum} g m/s, belongs to {} g in all: {} m/s.{backward}",
+            "The velocity of the centre of mass is the total momentum divided by the total mass: \
+             ({momentum}) g m/s / {} g = {} m/s.{backward}",
             significant(m1 + m2),
-            significant(velocity.length())
+            true_minus(&significant(along))
         ))
 }
 
 /// A question that goes from Θ back to the board.
 fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) -> Outline {
     let told = format!(
-        "{}, and no energy is lost. Seen from their centre of mass the hit turns both by Θ = {}.",
+        "{}, and no energy is lost. In the centre-of-mass frame both discs are deflected by Θ = \
+         {}.",
         hit.who("striker", "hits"),
         in_degrees(turn_deg)
     );
@@ -190,8 +208,8 @@ fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) 
         .figure("turn_deg", turn_deg)
         .wrong(FramesMixed, turn_deg)
         .says(format!(
-            "You took Θ for {mixed}. It is seen from the centre of mass, which moves over the \
-             board."
+            "You used Θ for {mixed}. Θ is an angle in the centre-of-mass frame, which moves over \
+             the board."
         ))
 }
 
@@ -203,41 +221,51 @@ fn theta1_deg(hit: &Hit, turn_deg: f64) -> Option<f64> {
 
 /// From Θ to the striker's angle.
 fn striker_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Question> {
-    let text = "By what angle is the striker turned on the board?";
-    on_the_board(hit, turn_deg, "theta1", text, "the striker")
+    let text = "By what angle is the striker deflected in the laboratory frame?";
+    let theta = rad_from_deg(turn_deg);
+    let theta1 = |ratio: f64| degrees(theta.sin().atan2(theta.cos() + ratio));
+    let ratio = Intermediate::new(hit.mass_ratio(), theta1);
+    on_the_board(hit, turn_deg, "theta1", text, "the striker's deflection")
         .number(Measure::Angle, theta1_deg(hit, turn_deg)?)
         .wrong(HalfwayCentre, turn_deg / 2.0)
         .says(
-            "You took half of Θ. That is for equal masses, where the centre of mass lies halfway.",
+            "You used half of Θ. That is right for equal masses, where the centre of mass lies \
+             halfway.",
         )
         .wrong(UpsideDown, theta1_deg(&hit.exchanged(), turn_deg))
-        .says("You had the masses the other way round: a heavier striker is turned less.")
+        .says("You swapped the two masses: a heavier striker is deflected less.")
         .why(format!(
-            "From there the striker has m₂ parts of the speed, the centre itself m₁ parts, \
-             straight ahead. Add them: tan θ₁ = sin Θ / (cos Θ + m₁ / m₂), with m₁ / m₂ = {}.",
-            significant(hit.mass_ratio())
+            "In the centre-of-mass frame the striker's speed is m₂u / (m₁ + m₂); the centre of mass \
+             itself moves straight ahead at m₁u / (m₁ + m₂). So tan θ₁ = sin Θ / (cos Θ + m₁ / m₂) \
+             = sin {theta}° / (cos {theta}° + {ratio}), and θ₁ = {}.",
+            theta1(ratio.value),
+            theta = bare_degrees(theta),
         ))
 }
 
 /// From Θ to the target's angle.
 fn target_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Question> {
     let name = hit.pieces.target_name();
-    let text =
-        format!("At what angle to the striker's old path does the {name} leave on the board?");
-    let mixed = format!("the way of the {name}");
+    let text = format!(
+        "At what angle to the striker's original direction does the {name} leave in the \
+                 laboratory frame?"
+    );
+    let mixed = format!("the {name}'s direction");
     on_the_board(hit, turn_deg, "theta2", &text, &mixed)
         .number(Measure::Angle, 90.0 - turn_deg / 2.0)
         .wrong(DoubleAngleForgotten, 180.0 - turn_deg)
         .says(format!(
-            "You took Θ off 180°. On the board the {name} leaves at α, and that is half of it."
+            "You subtracted Θ from 180°. In the laboratory frame the {name} leaves at α, which is \
+             half of that."
         ))
         .wrong(Swapped, theta1_deg(hit, turn_deg)?)
         .says(format!(
-            "That is the striker's angle. The {name} has one of its own."
+            "That is the striker's angle. The question is about the {name}."
         ))
         .why(format!(
-            "The {name} was at rest, so it leaves along the line of impact, at α. As Θ = 180° - \
-             2α, that is 90 - {} / 2.",
-            bare_degrees(rad_from_deg(turn_deg))
+            "The {name} was at rest, so it leaves along the line of impact, at α. As Θ = 180° − 2α, \
+             α = 90° − {}° / 2 = {}.",
+            bare_degrees(rad_from_deg(turn_deg)),
+            in_degrees(90.0 - turn_deg / 2.0)
         ))
 }

@@ -31,7 +31,7 @@ fn percent(x: f64) -> String {
 }
 
 const HALVES: &str =
-    "You gave each of them half. That is so only at 45°, and only with equal masses.";
+    "You gave each of them half. That is right only at 45°, and only for equal masses.";
 
 /// What the striker keeps, equal masses.
 fn kept(hit: &Hit) -> Option<Question> {
@@ -39,26 +39,27 @@ fn kept(hit: &Hit) -> Option<Question> {
     let shares = RestingTarget::from(&hit.collision()).energy_shares(alpha);
     Outline::about(hit)
         .named("kept", "energy-of-striker")
-        .ask("What share of its energy does it keep?")
+        .ask("What share of its kinetic energy does the striker keep?")
         .number(Measure::Share, PERCENT * shares.kept)
         .wrong(EnergyAsSpeed, PERCENT * alpha.sin())
         .says(format!(
-            "{} is its share of the speed. Energy goes with the square.",
+            "{} is the striker's share of the speed. Energy is proportional to the square of the \
+             speed.",
             percent(alpha.sin())
         ))
         .wrong(SineCosine, PERCENT * shares.passed)
         .says(
-            "That is the coin's share. Head-on the striker keeps nothing, so its share goes \
-               with a sine.",
+            "That is the coin's share. Head-on the striker keeps nothing, so the striker's share \
+             contains a sine.",
         )
         .wrong(HalfAndHalf, 50.0)
         .says(HALVES)
         .why(format!(
-            "The striker keeps the part of its speed across the line of impact, sin {} = {}. \
-             Squared, that is {} of the energy.",
+            "Of its speed the striker keeps the component perpendicular to the line of impact, \
+             sin {}° = {sin}. The share of the energy is the square: {sin}² = {}.",
             bare_degrees(alpha),
-            significant(alpha.sin()),
-            percent(shares.kept)
+            percent(shares.kept),
+            sin = Intermediate::new(alpha.sin(), |sin| percent(sin * sin)),
         ))
 }
 
@@ -76,22 +77,25 @@ fn passed(hit: &Hit) -> Option<Question> {
     let (e, speed) = (hit.restitution, masses.target_speed(alpha));
     let equal = hit.masses_are_equal();
     let by_mass = PERCENT * masses.m2 / (masses.m1 + masses.m2);
-    let ratio = if equal {
-        String::new()
+    let share = |speed: f64, ratio: f64| percent(ratio * speed.powi(2));
+    let ratio = masses.m2 / masses.m1;
+    let shown = Intermediate::new(speed, |speed| share(speed, ratio));
+    let of_energy = if equal {
+        format!("{shown}²")
     } else {
-        format!(
-            "and times m₂ / m₁ = {}, ",
-            significant(masses.m2 / masses.m1)
-        )
+        let ratio = Intermediate::new(ratio, |ratio| share(shown.value, ratio));
+        format!("m₂ / m₁ times the square, {ratio} × {shown}²")
     };
     Outline::about(hit)
         .named("passed", "energy-of-target")
-        .ask(format!("What share of its energy does the {name} get?"))
+        .ask(format!(
+            "What share of the striker's kinetic energy does the {name} get?"
+        ))
         .number(Measure::Share, PERCENT * shares.passed)
         .wrong(EnergyAsSpeed, PERCENT * speed)
         .says(format!(
-            "{} is its speed against the striker's. Energy goes with the square, and with the \
-             mass.",
+            "{} is the {name}'s speed divided by the striker's. Energy is proportional to the \
+             square of the speed, and to the mass.",
             percent(speed)
         ))
         .wrong(SineCosine, PERCENT * shares.passed * alpha.tan().powi(2))
@@ -99,18 +103,20 @@ fn passed(hit: &Hit) -> Option<Question> {
         .wrong(HalfAndHalf, equal.then_some(50.0))
         .says(HALVES)
         .wrong(HeavyTakesEnergy, (!equal).then_some(by_mass))
-        .says("You shared the energy out by mass. The hit shares out momentum, not energy.")
+        .says(
+            "You split the energy in proportion to mass. A collision does not share it that \
+               way: work out ½m₂v₂² and divide by ½m₁u².",
+        )
         .wrong(Lossless, without_loss)
-        .says(here_e("That is so without loss.", e))
+        .says(here_e("That is right if no energy is lost.", e))
         .wrong(EAsEnergy, e * without_loss)
-        .says("You took e as a share of energy. It compares speeds of parting and of meeting.")
+        .says("You took e as a share of energy. e compares the speeds of separation and approach.")
         .wrong(LossOnEverything, e * e * without_loss)
         .says(SHRUNK)
         .why(format!(
-            "The {name} leaves with (1 + e) m₁ / (m₁ + m₂) cos {} = {} times the striker's speed. \
-             Squared, {ratio}that is {} of the energy.",
+            "The {name}'s speed is (1 + e) m₁ cos {}° / (m₁ + m₂) = {shown} of the striker's \
+             original speed. The {name}'s share of the energy is {of_energy} = {}.",
             bare_degrees(alpha),
-            significant(speed),
             percent(shares.passed)
         ))
 }
@@ -122,27 +128,30 @@ fn lost(hit: &Hit) -> Option<Question> {
     let lost = masses.energy_shares(alpha).lost;
     let e = hit.restitution;
     let missing = (1.0 - e) * (1.0 + e);
+    let without_return = PERCENT * missing;
+    let most = Intermediate::new(lost / missing, |most| percent(most * missing));
+    let missing = Intermediate::new(missing, |missing| percent(most.value * missing));
     Outline::about(hit)
         .named("lost", "energy-lost")
-        .ask("What share of its energy is lost?")
+        .ask("What share of the kinetic energy is lost?")
         .number(Measure::Share, PERCENT * lost)
         .wrong(EAsEnergy, PERCENT * (1.0 - e))
         .says(format!(
             "You took e = {} as the share that is kept. e compares speeds, not energies.",
             significant(e)
         ))
-        .wrong(LossOnEverything, PERCENT * missing)
+        .wrong(LossOnEverything, without_return)
         .says(
-            "You took the loss off all of the motion. Only the part along the line of impact can \
-             be lost.",
+            "You applied the loss to all of the motion. Only energy of the motion along the line \
+             of impact can be lost.",
         )
         .wrong(SineCosine, PERCENT * lost * alpha.tan().powi(2))
-        .says("You took the sine for the cosine. Head-on most is lost.")
+        .says("You used the sine instead of the cosine. The loss is greatest head-on.")
         .why(format!(
-            "At most m₂ / (m₁ + m₂) cos² {} = {} of the energy can be lost: that of their \
-             approach along the line. Of that 1 - e² = {} is lost.",
+            "At most m₂ cos² {}° / (m₁ + m₂) = {most} of the energy can be lost: that of the \
+             approach along the line of impact. The share 1 − e² = {missing} of it is lost: {most} \
+             × {missing} = {}.",
             bare_degrees(alpha),
-            percent(lost / missing),
-            percent(missing)
+            percent(lost)
         ))
 }

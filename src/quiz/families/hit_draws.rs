@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
-use crate::numbers::{bare_millimetres, degrees, significant};
+use crate::numbers::{Intermediate, bare_millimetres, degrees, significant};
 use crate::physics::{Disc, ImpactPoint};
 use crate::quiz::question::{Dice, Difficulty, Hit, Illustration, Markings, Measure, Pieces};
 
@@ -84,28 +84,43 @@ pub(super) fn unmarked(hit: &Hit) -> Illustration {
 pub(super) fn in_short(hit: &Hit) -> String {
     let place = match hit.given {
         ImpactPoint::Angle { .. } => format!(
-            "the line of impact makes {} with its path",
+            "the line of impact is at {} to the striker's path",
             degrees(hit.alpha().abs())
         ),
         ImpactPoint::Offset { offset_mm } => format!(
-            "the offset is {} mm, the two radii make {} mm together",
+            "the offset is {} mm, and r₁ + r₂ = {} mm",
             bare_millimetres(offset_mm.abs()),
             bare_millimetres(hit.reach_mm())
         ),
     };
-    let who = hit.who("striker", "hits");
-    format!("{who} at {} m/s; {place}.", significant(hit.speed))
+    format!("{}; {place}.", hit.who("striker", &hit.hits()))
 }
 
 /// A hit between smooth discs with its masses and its speed alone.
 pub(super) fn off_centre(hit: &Hit) -> String {
-    let who = hit.who("smooth striker", "hits");
-    format!("{who} off-centre at {} m/s.", significant(hit.speed))
+    format!("{}, off-centre.", hit.who("smooth striker", &hit.hits()))
 }
 
 /// An angle of so many degrees, as printed.
 pub(super) fn in_degrees(deg: impl Into<f64>) -> String {
     Measure::Angle.print(deg.into())
+}
+
+/// A number and an angle in radians as they are read off, rounded as printed.
+pub(super) fn read_off(x: f64) -> f64 {
+    Intermediate::new(x, |_| ()).value
+}
+
+pub(super) fn read_off_angle(angle: f64) -> f64 {
+    Intermediate::angle(angle, |_| ()).value
+}
+
+/// What is found from rounded readings, beside the exact result where they differ.
+pub(super) fn within_readings(found: &str, exact: &str) -> String {
+    match found == exact {
+        true => exact.to_owned(),
+        false => format!("{found}, which is {exact} within the accuracy of the readings"),
+    }
 }
 
 /// The place among choices that stand in the order less, the same, more.

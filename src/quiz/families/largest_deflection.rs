@@ -1,15 +1,17 @@
 //! The most a striker can be turned by one hit: whether there is a limit, where it lies,
 //! and how to aim for it.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::prelude::*;
 use crate::numbers::millimetres;
 use crate::physics::resting_target::LargestDeflection;
 
 /// The choices, in their natural order.
 const LIMITS: [&str; 3] = [
-    "only by some angle well below 90°",
-    "by anything up to just short of 90°",
-    "by anything up to straight back",
+    "up to an angle well below 90°",
+    "up to nearly 90°, but no further",
+    "up to 180°, straight back",
 ];
 const BELOW: usize = 0;
 const SQUARE: usize = 1;
@@ -88,44 +90,54 @@ fn limit(dice: &mut Dice) -> Option<Question> {
     let hit = turned_most(*dice.pick(&pairs)?, 10, Difficulty::Easy, dice);
     let draft = Outline::told(&hit, setting(&hit), unmarked(&hit))
         .named("limit", "limit-of-turn")
-        .ask("You choose the offset. How far can it be turned?");
+        .ask("You choose the offset. How far can the striker be deflected?");
     match most(&hit) {
         LargestDeflection::Turned { theta1, .. } => draft
             .options(LIMITS, BELOW)
             .chooses(BeyondLargest, BACK)
-            .says("You set the heavier striker no limit. A light coin cannot throw it back.")
+            .says(
+                "You assumed no limit for the heavier striker. But a light coin cannot turn it \
+                   back.",
+            )
             .chooses(AlwaysSquare, SQUARE)
-            .says("You took 90° - α from equal masses. A heavier striker is turned by less.")
+            .says(
+                "You used 90° − α, which is right for equal masses. A heavier striker is \
+                   deflected less.",
+            )
             .why(format!(
-                "The coin is too light to stop the striker, whatever the offset: some of its \
-                 forward motion always stays. Here {} is the most, with sine m₂ / m₁.",
+                "The coin is too light to stop the striker at any offset: some of the striker's \
+                 forward motion always remains. The greatest deflection is {}, with sin θ₁ = m₂ / \
+                 m₁.",
                 degrees(theta1)
             )),
         LargestDeflection::NearlyRight => draft
             .options(LIMITS, SQUARE)
             .chooses(OffAWall, BACK)
             .says(
-                "You let it bounce back as off a wall. But an equal coin gives way, and takes all \
-                 it has along the line.",
+                "You assumed that the striker bounces back as if off a wall. But an equal coin is \
+                 free to move, and takes all of the striker's velocity along the line of impact.",
             )
             .chooses(HalfAndHalf, BELOW)
-            .says("Did you take 45° for the most? That is only the hit that shares evenly.")
+            .says(
+                "Did you assume that 45° is the most? That is only the collision that shares \
+                   the energy equally.",
+            )
             .why(
                 "With equal masses the striker leaves at right angles to the line of impact, at \
-                 90° - α. The fuller the hit, the nearer to 90°; head-on it stops.",
+                 90° − α. The closer to head-on, the closer to 90°; exactly head-on it stops.",
             ),
         LargestDeflection::Reversed => draft
             .options(LIMITS, BACK)
             .chooses(AlwaysSquare, SQUARE)
-            .says("You took 90° - α from equal masses. A lighter striker bounces further.")
-            .chooses(UpsideDown, BELOW)
             .says(
-                "You had the masses the other way round: it is the heavier striker that has such \
-                 a limit.",
+                "You used 90° − α, which is right for equal masses. A lighter striker is \
+                   deflected further.",
             )
+            .chooses(UpsideDown, BELOW)
+            .says("You swapped the two masses: it is a heavier striker that has such a limit.")
             .why(
-                "Head-on a lighter striker bounces straight back: 180°. With the offset you can \
-                 choose anything from there down to a graze at 0°.",
+                "Head-on a lighter striker bounces straight back: 180°. By choosing the offset \
+                 you can get any deflection from 180° down to 0° at a graze.",
             ),
     }
 }
@@ -135,39 +147,44 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     let hit = turned_most(*dice.pick(&HEAVIER.concat())?, e_tenths, difficulty, dice);
     let (theta1, _) = turned(&hit)?;
     let lossless = turned(&hit.with_restitution(1.0));
-    let why = if hit.restitution < 1.0 {
-        format!(
-            "It gives up k = (1 + e) m₂ / (m₁ + m₂) = {} of its speed along the line. Its velocity \
-             after ends on a circle; the line that just touches it has the sine k / (2 - k): {}.",
-            significant(RestingTarget::from(&hit.collision()).k()),
-            degrees(theta1)
-        )
+    let k = RestingTarget::from(&hit.collision()).k();
+    let arcsine = |x: f64| degrees(x.asin());
+    let sine = if hit.restitution < 1.0 {
+        let k = Intermediate::new(k, |k| arcsine(k / (2.0 - k)));
+        format!("k / (2 − k) = {k} / (2 − {k}), with k = (1 + e) m₂ / (m₁ + m₂)")
     } else {
-        format!(
-            "Whatever the offset, its velocity after ends on a circle, and the line that just \
-             touches it has the sine m₂ / m₁ = {}: {}.",
-            significant(hit.mass_ratio().recip()),
-            degrees(theta1)
-        )
+        let ratio = Intermediate::new(hit.mass_ratio().recip(), arcsine);
+        format!("m₂ / m₁ = {ratio}")
     };
+    let why = format!(
+        "For every offset, the tip of the final velocity vector lies on one circle. The greatest \
+         deflection is along the tangent to it, so sin θ₁ = {sine}. So θ₁ = {}.",
+        degrees(theta1)
+    );
     Outline::told(&hit, setting(&hit), unmarked(&hit))
         .named("theta1", "largest-turn")
-        .ask("By how many degrees can it be turned at most?")
+        .ask("What is the greatest angle by which the striker can be deflected?")
         .number(Measure::Angle, deg_from_rad(theta1))
         .wrong(BeyondLargest, 90.0)
         .says(
-            "You set the heavier striker no limit below 90°. A light coin cannot take all its \
-             forward motion.",
+            "You assumed that the heavier striker can be deflected by 90°. But a light coin \
+             cannot take all of the striker's forward motion.",
         )
         .wrong(HeavyUnmoved, 0.0)
-        .says("You sent it straight on. It is heavier, yet every hit off-centre turns it.")
+        .says(
+            "You assumed that the striker goes straight on. It is heavier, but every off-centre \
+               collision deflects it.",
+        )
         .wrong(SineCosine, 90.0 - deg_from_rad(theta1))
         .says(
-            "You took a cosine. The lighter the coin, the smaller the turn, so it goes with a \
-               sine.",
+            "You used a cosine. The lighter the coin, the smaller the deflection, so it must be a \
+             sine.",
         )
         .wrong(Lossless, lossless.map(|(theta1, _)| deg_from_rad(theta1)))
-        .says(here_e("That is the most without loss.", hit.restitution))
+        .says(here_e(
+            "That is the greatest angle if no energy is lost.",
+            hit.restitution,
+        ))
         .why(why)
 }
 
@@ -180,7 +197,7 @@ fn aimed(dice: &mut Dice) -> Option<(Hit, f64, f64, Outline)> {
     Some((hit, theta1, alpha, draft))
 }
 
-const HEAD_ON: &str = "Head-on a heavier striker goes straight on: it is not turned at all.";
+const HEAD_ON: &str = "Head-on a heavier striker goes straight on: it is not deflected at all.";
 
 fn where_by_angle(dice: &mut Dice) -> Option<Question> {
     let (_, theta1, alpha, draft) = aimed(dice)?;
@@ -188,25 +205,27 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
     draft
         .named("alpha", "aim-for-largest-turn")
         .ask(format!(
-            "It can be turned by {} at most. At which impact angle?",
+            "The greatest angle by which the striker can be deflected is {}. At which impact \
+             angle does this happen?",
             degrees(theta1)
         ))
         .number(Measure::Angle, deg_from_rad(alpha))
         .wrong(HalfAndHalf, 45.0)
-        .says("You took 45° for the best. That would be so for a very heavy striker only.")
+        .says("You answered 45°. That would be right only for a very heavy striker.")
         .wrong(CopiedAngle, theta1_deg)
-        .says("That is the turn itself. The impact angle is the coin's direction.")
+        .says("That is the deflection itself. The impact angle is the coin's direction.")
         .wrong(DoubleAngleForgotten, 90.0 - theta1_deg)
         .says(format!(
-            "90 - {} is right for twice the angle. Take half of it.",
+            "90° − {}° is twice the impact angle. Take half of it.",
             bare_degrees(theta1)
         ))
         .wrong(BeyondLargest, 0.0)
         .says(HEAD_ON)
         .why(format!(
-            "Its velocity after ends on a circle, at twice the impact angle around it. At the \
-             largest turn its direction touches the circle: 2 α + {} = 90, so α is {}.",
-            bare_degrees(theta1),
+            "For every offset, the tip of the final velocity vector lies on one circle, at an \
+             angle of 2α around it. At the greatest deflection the vector is along the tangent, so \
+             2α + θ₁ = 90° and α = (90° − {}°) / 2 = {}.",
+            Intermediate::angle(theta1, |theta1| degrees((FRAC_PI_2 - theta1) / 2.0)),
             degrees(alpha)
         ))
 }
@@ -218,8 +237,8 @@ fn where_by_offset(dice: &mut Dice) -> Option<Question> {
     draft
         .named("offset", "aim-for-largest-turn")
         .ask(format!(
-            "The radii make {} together. It is turned most, by {}, when the coin leaves at \
-                 {}. At which offset?",
+            "r₁ + r₂ = {}. The striker is deflected most, by {}, when the coin leaves at {} to \
+             the striker's original direction. What is the offset?",
             millimetres(reach_mm),
             degrees(theta1),
             degrees(alpha)
@@ -227,23 +246,28 @@ fn where_by_offset(dice: &mut Dice) -> Option<Question> {
         .number(Measure::Length, offset_mm)
         .wrong(OffsetAsAngle, reach_mm * deg_from_rad(alpha) / 90.0)
         .says(format!(
-            "You took the offset in proportion to {}. It goes with the sine.",
+            "You assumed that the offset is proportional to the angle {}. It is proportional to \
+             the sine.",
             degrees(alpha)
         ))
         .wrong(SineCosine, reach_mm * alpha.cos())
-        .says("You took the cosine for the sine. Head-on the offset is 0, so it goes with a sine.")
+        .says(
+            "You used the cosine instead of the sine. Head-on the offset is 0, so it must be a \
+               sine.",
+        )
         .wrong(CopiedAngle, reach_mm * theta1.sin())
         .says(format!(
-            "You aimed with the turn itself, {}. The impact angle is the coin's direction.",
+            "You used the deflection, {}, as the impact angle. The impact angle is the coin's \
+             direction.",
             degrees(theta1)
         ))
         .wrong(BeyondLargest, 0.0)
         .says(HEAD_ON)
         .why(format!(
-            "The coin leaves along the line of impact: α is {}. The offset is both radii together \
-             times sin α = {}: {}.",
-            degrees(alpha),
-            significant(alpha.sin()),
+            "The coin leaves along the line of impact, so its angle is α. The offset is b = \
+             (r₁ + r₂) sin α = {} mm × sin {}° = {}.",
+            bare_millimetres(reach_mm),
+            Intermediate::angle(alpha, |alpha| Measure::Length.print(reach_mm * alpha.sin())),
             Measure::Length.print(offset_mm)
         ))
 }

@@ -61,19 +61,26 @@ impl ShotTask {
         let reach_mm = self.hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
         let why = format!(
-            "The coin leaves along the line of impact, which must be {}° off the path. So",
+            "The coin leaves along the line of impact, which must be at {}° to the striker's \
+             direction. So",
             bare_degrees(wanted)
         );
         self.asks(Ray::Target, wanted)
             .wrong(OffsetAsAngle, self.at(reach_mm * self.wanted_deg / 90.0))
-            .says("You took the offset in proportion to the angle. It goes with the sine.")
+            .says(
+                "You assumed that the offset is proportional to the angle. It is proportional \
+                   to the sine of the angle.",
+            )
             .wrong(SineCosine, self.at(reach_mm * wanted.cos()))
             .says(
-                "You took the cosine for the sine. Offset 0 is head-on and sends the coin \
-                 straight ahead.",
+                "You used the cosine instead of the sine. An offset of 0 is head-on and sends the \
+                 coin straight ahead.",
             )
             .wrong(SidesExchanged, self.at(-reach_mm * wanted.sin()))
-            .says("The coin goes off to the other side. It goes to the side on which it lies.")
+            .says(
+                "With this offset the coin leaves on the other side. It always leaves on the \
+                   side on which it lies.",
+            )
             .why(self.why(&why, wanted))
     }
 
@@ -89,17 +96,24 @@ impl ShotTask {
         let equal = self.hit.masses_are_equal();
         let why = if equal {
             format!(
-                "The two part at 90°, so the coin must leave at 90 - {} = {}. That is the line of \
-                 impact:",
+                "The angle between the paths is 90°, so the coin must leave at 90° − {}° = {}. \
+                 That is the line of impact:",
                 bare_degrees(wanted),
                 degrees(alpha)
             )
         } else {
+            let shown = self.shown(alpha);
+            let half =
+                |turn: f64| format!("{:.*}", shown.decimals(), 90.0 - deg_from_rad(turn) / 2.0);
+            let turn_of = |ratio: f64| wanted + (ratio * wanted.sin()).asin();
+            let turn = Intermediate::angle(turn, half);
+            let of_turn =
+                |ratio: f64| format!("{:.*}", turn.decimals(), deg_from_rad(turn_of(ratio)));
             format!(
-                "From the centre of mass it must turn by Θ, with sin(Θ - {theta}) = m₁ / m₂ sin \
-                 {theta}: Θ = {}. So α = 90° - Θ / 2 = {}, and",
-                degrees(turn),
-                degrees(alpha),
+                "In the centre-of-mass frame the striker must be deflected by Θ, with \
+                 sin(Θ − {theta}°) = m₁ / m₂ × sin {theta}° = {} × sin {theta}°, so Θ = {turn}°. \
+                 Then α = 90° − {turn}° / 2 = {shown}°, and",
+                Intermediate::new(ratio, of_turn),
                 theta = bare_degrees(wanted),
             )
         };
@@ -112,12 +126,12 @@ impl ShotTask {
                 if_so(!equal && across, reach_mm * wanted.cos()),
             )
             .says(
-                "You aimed as if the two would part at 90°. They do so for equal masses; here \
-                 they part wider.",
+                "You assumed an angle of 90° between the paths. That is right for equal masses; \
+                 here the angle is larger.",
             )
             .wrong(CopiedAngle, if_so(across, reach_mm * wanted.sin()))
             .says(
-                "You took the line of impact for the striker's path. It is the path of the disc \
+                "You used the line of impact as the striker's path. It is the path of the disc \
                  that is hit.",
             )
             .wrong(
@@ -125,17 +139,19 @@ impl ShotTask {
                 self.at(reach_mm * deg_from_rad(alpha) / 90.0),
             )
             .says(format!(
-                "You took the offset in proportion to α = {}. It goes with the sine.",
+                "You assumed that the offset is proportional to α = {}. It is proportional to sin \
+                 α.",
                 degrees(alpha)
             ))
             .wrong(SidesExchanged, self.at(-reach_mm * alpha.sin()))
             .says(
-                "The striker goes off to the other side. It is thrown to the side away from what \
-                 it hits.",
+                "With this offset the striker leaves on the other side. It leaves on the side \
+                 away from the disc that it hits.",
             )
             .wrong(FramesMixed, if_so(!equal, reach_mm * (wanted / 2.0).cos()))
             .says(format!(
-                "You turned it by {} as seen from the centre of mass. On the board it turns less.",
+                "You used {} as the striker's deflection in the centre-of-mass frame. In the \
+                 laboratory frame the deflection is smaller.",
                 degrees(wanted)
             ))
             .why(self.why(&why, alpha))
@@ -150,11 +166,17 @@ impl ShotTask {
     fn why(&self, angle: &str, alpha: f64) -> String {
         let reach_mm = self.hit.reach_mm();
         format!(
-            "{angle} b = {} sin {} = {} mm.",
+            "{angle} b = {} mm × sin {}° = {} mm.",
             bare_millimetres(reach_mm),
-            bare_degrees(alpha),
+            self.shown(alpha),
             significant(reach_mm * alpha.sin())
         )
+    }
+
+    /// The impact angle, with the figures that its offset needs.
+    fn shown(&self, alpha: f64) -> Intermediate {
+        let reach_mm = self.hit.reach_mm();
+        Intermediate::angle(alpha, |alpha| significant(reach_mm * alpha.sin()))
     }
 
     /// The question, which wants this impact angle in radians.
@@ -171,13 +193,13 @@ impl ShotTask {
             Ray::Striker => ("striker", "striker", self.side < 0.0),
         };
         let masses = if hit.masses_are_equal() {
-            format!("Both weigh {m1} g")
+            format!("Both have a mass of {m1} g")
         } else {
-            format!("The striker weighs {m1} g, the {name} {m2} g")
+            format!("The striker has a mass of {m1} g, the {name} of {m2} g")
         };
         let text = format!(
-            "Send the {sent} off {} to the {} of the striker's path. {masses}, the {name} is at \
-             rest, the two radii make {} mm together, no energy is lost. Choose the offset and \
+            "Make the {sent} leave at {} to the {} of the striker's original direction. {masses}; \
+             the {name} is at rest, r₁ + r₂ = {} mm, and no energy is lost. Choose the offset and \
              shoot.",
             degrees(wanted),
             if rightward { "right" } else { "left" },

@@ -4,6 +4,7 @@
 use super::prelude::*;
 use super::separation::twice_alpha;
 use super::weigh::seen_angles;
+use crate::physics::resting_target::k_from_angles;
 
 /// Masses in grams and e in tenths, with m₁ = e m₂: m₁, m₂, e.
 const SQUARE: [&[(u32, u32, u32)]; 4] = [
@@ -27,24 +28,24 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 /// A hit of which the striker's mass is asked for, in words.
 fn of_any_striker(hit: &Hit) -> String {
     format!(
-        "Smooth discs meet off-centre, the coin of {} g at rest. {}",
+        "A smooth striker hits a smooth coin of {} g at rest, off-centre. {}",
         significant(hit.masses_g()[1]),
         hit.loss()
     )
 }
 
-const NOT_HERE: &str = "The right angle of equal masses needs that nothing is lost.";
+const NOT_HERE: &str = "For equal masses the angle is 90° only if no energy is lost.";
 
-const HEAVIER_CLOSES: &str = "You had it the other way round: a heavier striker makes the angle \
-                              smaller, and so does loss.";
+const HEAVIER_CLOSES: &str = "You had it the wrong way round: a heavier striker makes the angle \
+                              smaller, and so does a loss.";
 
 /// Whether, and with which striker, there is a right angle in spite of loss.
 fn square_again(dice: &mut Dice) -> Option<Question> {
     const STRIKERS: [&str; 4] = [
-        "with a certain lighter striker",
-        "with a striker of equal mass",
-        "with a certain heavier striker",
-        "with no striker at all",
+        "for a certain lighter striker",
+        "for a striker of equal mass",
+        "for a certain heavier striker",
+        "for no striker at all",
     ];
     let e = f64::from(*dice.pick(&[3, 4, 5, 6, 7, 8])?) / 10.0;
     let coin_g = *dice.pick(&[10, 15, 20, 30])?;
@@ -54,17 +55,18 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
     let place = |it: usize| order.iter().position(|i| *i == it).unwrap_or(0);
     Outline::told(&hit, of_any_striker(&hit), Illustration::Nothing)
         .named("striker", "square-in-spite-of-loss")
-        .ask("With which striker do the two part at exactly 90°?")
+        .ask("For which striker is the angle between the paths exactly 90°?")
         .options(order.map(|i| STRIKERS[i]), place(0))
         .chooses(AlwaysSquare, place(1))
         .says(here_e(NOT_HERE, e))
         .chooses(UpsideDown, place(2))
         .says(HEAVIER_CLOSES)
         .chooses(LossForbidsSquare, place(3))
-        .says("You thought that loss rules out the right angle. It only takes other masses.")
+        .says("You assumed that a loss rules out the right angle. It only requires other masses.")
         .why(format!(
-            "They part at a right angle when the striker stops along the line of impact. With \
-             loss it still follows an equal coin; one of m₁ = e m₂ = {} g just stops.",
+            "{COMPONENT} With a loss a striker of equal mass still goes on along it. For m₁ = e m₂ = \
+             {} × {coin_g} g = {} g the striker has none.",
+            significant(e),
             significant(e * f64::from(coin_g))
         ))
 }
@@ -83,8 +85,8 @@ fn parting(dice: &mut Dice) -> Option<Question> {
     let (u, v1, v2) = (hit.speed, outcome.v1.length(), outcome.v2.length());
     let [u_words, v1_words, v2_words] = [u, v1, v2].map(significant);
     let text = format!(
-        "A striker hits a resting coin of the same mass head-on at {u_words} m/s. After it the \
-         striker goes on at {v1_words} m/s, the coin at {v2_words} m/s."
+        "A striker moving at {u_words} m/s hits a coin of the same mass at rest, head-on. \
+         Afterwards the striker moves on at {v1_words} m/s, the coin at {v2_words} m/s."
     );
     Outline::told(&hit, text, unmarked(&hit))
         .named("e head-on", "e-head-on")
@@ -92,21 +94,21 @@ fn parting(dice: &mut Dice) -> Option<Question> {
         .number(Measure::Restitution, e)
         .wrong(EAsEnergy, outcome.energy_after / outcome.energy_before)
         .says(
-            "That is the share of the energy that is left. e compares speeds: how they part and \
-             how they met.",
+            "That is the share of the energy that is left. e compares speeds: the speed of \
+             separation and the speed of approach.",
         )
         .wrong(LossOnEverything, v2 / u)
         .says(
-            "You compared the coin's speed with the striker's before. e compares how fast the two \
-             part from each other.",
+            "You divided the coin's speed by the striker's original speed. e compares the speed \
+             of separation with the speed of approach.",
         )
         .wrong(Lossless, 1.0)
-        .says("e = 1 is a hit without loss: the striker would have stopped.")
+        .says("e = 1 means that no energy is lost: the striker would have stopped.")
         .why(format!(
-            "They part at {v2_words} - {v1_words} = {} m/s and met at {u_words} m/s. e is the first \
-             over the second: {}.",
-            significant(v2 - v1),
-            significant(e)
+            "Their speed of separation is {v2_words} − {v1_words} = {apart} m/s, their speed of \
+             approach was {u_words} m/s. So e = {apart} / {u_words} = {}.",
+            significant(e),
+            apart = significant(v2 - v1),
         ))
 }
 
@@ -117,8 +119,10 @@ fn square(dice: &mut Dice) -> Option<Hit> {
     drawn(pair(m1_g, m2_g), e, Difficulty::Middle, dice)
 }
 
-const STOPS: &str = "At a right angle the striker stops along the line of impact. What it keeps \
-                     there goes with m₁ - e m₂.";
+const COMPONENT: &str = "The angle is 90° if the striker's final velocity has no component along \
+                         the line of impact.";
+
+const PROPORTIONAL: &str = "That component is proportional to m₁ − e m₂.";
 
 /// The striker's mass that brings the right angle back.
 fn striker_for_square(dice: &mut Dice) -> Option<Question> {
@@ -126,15 +130,23 @@ fn striker_for_square(dice: &mut Dice) -> Option<Question> {
     let ([m1, m2], e) = (hit.masses_g(), hit.restitution);
     Outline::told(&hit, of_any_striker(&hit), Illustration::Nothing)
         .named("striker mass", "square-in-spite-of-loss")
-        .ask("With which mass of the striker do they part at exactly 90°?")
+        .ask("For which mass of the striker is the angle between the paths exactly 90°?")
         .number(Measure::Mass, m1)
         .wrong(AlwaysSquare, m2)
-        .says(here_e("Equal masses part at 90° when nothing is lost.", e))
+        .says(here_e(
+            "For equal masses the angle is 90° if no energy is lost.",
+            e,
+        ))
         .wrong(UpsideDown, m2 / e)
         .says(HEAVIER_CLOSES)
         .wrong(EAsEnergy, e.sqrt() * m2)
-        .says("You took the root of e, as if it were a share of energy. e compares speeds.")
-        .why(format!("{STOPS} So m₁ = e m₂ = {} g.", significant(m1)))
+        .says("You used √e, as if e were a share of energy. e compares speeds.")
+        .why(format!(
+            "{COMPONENT} {PROPORTIONAL} So m₁ = e m₂ = {} × {} g = {} g.",
+            significant(e),
+            significant(m2),
+            significant(m1)
+        ))
 }
 
 /// The e that brings the right angle to two masses.
@@ -143,18 +155,23 @@ fn e_for_square(dice: &mut Dice) -> Option<Question> {
     let e = hit.restitution;
     Outline::told(&hit, off_centre(&hit), unmarked(&hit))
         .named("e square", "e-for-square")
-        .ask("They part at exactly 90°. What is e?")
+        .ask("The angle between their paths is exactly 90°. What is e?")
         .number(Measure::Restitution, e)
         .wrong(LossForbidsSquare, 1.0)
         .says(
-            "You thought that only a hit without loss gives 90°. With a lighter striker it takes \
-             some loss.",
+            "You assumed that the angle is 90° only if no energy is lost. With a lighter striker \
+             a loss is required.",
         )
         .wrong(EAsEnergy, e * e)
         .says("You squared the ratio, as if e were a share of energy. e compares speeds.")
         .wrong(LossOnEverything, 1.0 - e)
-        .says("That is what is missing of the ratio of masses. e is the ratio itself.")
-        .why(format!("{STOPS} So e = m₁ / m₂ = {}.", significant(e)))
+        .says("You calculated 1 − m₁/m₂. The coefficient of restitution is m₁/m₂ itself.")
+        .why(format!(
+            "{COMPONENT} {PROPORTIONAL} So e = m₁ / m₂ = {} g / {} g = {}.",
+            significant(hit.masses_g()[0]),
+            significant(hit.masses_g()[1]),
+            significant(e)
+        ))
 }
 
 /// How far loss closes the corner of equal masses.
@@ -163,28 +180,32 @@ fn corner(dice: &mut Dice) -> Option<Question> {
     let hit = drawn(Pieces::Equal, e, Difficulty::Hard, dice)?;
     let alpha = hit.alpha().abs();
     let separation = hit.outcome().separation?;
+    let between = |across: f64, along: f64| degrees(across.atan2(along));
+    let along = 0.5 * (1.0 - e) * alpha.cos();
+    let across = Intermediate::new(alpha.sin(), |across| between(across, along));
+    let along = Intermediate::new(along, |along| between(across.value, along));
     Outline::about(&hit)
         .named("separation", "corner-with-loss")
-        .ask("How many degrees apart do they leave?")
+        .ask("What is the angle between their paths after the collision?")
         .number(Measure::Angle, deg_from_rad(separation))
         .wrong(AlwaysSquare, 90.0)
         .says(here_e(NOT_HERE, e))
         .wrong(LossOnEverything, 90.0 * e)
         .says(
-            "You multiplied the right angle itself by e. But e works along the line of impact \
-             alone.",
+            "You multiplied the right angle itself by e. But e applies only along the line of \
+             impact.",
         )
         .wrong(CopiedAngle, 2.0 * deg_from_rad(alpha))
         .says(twice_alpha(alpha, "coin"))
         .wrong(UpsideDown, 180.0 - deg_from_rad(separation))
-        .says("You made the angle larger by as much as loss makes it smaller.")
+        .says("You made the angle larger by as much as the loss makes it smaller.")
         .why(format!(
-            "Of its speed the striker keeps sin {} = {} across the line and (1 - e) / 2 cos {0} = \
-             {} along it, the coin's direction. The first over the second is the tangent of {}.",
-            bare_degrees(alpha),
-            significant(alpha.sin()),
-            significant(0.5 * (1.0 - e) * alpha.cos()),
-            degrees(separation)
+            "Of its original speed the striker keeps sin {alpha}° = {across} perpendicular to the line \
+             of impact and (1 − {}) / 2 × cos {alpha}° = {along} along it, the coin's direction. \
+             The tangent of the angle is {across} / {along}, and the angle is {}.",
+            significant(e),
+            degrees(separation),
+            alpha = bare_degrees(alpha),
         ))
 }
 
@@ -196,6 +217,9 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
     let outcome = hit.outcome();
     let [m1, m2] = hit.masses_g();
     let k = RestingTarget::from(&hit.collision()).k();
+    let [read1, read2] = [outcome.theta1?.abs(), outcome.theta2?.abs()].map(read_off_angle);
+    let read = k_from_angles(read1, read2).unwrap_or(k);
+    let found = |k: f64| k * (m1 + m2) / m2 - 1.0;
     let text = format!(
         "{}. {}",
         hit.who("smooth striker", "hit"),
@@ -212,13 +236,16 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
              impact.",
         )
         .wrong(UpsideDown, k * (m1 + m2) / m1 - 1.0)
-        .says("You had the two masses the other way round.")
+        .says("You swapped the two masses.")
         .wrong(Lossless, 1.0)
-        .says("Without loss these masses would part at another angle.")
+        .says("If no energy were lost, these masses would leave at another angle to each other.")
         .why(format!(
-            "Along the line the striker gives up k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {} of its \
-             speed. k is (1 + e) m₂ / (m₁ + m₂), so e = {}.",
-            significant(k),
-            significant(e)
+            "The striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {shown} of its \
+             velocity along the line of impact. As k = (1 + e) m₂ / (m₁ + m₂), e = {shown} × {} / {} \
+             − 1 = {}.",
+            significant(m1 + m2),
+            significant(m2),
+            within_readings(&significant(found(read)), &significant(e)),
+            shown = Intermediate::new(read, |k| significant(found(k))),
         ))
 }

@@ -25,7 +25,7 @@ struct FoilBeam {
 impl FoilBeam {
     /// A question about this beam beside this picture.
     fn told(&self, picture: Illustration) -> Outline {
-        let text = format!("α-particles meet a thin foil of {}.", self.foil);
+        let text = format!("α-particles hit a thin {} foil.", self.foil);
         Outline::new(text, picture)
             .figure("foil", self.foil)
             .figure("energy_mev", self.energy_mev)
@@ -68,17 +68,17 @@ fn times_as_many(from_deg: f64, to_deg: f64) -> f64 {
     (half_sine(to_deg) / half_sine(from_deg)).powi(4)
 }
 
-/// Why, for two angles.
-fn why(from_deg: f64, to_deg: f64) -> String {
+/// Why, for two angles, where the fourth power of their ratio is printed so.
+fn why(from_deg: f64, to_deg: f64, power: impl Fn(f64) -> String) -> String {
     let half = |deg: f64| bare_degrees(rad_from_deg(deg / 2.0));
     let ratio = half_sine(to_deg) / half_sine(from_deg);
     format!(
-        "Counts go as 1 / sin⁴ of half the angle. sin {} / sin {} = {}, and its fourth power is \
-         {}.",
+        "Counts are proportional to 1 / sin⁴ of half the angle. sin {}° / sin {}° = {ratio}, and \
+         {ratio}⁴ = {}.",
         half(to_deg),
         half(from_deg),
-        significant(ratio),
-        significant(ratio.powi(4))
+        power(ratio.powi(4)),
+        ratio = Intermediate::new(ratio, |ratio| power(ratio.powi(4))),
     )
 }
 
@@ -99,25 +99,25 @@ fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     beam.compared(here, there)
         .named("choice", "counts-at-two-angles")
         .ask(format!(
-            "Compared with {}, how many does the same small screen count at {}?",
+            "Compared with {}, how many particles does the same small screen count at {}?",
             in_degrees(there),
             in_degrees(here)
         ))
         .options([right, gentle, upside_down, "Just as many".into()], 0)
         .chooses(TooGentle, 1)
-        .says("You took the square of the sine. It is the fourth power that counts.")
+        .says("You used the square of the sine. The law contains the fourth power.")
         .chooses(UpsideDown, 2)
         .says(
-            "You had it the other way round. Small angles are the common ones: most pass far from \
-             a nucleus.",
+            "You had it the wrong way round. Small angles are the common ones: most particles \
+             pass far from a nucleus.",
         )
         .chooses(EveryAngleAlike, 3)
         .says(
-            "You took all angles as equally likely. But to be turned far, one must pass close by, \
-             and few do.",
+            "You assumed that all angles are equally likely. But to be scattered far, a particle \
+             must pass close to a nucleus, and few do.",
         )
         .shuffled(dice)
-        .why(why(near_deg, far_deg))
+        .why(why(near_deg, far_deg, significant))
 }
 
 /// What misconceptions answer that is asked for a ratio.
@@ -128,12 +128,12 @@ fn wrong_ratios(draft: Outline, from_deg: f64, to_deg: f64, by_energy: f64) -> O
     draft
         .number(Measure::Times, truth)
         .wrong(HalfAngleForgotten, whole.map(|whole| by_energy * whole))
-        .says("You took the sine of the whole angles. What counts is half of each.")
+        .says("You used the sines of the whole angles. The law contains half of each angle.")
         .wrong(
             TooGentle,
             by_energy * times_as_many(from_deg, to_deg).sqrt(),
         )
-        .says("You took the square of the sines. Counts fall with the fourth power.")
+        .says("You used the square of the sines. The law contains the fourth power.")
         .wrong(UpsideDown, truth.recip())
 }
 
@@ -145,11 +145,11 @@ fn ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         .compared(here_deg, there_deg)
         .named("ratio", "counts-at-two-angles")
         .ask(format!(
-            "How many times as many does a small screen count at {here} as at {there}?"
+            "How many times as many particles does a small screen count at {here} as at {there}?"
         ));
     wrong_ratios(draft, here_deg, there_deg, 1.0)
-        .says("You had the ratio upside down. The smaller angle has the larger count.")
-        .why(why(here_deg, there_deg))
+        .says("You inverted the ratio. The smaller angle has the larger count.")
+        .why(why(here_deg, there_deg, significant))
 }
 
 /// The energy changes with the angle: d goes as 1 / E, and counts as d².
@@ -159,29 +159,36 @@ fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     if (to_energy_mev - beam.energy_mev).abs() < 0.5 {
         return None;
     }
-    let by_energy = (to_energy_mev / beam.energy_mev).powi(2);
+    let energy_ratio = (to_energy_mev / beam.energy_mev).powi(2);
+    let product = |angle: f64, energy: f64| significant(angle * energy);
+    let by_angle = times_as_many(here_deg, there_deg);
+    let by_angle = Intermediate::new(by_angle, |it| product(it, energy_ratio));
+    let by_energy = Intermediate::new(energy_ratio, |it| product(by_angle.value, it));
     let [here, there] = [here_deg, there_deg].map(in_degrees);
     let [from, to] = [beam.energy_mev, to_energy_mev].map(significant);
     let draft = beam
         .compared(here_deg, there_deg)
         .named("ratio", "counts-angle-and-energy")
         .ask(format!(
-            "How many times as many does a screen count at {here} with {from} MeV as at {there} \
-             with {to} MeV?"
+            "How many times as many particles does a screen count at {here} with {from} MeV as at \
+             {there} with {to} MeV?"
         ))
         .figure("to_energy_mev", to_energy_mev);
-    wrong_ratios(draft, here_deg, there_deg, by_energy)
-        .says("You had the ratio upside down. Counts fall with the angle, and with the energy.")
-        .wrong(EveryAngleAlike, by_energy)
+    wrong_ratios(draft, here_deg, there_deg, energy_ratio)
+        .says("You inverted the ratio. Counts fall with the angle, and with the energy.")
+        .wrong(EveryAngleAlike, energy_ratio)
         .says(
-            "You counted the energy alone, as if all angles were equally likely. The larger angle \
-             is the rarer one.",
+            "You considered the energy alone, as if all angles were equally likely. The larger \
+             angle is the rarer one.",
         )
         .why(format!(
-            "{} Counts also go as 1 / E²: times {}, in all {}.",
-            why(here_deg, there_deg),
-            significant(by_energy),
-            significant(by_energy * times_as_many(here_deg, there_deg))
+            "{} Counts are also proportional to 1 / E²: ({to} / {from})² = {by_energy}. Together: \
+             {by_angle} × {by_energy} = {}.",
+            why(here_deg, there_deg, |power| fixed(
+                power,
+                by_angle.decimals()
+            )),
+            product(by_angle.value, by_energy.value)
         ))
 }
 
@@ -199,7 +206,9 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     if truth.is_nan() || truth > 165.0 {
         return None;
     }
-    let [times, before, after] = [root, half_sine, half_sine * root].map(significant);
+    let half = Intermediate::angle(rad_from_deg(truth / 2.0), |half| degrees(2.0 * half));
+    let arcsine = |sine: f64| fixed(deg_from_rad(sine.asin()), half.decimals());
+    let sine = Intermediate::new(half_sine * root, arcsine);
     beam.told(Illustration::Nothing)
         .named("angle", "angle-of-count")
         .ask(format!(
@@ -213,15 +222,17 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
             HalfAngleForgotten,
             at(rad_from_deg(from_deg).sin() * root) / 2.0,
         )
-        .says("You took the sine of the whole angle. What counts is half of it.")
+        .says("You used the sine of the whole angle. The law contains half of the angle.")
         .wrong(TooGentle, at(half_sine * fewer.sqrt()))
-        .says("You took the square of the sine. Counts fall with its fourth power.")
+        .says("You used the square of the sine. The law contains the fourth power.")
         .wrong(UpsideDown, at(half_sine / root))
-        .says("You went to a smaller angle. There more are counted, not fewer.")
+        .says("You chose a smaller angle. There more particles are counted, not fewer.")
         .why(format!(
-            "Counts go as 1 / sin⁴ of half the angle. For 1/{fewer} of them the sine must be \
-             {times} times as large: {times} × {before} = {after}, half of the angle is {}.",
-            in_degrees(truth / 2.0)
+            "Counts are proportional to 1 / sin⁴ of half the angle. So the sine of half the angle \
+             is ⁴√{fewer} × sin {}° = {sine}. Half the angle is {half}°, and the angle is 2 × \
+             {half}° = {}.",
+            bare_degrees(rad_from_deg(from_deg / 2.0)),
+            in_degrees(truth)
         ))
 }
 

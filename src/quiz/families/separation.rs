@@ -55,12 +55,12 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
     let right = place((10 * m1_g).cmp(&(e_tenths * m2_g)));
     let lossy = e_tenths < 10;
     let not_here = if m1_g == m2_g {
-        "Equal masses part at a right angle if no energy is lost. Here some is."
+        "For equal masses the angle is 90° only if no energy is lost. Here some is lost."
     } else if lossy {
-        "With loss it is not equal masses that part at a right angle, but m₁ = e m₂. These \
-         two do not fit that."
+        "If energy is lost, the angle is 90° not for equal masses but for m₁ = e m₂. That is not \
+         the case here."
     } else {
-        "The right angle without loss is that of equal masses. Here they differ."
+        "If no energy is lost, the angle is 90° only for equal masses. Here the masses differ."
     };
     let text = format!("{} {}", off_centre(&hit), hit.loss());
     let topic = if lossy {
@@ -71,23 +71,29 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
     let square = right == EXACTLY;
     Outline::told(&hit, text, unmarked(&hit))
         .topic(topic)
-        .ask("How large is the angle between their paths after the hit?")
+        .ask("What is the angle between their paths after the collision?")
         .options(CORNERS, right)
         .chooses(LossForbidsSquare, (lossy && square).then_some(LESS))
         .says(
-            "You thought that loss always makes it less than a right angle. It moves the right \
-             angle to another pair of masses.",
+            "You assumed that a loss always makes the angle less than 90°. But with a loss, \
+             another pair of masses gives 90°.",
         )
         .chooses(AlwaysSquare, EXACTLY)
         .says(not_here)
         .chooses(Lossless, lossy.then(|| place(m1_g.cmp(&m2_g))))
-        .says("That is so without loss. Loss makes the angle smaller, and more loss makes it smaller still.")
+        .says(
+            "That is right if no energy is lost. A loss makes the angle smaller, and a larger \
+               loss makes it smaller still.",
+        )
         .chooses(SpeedOpensAngle, square.then_some(MORE))
-        .says("Does a hard hit drive them wider apart? Speed alone changes no angle.")
+        .says(
+            "Did you assume that a hard collision makes the angle larger? Speed alone changes \
+               no angle.",
+        )
         .chooses(PushedAhead, square.then_some(LESS))
         .says(
-            "Does the striker push the coin along with it? A smooth rim pushes along the line of \
-             impact alone.",
+            "Did you assume that the striker pushes the coin along its own path? Smooth rims \
+             exert a force only along the line of impact.",
         )
         .chooses(
             (m1_g != m2_g).then_some(UpsideDown),
@@ -99,49 +105,53 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
             FOLLOWS_OR_BOUNCES
         })
         .why(if lossy {
-            lossy_corner(right, e * f64::from(m2_g), f64::from(m1_g))
+            lossy_corner(right, &hit)
         } else {
             lossless_corner(right).into()
         })
 }
 
 /// Of whoever lets loss widen the angle between equal masses.
-const CLOSES: &str = "You let the loss widen the angle between the paths. It narrows it: the two \
-                      spring apart less, so the striker keeps some speed along the line of impact \
-                      and follows the coin.";
+const CLOSES: &str = "You assumed that the loss makes the angle larger. It makes the angle \
+                      smaller: the two separate more slowly, so the striker keeps some velocity \
+                      along the line of impact and follows the coin.";
 
 /// Of whoever has the masses upside down.
-pub(super) const FOLLOWS_OR_BOUNCES: &str = "You had it the other way round: a heavier striker \
-                                             follows the coin, a lighter one bounces off.";
+pub(super) const FOLLOWS_OR_BOUNCES: &str = "You had it the wrong way round: a heavier striker \
+                                             follows the coin, a lighter one rebounds.";
 
 const fn lossless_corner(right: usize) -> &'static str {
     match right {
         MORE => {
-            "A lighter striker bounces back along the line of impact, and the coin leaves along \
-             it. That makes the angle larger: more than 90°, at any offset."
+            "A lighter striker rebounds along the line of impact, and the coin leaves along the \
+             same line. So the angle is more than 90°, at any offset."
         }
         EXACTLY => {
-            "With equal masses the striker gives up all it has along the line of impact. What it \
-             keeps lies across, at right angles to the coin's path, at any offset and speed."
+            "With equal masses the striker loses all of its velocity along the line of impact. \
+             What it keeps is perpendicular to that line, and so to the coin's path, at any offset \
+             and speed."
         }
         _ => {
-            "A heavier striker is not stopped along the line of impact: it follows the coin. That \
-             makes the angle smaller: less than 90°, at any offset."
+            "A heavier striker is not stopped along the line of impact: it follows the coin. So \
+             the angle is less than 90°, at any offset."
         }
     }
 }
 
-fn lossy_corner(right: usize, lossy_target_g: f64, striker_g: f64) -> String {
-    let (sign, follows) = match right {
-        MORE => ("less than", "bounces back: more than 90°"),
-        EXACTLY => ("just as much as", "stops: exactly 90°"),
-        _ => ("more than", "goes on: less than 90°"),
+fn lossy_corner(right: usize, hit: &Hit) -> String {
+    let (compared, angle) = match right {
+        MORE => ("less than", "more than 90°"),
+        EXACTLY => ("equal to", "exactly 90°"),
+        _ => ("more than", "less than 90°"),
     };
+    let ([m1, m2], e) = (hit.masses_g(), hit.restitution);
     format!(
-        "Compare m₁ with e m₂, for along the line m₁ - e m₂ decides. {} g is {sign} {} g, so \
-         there the striker {follows}, at any offset.",
-        significant(striker_g),
-        significant(lossy_target_g)
+        "Along the line of impact the striker's final velocity is proportional to m₁ − e m₂. Here \
+         m₁ = {} g is {compared} e m₂ = {} × {} g = {} g, so the angle is {angle}, at any offset.",
+        significant(m1),
+        significant(e),
+        significant(m2),
+        significant(e * m2)
     )
 }
 
@@ -158,25 +168,31 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
     };
     Outline::about(&hit)
         .topic(topic)
-        .ask("How many degrees apart do they leave?")
+        .ask("What is the angle between their paths after the collision?")
         .number(Measure::Angle, wide(&hit)?)
         .wrong(AlwaysSquare, 90.0)
-        .says("You made it a right angle. That takes m₁ = e m₂: without loss, equal masses.")
+        .says(
+            "You assumed a right angle. That requires m₁ = e m₂: equal masses if no energy is \
+               lost.",
+        )
         .wrong(CopiedAngle, 2.0 * deg_from_rad(alpha))
         .says(twice_alpha(alpha, hit.pieces.target_name()))
         .wrong(HeavyUnmoved, heavy.then_some(deg_from_rad(alpha)))
-        .says("You sent the striker straight on. It is heavier, yet it is turned.")
+        .says("You assumed that the striker goes straight on. It is heavier, but it is deflected.")
         .wrong(UpsideDown, wide(&hit.exchanged()))
-        .says("That is so with the two masses exchanged.")
+        .says("That is right with the two masses swapped.")
         .wrong(Lossless, wide(&hit.with_restitution(1.0)))
-        .says(here_e("That is the angle without loss.", hit.restitution))
+        .says(here_e(
+            "That is the angle if no energy is lost.",
+            hit.restitution,
+        ))
         .why(reasoning(&hit))
 }
 
 /// Of whoever takes twice the impact angle for the corner.
 pub(super) fn twice_alpha(alpha: f64, name: &str) -> String {
     format!(
-        "You took twice {}. But only the {name} leaves at the impact angle.",
+        "You answered twice {}. But only the {name} leaves at the impact angle.",
         degrees(alpha)
     )
 }

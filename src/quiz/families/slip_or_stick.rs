@@ -37,17 +37,17 @@ impl Rims {
             Self::Lossless => (
                 "lossless",
                 "smooth-no-loss",
-                "The rims are smooth and no energy is lost: e = 1.",
+                "The discs are smooth and no energy is lost: e = 1.",
             ),
             Self::Slip => (
                 "slip",
                 "smooth-no-spring",
-                "The rims are smooth and nothing springs back: e = 0.",
+                "The rims are frictionless and the discs do not rebound: e = 0.",
             ),
             Self::Stick => (
                 "stick",
                 "sticking",
-                "The rims are sticky and hold fast where they touch.",
+                "There is glue on the rims, which holds them together where they touch.",
             ),
         };
         let shown = Markings {
@@ -80,8 +80,8 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
     /// The first three in the order of [`Rims`].
     const WAYS: [&str; 4] = [
-        "They part at exactly 90°",
-        "They part at less than 90°",
+        "They leave at exactly 90° to each other",
+        "They leave at less than 90° to each other",
         "They stay together and move on",
         "They stay together, at rest",
     ];
@@ -98,46 +98,45 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
     // What is said to whoever lets them part at less than 90°, or stay together.
     let (narrow, together, why) = match rims {
         Rims::Lossless => (
-            "You let some of the bounce be lost. With e = 1 all of it comes back.",
-            "You let them stick. But smooth rims cannot hold each other.",
+            "You assumed that some energy is lost. With e = 1 none is lost.",
+            "You assumed that they stay together. But smooth rims cannot hold each other.",
             format!(
-                "Along the line of impact the coin takes all that the striker had. Across it the \
-                 striker keeps its {across} m/s: they part at 90°."
+                "Along the line of impact the coin takes all of the striker's velocity. \
+                 Perpendicular to that line the striker keeps its {across} m/s: the angle between \
+                 the paths is 90°."
             ),
         ),
         Rims::Slip => (
             "",
-            "You let them stick. But smooth rims do not grip: across the line of impact nothing \
-             is stopped.",
+            "You assumed that they stay together. But smooth rims do not grip: perpendicular to \
+             the line of impact there is no force.",
             format!(
-                "Along the line of impact both go on at one speed. Across it the striker keeps \
-                 its {across} m/s and slides off: they part at {}.",
+                "Along the line of impact both move on at the same speed. Perpendicular to that \
+                 line the striker keeps its {across} m/s: the angle between the paths is {}.",
                 degrees(outcome.separation?)
             ),
         ),
         Rims::Stick => (
-            "You let them slip along each other. That is what smooth rims do at e = 0; these hold \
-             fast.",
+            "You assumed that the rims slip past each other. Smooth rims do that at e = 0; these \
+             are held together.",
             "",
             format!(
-                "Stuck together they go on with their centre of mass, at {} m/s. Off-centre, the \
-                 pair also turns.",
+                "The collision is perfectly inelastic: they move on together, with their centre \
+                 of mass, at {} m/s. Off-centre, the pair also rotates.",
                 significant(outcome.v1.length())
             ),
         ),
     };
-    rims.ask(hit, "picture", "How do the two go on?")
+    rims.ask(hit, "picture", "How do the two discs move on?")
         .options(WAYS, rims as usize)
         .chooses(Lossless, 0)
-        .says("You let them part as if nothing were lost. Here nothing throws them apart.")
+        .says("You assumed that no energy is lost. But these discs do not rebound.")
         .chooses((rims == Rims::Stick).then_some(GripIgnored), 1)
         .says(narrow)
         .chooses(GripStopsAll, 2)
         .says(together)
         .chooses(MomentumLost, 3)
-        .says(
-            "You let all motion go. Energy can be lost, but momentum cannot: the two carry it on.",
-        )
+        .says("You assumed that all motion is lost. Energy can be lost, but momentum is conserved.")
         .shuffled(dice)
         .why(why)
 }
@@ -155,11 +154,8 @@ fn parts(hit: &Hit) -> (f64, f64) {
     (hit.speed * cos, hit.speed * sin)
 }
 
-fn shared(hit: &Hit) -> String {
-    format!(
-        "Along the line of impact the two go on together, at {} m/s.",
-        significant(share(hit) * parts(hit).0)
-    )
+fn shared(along: &Intermediate) -> String {
+    format!("Along the line of impact both move on at {along} m/s.")
 }
 
 /// The angle at which the two slip apart.
@@ -167,55 +163,70 @@ fn parting(hit: &Hit) -> Option<Question> {
     let name = hit.pieces.target_name();
     let (along, across) = parts(hit);
     let separation = |rims: Rims| rims.collision(hit).outcome().separation.map(deg_from_rad);
+    let between = |along: f64, across: f64| degrees(across.atan2(along));
+    let along = share(hit) * along;
+    let shown = Intermediate::new(along, |along| between(along, across));
+    let across = Intermediate::new(across, |across| between(shown.value, across));
     Rims::Slip
-        .ask(hit, "separation", "At what angle do they part?")
+        .ask(hit, "separation", "What is the angle between their paths?")
         .number(Measure::Angle, separation(Rims::Slip)?)
         .wrong(GripStopsAll, 0.0)
-        .says("You let them stick. Smooth rims do not grip: the striker slides off.")
+        .says(
+            "You assumed that they move on together. Smooth rims do not grip: the striker \
+               slides off.",
+        )
         .wrong(Lossless, separation(Rims::Lossless))
         .says(
-            "That is the angle without loss. With e = 0 nothing springs back along the line of \
-             impact.",
+            "That is the angle if no energy is lost. With e = 0 the discs do not rebound along \
+             the line of impact.",
         )
         .wrong(AlwaysSquare, 90.0)
-        .says("You took 90°. That is for equal masses without loss.")
+        .says("You answered 90°. That is right for equal masses if no energy is lost.")
         .why(format!(
-            "{} Across it the striker keeps {across} m/s, the {name} has none: the tangent of the \
-             angle is {across} / {}.",
-            shared(hit),
-            significant(share(hit) * along),
-            across = significant(across),
+            "{} Perpendicular to it the striker keeps {across} m/s, the {name} has none: the \
+             tangent of the angle is {across} / {shown}, and the angle is {}.",
+            shared(&shown),
+            between(shown.value, across.value),
         ))
 }
 
 /// How fast the striker slips on.
 fn striker_speed(hit: &Hit) -> Option<Question> {
-    let (_, across) = parts(hit);
+    let (along, across) = parts(hit);
     let speed = |rims: Rims| rims.collision(hit).outcome().v1.length();
-    let [u, kept, both] = [hit.speed, across, speed(Rims::Slip)].map(significant);
+    let both = |along: f64, across: f64| significant(along.hypot(across));
+    let along = share(hit) * along;
+    let along = Intermediate::new(along, |along| both(along, across));
+    let kept = Intermediate::new(across, |across| both(along.value, across));
     Rims::Slip
-        .ask(hit, "striker-speed", "How fast does the striker go on?")
+        .ask(
+            hit,
+            "striker-speed",
+            "What is the striker's speed after the collision?",
+        )
         .number(Measure::Speed, speed(Rims::Slip))
         .wrong(GripStopsAll, speed(Rims::Stick))
         .says(
-            "You let them stick and share all the speed. Across the line of impact smooth rims \
-             share nothing.",
+            "You assumed that they move on together. But smooth rims transfer nothing \
+             perpendicular to the line of impact.",
         )
         .wrong(Lossless, speed(Rims::Lossless))
         .says(
-            "That is the speed without loss. With e = 0 the two stay level along the line of \
-             impact.",
+            "That is the speed if no energy is lost. With e = 0 both have the same velocity along \
+             the line of impact.",
         )
         .wrong(MomentumLost, (!hit.masses_are_equal()).then_some(across))
         .says(
-            "You let all that was along the line of impact be lost. But momentum stays: the two \
-             share it.",
+            "You assumed that all motion along the line of impact is lost. But momentum is \
+             conserved: the two share it.",
         )
         .why(format!(
-            "{} Across it the striker keeps {u} sin {} = {kept} m/s. The two parts are at right \
-             angles: together {both} m/s.",
-            shared(hit),
+            "{} Perpendicular to it the striker keeps {} m/s × sin {}° = {kept} m/s. Together: \
+             √({along}² + {kept}²) = {} m/s.",
+            shared(&along),
+            significant(hit.speed),
             bare_degrees(hit.alpha().abs()),
+            both(along.value, kept.value),
         ))
 }
 
@@ -224,24 +235,32 @@ fn pair_speed(hit: &Hit) -> Option<Question> {
     let (u, share) = (hit.speed, share(hit));
     let outcome = Rims::Stick.collision(hit).outcome();
     Rims::Stick
-        .ask(hit, "pair-speed", "How fast does the pair go on?")
+        .ask(
+            hit,
+            "pair-speed",
+            "What is the pair's speed after the collision?",
+        )
         .number(Measure::Speed, outcome.v1.length())
         .wrong(GripIgnored, share * parts(hit).0)
         .says(
-            "You shared only the part along the line of impact. Sticky rims share the part \
-             across, too.",
+            "You shared only the component along the line of impact. Rims that are held together \
+             share the perpendicular component, too.",
         )
         .wrong(Lossless, u * share.sqrt())
-        .says("You kept the energy of motion. Sticking costs energy; what stays is the momentum.")
+        .says(
+            "You assumed that kinetic energy is conserved. Some of it is lost here; what is \
+               conserved is momentum.",
+        )
         .wrong(HalfwayCentre, (!hit.masses_are_equal()).then_some(u / 2.0))
-        .says("You took half the speed. That is for equal masses.")
+        .says("You halved the speed. That is right for equal masses.")
         .wrong(UpsideDown, u * (1.0 - share))
-        .says("You had the masses the other way round: a heavier striker is slowed less.")
+        .says("You swapped the two masses: a heavier striker is slowed less.")
         .why(format!(
-            "Stuck together they go on with their centre of mass: m₁ / (m₁ + m₂) = {} times {} \
-             m/s, wherever they touch.",
-            significant(share),
-            significant(u)
+            "They move on with their centre of mass: m₁ / (m₁ + m₂) of the striker's speed is \
+             {} × {} m/s = {} m/s, at any offset.",
+            Intermediate::new(share, |share| significant(share * u)),
+            significant(u),
+            significant(share * u)
         ))
 }
 
@@ -250,28 +269,40 @@ fn loss(hit: &Hit) -> Option<Question> {
     let (sin, cos) = hit.alpha().abs().sin_cos();
     let (share, at_stake) = (share(hit), cos.powi(2));
     let outcome = Rims::Slip.collision(hit).outcome();
+    let percent = |of: f64, share: f64| Measure::Share.print(100.0 * of * share);
+    let shown = Intermediate::new(at_stake, |of| percent(of, 1.0 - share));
+    let lost = Intermediate::new(1.0 - share, |lost| percent(shown.value, lost));
     Rims::Slip
-        .ask(hit, "energy-lost", "What share of the energy is lost?")
+        .ask(
+            hit,
+            "energy-lost",
+            "What share of the kinetic energy is lost?",
+        )
         .number(
             Measure::Share,
             100.0 * outcome.energy_lost / outcome.energy_before,
         )
         .wrong(GripStopsAll, 100.0 * (1.0 - share))
-        .says("You let them go on as one. But across the line of impact smooth rims stop nothing.")
+        .says(
+            "You assumed that they move on together. But smooth rims stop nothing perpendicular \
+               to the line of impact.",
+        )
         .wrong(MomentumLost, 100.0 * at_stake)
         .says(
-            "You let all that was along the line of impact be lost. But momentum stays, and some \
-             energy with it.",
+            "You assumed that all energy of the motion along the line of impact is lost. But \
+             momentum is conserved, so some energy is left.",
         )
         .wrong(UpsideDown, 100.0 * share * at_stake)
-        .says("You had the masses the other way round: against a heavier target more is lost.")
+        .says("You swapped the two masses: with a heavier target more is lost.")
         .wrong(SineCosine, 100.0 * (1.0 - share) * sin.powi(2))
-        .says("You took the sine for the cosine. A graze loses least, a head-on hit most.")
+        .says(
+            "You used the sine instead of the cosine. The loss is smallest near a graze and \
+               greatest head-on.",
+        )
         .why(format!(
-            "Only the part along the line of impact is at stake: cos² {} = {} of the energy. Of \
-             that, m₂ / (m₁ + m₂) = {} is lost.",
+            "Only energy of the motion along the line of impact can be lost: cos² {}° = {shown} of \
+             the whole. The share m₂ / (m₁ + m₂) = {lost} of that is lost: {shown} × {lost} = {}.",
             bare_degrees(hit.alpha().abs()),
-            significant(at_stake),
-            significant(1.0 - share)
+            percent(shown.value, lost.value)
         ))
 }

@@ -25,49 +25,54 @@ fn target(hit: &Hit) -> Option<Question> {
     let lossless = speed(&hit.with_restitution(1.0));
     let along = u * alpha.cos();
     let equal = hit.masses_are_equal();
+    let times = truth / along;
+    let shown = Intermediate::new(along, |along| significant(along * times));
     let share = if equal && e >= 1.0 {
-        format!("With equal masses and no loss the {name} takes all of it.")
+        format!("With equal masses and no energy lost the {name} takes all of it.")
     } else {
-        let [times, after] = [truth / along, truth].map(significant);
-        format!("The {name} leaves with (1 + e) m₁ / (m₁ + m₂) = {times} times that: {after} m/s.")
+        format!(
+            "The {name}'s speed is (1 + e) m₁ / (m₁ + m₂) times that: {} × {shown} m/s = {} m/s.",
+            Intermediate::new(times, |times| significant(shown.value * times)),
+            significant(truth)
+        )
     };
     Outline::about(hit)
         .named("target", "target-speed")
-        .ask(format!("How fast does the {name} leave?"))
+        .ask(format!("What is the {name}'s speed after the collision?"))
         .number(Measure::Speed, truth)
         .wrong(SineCosine, truth * alpha.tan())
         .says(sine_for_cosine(name))
         .wrong(OneLineFormula, truth / alpha.cos())
         .says(format!(
-            "You used the formula of a head-on hit on the whole {before} m/s. Only the part along \
-             the line of impact takes part."
+            "You used the formula for a head-on collision with the whole {before} m/s. Use only \
+             the component along the line of impact."
         ))
         .wrong(SpeedsAdd, equal.then_some(u * (1.0 - alpha.sin())))
         .says(
-            "You took what the striker keeps off the speed before. Speeds do not add up so: they \
-             are the sides of a triangle.",
+            "You subtracted the striker's final speed from the original speed. Speeds do not add \
+             up like that: they are the sides of a triangle.",
         )
         .wrong(UpsideDown, speed(&hit.exchanged()))
-        .says("You had the masses the other way round: a heavier striker gives the more speed.")
+        .says("You swapped the two masses: a heavier striker makes the target faster.")
         .wrong(Lossless, lossless)
-        .says(here_e("That is the speed without loss.", e))
+        .says(here_e("That is the speed if no energy is lost.", e))
         .wrong(LossOnEverything, e * lossless)
         .says(SHRUNK)
         .why(format!(
-            "Along the line of impact the striker brings {before} cos {} = {} m/s. {share}",
+            "The striker's component along the line of impact is {before} m/s × cos {}° = {shown} \
+             m/s. {share}",
             bare_degrees(alpha),
-            significant(along)
         ))
 }
 
 /// Of whoever takes the sine for the cosine in what the struck disc of this name gets.
 pub(super) fn sine_for_cosine(name: &str) -> String {
-    format!("You took the sine for the cosine. Head-on the {name} gets the most.")
+    format!("You used the sine instead of the cosine. The {name} gets the most head-on.")
 }
 
 /// Of whoever takes e off a speed without loss.
-pub(super) const SHRUNK: &str = "You multiplied the speed without loss by e. But e makes them \
-                                 part more slowly; it does not shrink each speed.";
+pub(super) const SHRUNK: &str = "You multiplied the speed for e = 1 by e. But e multiplies the \
+                                 speed of separation, not each of the two speeds.";
 
 /// The striker's speed, equal masses: the part across the line of impact, which is all
 /// that it keeps.
@@ -76,23 +81,23 @@ fn striker(hit: &Hit) -> Option<Question> {
     let outcome = hit.outcome();
     Outline::about(hit)
         .named("striker", "striker-speed")
-        .ask("How fast does the striker go on?")
+        .ask("What is the striker's speed after the collision?")
         .number(Measure::Speed, outcome.v1.length())
         .wrong(SineCosine, outcome.v2.length())
-        .says("You took the cosine for the sine. Head-on the striker keeps nothing.")
+        .says("You used the cosine instead of the sine. Head-on the striker keeps nothing.")
         .wrong(SpeedsAdd, u - outcome.v2.length())
         .says(
-            "You took the coin's speed off the speed before. Speeds do not add up so: they are \
-             the sides of a triangle.",
+            "You subtracted the coin's speed from the original speed. Speeds do not add up like \
+             that: they are the sides of a triangle.",
         )
         .wrong(OneLineFormula, 0.0)
         .says(
-            "You stopped the striker as in a head-on hit. Its part across the line of impact is \
-             not touched.",
+            "You stopped the striker as in a head-on collision. But its component perpendicular \
+             to the line of impact does not change.",
         )
         .why(format!(
-            "With equal masses and no loss the striker gives up all it had along the line of \
-             impact. It keeps the part across: {} sin {} = {} m/s.",
+            "With equal masses and no energy lost the striker loses all of its velocity along the \
+             line of impact. It keeps the perpendicular component: {} m/s × sin {}° = {} m/s.",
             significant(u),
             bare_degrees(alpha),
             significant(outcome.v1.length())

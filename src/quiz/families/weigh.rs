@@ -61,7 +61,7 @@ impl SeenHit {
     /// A question about what was seen of this striker.
     fn told(&self, striker: &str) -> Outline {
         let text = format!(
-            "{striker} hit a resting coin. {}",
+            "{striker} hit a coin at rest. {}",
             seen_angles(self.theta1, self.theta2)
         );
         let collision = self.hit.collision();
@@ -72,7 +72,7 @@ impl SeenHit {
 /// The two angles of a hit that was seen, in a sentence.
 pub(super) fn seen_angles(theta1: f64, theta2: f64) -> String {
     format!(
-        "It left {} off its old path (θ₁), the coin {} to the other side (θ₂).",
+        "The striker was deflected by θ₁ = {}; the coin left at θ₂ = {} on the other side.",
         degrees(theta1),
         degrees(theta2)
     )
@@ -91,33 +91,35 @@ fn which(dice: &mut Dice) -> Option<Question> {
     }
     let why = match right {
         LIGHTER => {
-            ", less than 90°: the striker still followed the coin along the line of impact. So it \
-             is the heavier one."
+            ", less than 90°: the striker still followed the coin along the line of impact. So \
+             the striker is the heavier one."
         }
-        ALIKE => ". A right angle without loss means equal masses, whatever the offset.",
+        ALIKE => ". If no energy is lost, a right angle means equal masses, whatever the offset.",
         _ => {
-            ", more than 90°: the striker bounced back along the line of impact. So the coin is \
-             the heavier one."
+            ", more than 90°: the striker rebounded along the line of impact. So the coin is the \
+             heavier one."
         }
     };
     seen.told("A smooth striker")
         .named("which", "which-is-heavier")
-        .ask("No energy was lost. What is the coin?")
+        .ask("No energy was lost. How heavy is the coin?")
         .options(WEIGHTS, right)
         .chooses(HeavyUnmoved, turned_less)
         .says(
-            "You took the one that is turned less for the heavier. How far each is turned depends \
-             on the offset, too.",
+            "You assumed that the disc with the smaller angle is the heavier one. But both angles \
+             also depend on the offset.",
         )
         .chooses(UpsideDown, HEAVIER - right)
         .says(FOLLOWS_OR_BOUNCES)
         .why(format!(
-            "Together that is {}{why}",
-            degrees(seen.theta1 + seen.theta2)
+            "The angle between the paths is {} + {} = {:.1}°{why}",
+            degrees(seen.theta1),
+            degrees(seen.theta2),
+            (tenths(seen.theta1) + tenths(seen.theta2)) as f64 / 10.0
         ))
 }
 
-const RATIO_UPSIDE_DOWN: &str = "You had the ratio of the masses upside down.";
+const RATIO_UPSIDE_DOWN: &str = "You inverted the ratio of the masses.";
 
 /// The mass of the coin by the momentum across the striker's way: angles and speeds.
 fn by_momentum(seen: &SeenHit) -> Option<Question> {
@@ -125,16 +127,19 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
     let (u, v1, v2) = (seen.hit.speed, outcome.v1.length(), outcome.v2.length());
     let (theta1, theta2) = (seen.theta1, seen.theta2);
     let [before, then, coin] = [u, v1, v2].map(significant);
+    let [sin1, sin2] = [theta1, theta2].map(|angle| read_off_angle(angle).sin());
+    let found = STRIKER * read_off(v1) * sin1 / (read_off(v2) * sin2);
     seen.told(&format!("A striker of {} g", significant(STRIKER)))
         .named("momentum", "mass-from-momentum")
         .ask(format!(
-            "Speeds: {before} m/s before, then {then} m/s, the coin {coin} m/s. Its mass?"
+            "The striker's speed was {before} m/s before and {then} m/s after, the coin's {coin} \
+             m/s after. What is the coin's mass?"
         ))
         .number(Measure::Mass, seen.coin_g)
         .wrong(ScalarMomentum, STRIKER * (u - v1) / v2)
         .says(
-            "You added the momenta like plain numbers. They point in different directions: across \
-             the striker's path they cancel.",
+            "You added the momenta as plain numbers. They are vectors: their components \
+             perpendicular to the original direction cancel.",
         )
         .wrong(UpsideDown, STRIKER * STRIKER / seen.coin_g)
         .says(RATIO_UPSIDE_DOWN)
@@ -143,15 +148,17 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
             (STRIKER * v1 * theta1.cos() / (v2 * theta2.cos())).abs(),
         )
         .says(
-            "You took the parts along the path, with cosines. Those across it cancel, and they go \
-             with sines.",
+            "You used the components along the original direction, with cosines. It is the \
+             perpendicular components, with sines, that cancel.",
         )
         .why(format!(
-            "Across the path there was no momentum, so the two parts are equal: m₁ v₁ sin θ₁ = \
-             {across} g m/s = m₂ v₂ sin θ₂. So m₂ = {across} / {} = {} g.",
-            significant(v2 * theta2.sin()),
-            significant(seen.coin_g),
-            across = significant(STRIKER * v1 * theta1.sin()),
+            "Perpendicular to the original direction there was no momentum, so the two components \
+             are equal in size: m₁v₁ sin θ₁ = m₂v₂ sin θ₂. So m₂ = {} × {then} × sin {}° / ({coin} × \
+             sin {}°) = {}.",
+            significant(STRIKER),
+            bare_degrees(theta1),
+            bare_degrees(theta2),
+            within_readings(&Measure::Mass.print(found), &Measure::Mass.print(seen.coin_g))
         ))
 }
 
@@ -160,20 +167,34 @@ fn by_angles(seen: &SeenHit) -> Option<Question> {
     let (theta1, theta2) = (seen.theta1, seen.theta2);
     let e = seen.hit.restitution;
     let lossless = mass_ratio_from_angles(theta1, theta2, 1.0)?;
-    let coin = significant(seen.coin_g);
+    let [read1, read2] = [theta1, theta2].map(read_off_angle);
+    let found = |mass: f64| {
+        within_readings(
+            &Measure::Mass.print(mass),
+            &Measure::Mass.print(seen.coin_g),
+        )
+    };
     let (loss, why) = if e < 1.0 {
+        let k = k_from_angles(read1, read2).or(k_from_angles(theta1, theta2))?;
+        let mass = |k: f64| STRIKER * k / (1.0 + e - k);
         let why = format!(
-            "k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {} is what the striker gives up along the line. \
-             It is (1 + e) m₂ / (m₁ + m₂), so m₂ = {coin} g.",
-            significant(k_from_angles(theta1, theta2)?)
+            "The striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {k} of its velocity \
+             along the line of impact. As k = (1 + e) m₂ / (m₁ + m₂), m₂ = {} × {k} / (1 + {} − {k}) \
+             = {}.",
+            significant(STRIKER),
+            significant(e),
+            found(mass(k)),
+            k = Intermediate::new(k, |k| significant(mass(k))),
         );
         (format!("e = {}.", significant(e)), why)
     } else {
+        let ratio = mass_ratio_from_angles(read1, read2, 1.0).unwrap_or(lossless);
         let why = format!(
-            "Without loss m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁ = {ratio}. So m₂ = {} / {ratio} = \
-             {coin} g.",
+            "If no energy is lost, m₁ / m₂ = sin(θ₁ + 2θ₂) / sin θ₁ = {shown}. So m₂ = {} / {shown} = \
+             {}.",
             significant(STRIKER),
-            ratio = significant(lossless)
+            found(STRIKER / ratio),
+            shown = Intermediate::new(ratio, |ratio| significant(STRIKER / ratio))
         );
         ("No energy was lost.".into(), why)
     };
@@ -184,14 +205,11 @@ fn by_angles(seen: &SeenHit) -> Option<Question> {
         .wrong(UpsideDown, STRIKER * STRIKER / seen.coin_g)
         .says(RATIO_UPSIDE_DOWN)
         .wrong(Lossless, STRIKER / lossless)
-        .says(here_e("That is the mass if nothing is lost.", e))
+        .says(here_e("That is the mass if no energy is lost.", e))
         .wrong(
             DoubleAngleForgotten,
             STRIKER * theta1.sin() / (theta1 + theta2).sin(),
         )
-        .says(
-            "You took θ₂ once where it stands twice: seen from the centre of mass the line turns \
-             by twice the angle.",
-        )
+        .says("You used θ₂, but the formula contains 2θ₂.")
         .why(why)
 }

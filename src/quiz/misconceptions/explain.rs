@@ -55,9 +55,9 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
                 Ray::Target => "coin",
             };
             let way = match aim.error(*offset) {
-                Some(error) => format!("The {disc} passes the mark by {}.", degrees(error)),
+                Some(error) => format!("The {disc} misses the mark by {}.", degrees(error)),
                 None if aim.outcome(*offset).hit() => format!("The {disc} does not move."),
-                None => "It misses: the offset is more than both radii together.".into(),
+                None => "The striker misses: the offset is larger than r₁ + r₂.".into(),
             };
             ("off the mark", way)
         }
@@ -104,7 +104,7 @@ fn rays_off(said: &Rays, truth: &Rays, target: &str) -> (&'static str, String) {
     }
 }
 
-/// How a ray is off: "is 12.0° too wide", "does not stay still".
+/// How a ray is off: "is 12.0° too wide", "does not stay at rest".
 fn off(said: &Rays, truth: &Rays, ray: Ray) -> String {
     match (said.get(ray), truth.get(ray), said.apart(truth, ray)) {
         (Some(said), Some(true_angle), Some(error)) => {
@@ -119,8 +119,8 @@ fn off(said: &Rays, truth: &Rays, ray: Ray) -> String {
             };
             format!("is {} {how}", degrees(error))
         }
-        (_, None, _) => "stays still".into(),
-        (None, ..) | (.., None) => "does not stay still".into(),
+        (_, None, _) => "should be at rest".into(),
+        (None, ..) | (.., None) => "does not stay at rest".into(),
     }
 }
 
@@ -154,16 +154,17 @@ mod tests {
         let equal = explained(Pieces::Equal, 30.0, Some(60.0), 30.0);
         assert_eq!(
             equal,
-            "[right] Right, and this is why. The coin leaves along the line of impact: 30.0°. \
-             Along it the striker gives up all its speed. Its part across stays, at right angles: \
-             90 - 30.0 = 60.0°."
+            "[right] Right, and this is why. The coin leaves along the line of impact, at 30.0°. \
+             Along that line the striker loses all of its velocity. Only the perpendicular \
+             component remains, at 90° − 30.0° = 60.0°."
         );
         let marbles = explained(Pieces::Marbles, 45.0, Some(63.4), 45.0);
         assert_eq!(
             marbles,
-            "[right] Right, and this is why. The marble leaves along the line of impact: 45.0°. \
-             Across the line the striker keeps 2.12 m/s; along it, it bounces at 0.707 m/s. So \
-             the two part by 108.4°: 108.4 - 45.0 = 63.4°."
+            "[right] Right, and this is why. The marble leaves along the line of impact, at 45.0°. \
+             Perpendicular to that line the striker keeps 2.12 m/s; along it the striker rebounds \
+             at 0.707 m/s. So the angle between the paths is 108.4°, and the striker's is 108.4° − \
+             45.0° = 63.4°."
         );
     }
 
@@ -189,14 +190,14 @@ mod tests {
                 30.0,
                 None,
                 20.0,
-                "[both are off] The striker does not stay still; the coin is 10.0° too narrow.",
+                "[both are off] The striker does not stay at rest; the coin is 10.0° too narrow.",
             ),
             (
                 Pieces::Equal,
                 0.0,
                 Some(20.0),
                 0.0,
-                "[one is off] The coin is right; the striker stays still.",
+                "[one is off] The coin is right; the striker should be at rest.",
             ),
             (
                 Pieces::Marbles,

@@ -71,75 +71,80 @@ impl Misconception {
         let alpha = hit.alpha().abs();
         match self {
             Self::CopiedAngle => format!(
-                "You sent the striker off at the impact angle, {}. That is the {name}'s angle.",
+                "You used the impact angle, {}, for the striker. That is the {name}'s angle.",
                 degrees(alpha)
             ),
             Self::AlwaysSquare => format!(
-                "You made it a right angle, {} + {}. That does not hold with {}.",
+                "You assumed a right angle, {}° + {} = 90°. That does not hold {}.",
                 bare_degrees(FRAC_PI_2 - alpha),
                 degrees(alpha),
                 if hit.restitution < 1.0 {
-                    "energy lost"
+                    "if energy is lost"
                 } else {
-                    "unequal masses"
+                    "for unequal masses"
                 }
             ),
-            Self::HalfAndHalf => "You gave each of them 45°. But they do not share evenly: where \
-                                  they touch decides."
+            Self::HalfAndHalf => "You gave each disc 45°. But the two angles are not equal: they \
+                                  depend on where the discs touch."
                 .into(),
             Self::Swapped => match hit.truth() {
                 Rays {
                     striker: Some(theta1),
                     target: Some(theta2),
                 } if !hit.head_on() => format!(
-                    "Your figures are right, but swapped: {} is the {name}'s, {} the striker's.",
+                    "Your angles are right, but swapped: {} is the {name}'s, {} the striker's.",
                     degrees(theta2.abs()),
                     degrees(theta1.abs())
                 ),
                 _ => format!(
-                    "You had it the other way round: you gave the {name} the striker's part."
+                    "You had it the wrong way round: what you drew for the {name} is what the \
+                     striker does."
                 ),
             },
             Self::HeavyUnmoved if hit.mass_ratio() > 1.0 => {
-                "You let the heavy striker go straight on. But the push that moves the coin \
-                 pushes the striker back just as hard."
+                "You assumed that the heavy striker goes straight on. But the coin exerts an \
+                 equal and opposite force on the striker."
                     .into()
             }
-            Self::HeavyUnmoved => "You left the heavy marble at rest. But the push that turns the \
-                                   striker pushes the marble just as hard."
+            Self::HeavyUnmoved => "You left the heavy marble at rest. But the striker exerts a \
+                                   force on the marble, as large as the one that deflects the \
+                                   striker."
                 .into(),
             Self::StraightOn => format!(
-                "You let the striker go straight on. But it pushes the {name}, and the {name} \
-                 pushes it back just as hard."
+                "You assumed that the striker goes straight on. But the {name} exerts an equal \
+                 and opposite force on the striker."
             ),
             Self::PushedAhead => format!(
-                "You sent the {name} straight ahead. But smooth discs push only along the line \
-                 through their centres."
+                "You sent the {name} straight ahead. But smooth discs exert forces only along the \
+                 line through their centres."
             ),
             Self::SameSide => format!(
-                "You sent both to the {side}. Nothing moved sideways before, so sideways the two \
-                 must balance."
+                "You sent both to the {side}. There was no sideways momentum before, so the two \
+                 sideways momenta must cancel."
             ),
             Self::SidesExchanged => format!(
-                "Your figures are right, on the wrong sides. The {name} lies to the {side}, so \
-                 it goes to the {side}."
+                "Your angles are right, but on the wrong sides. The {name} lies to the {side}, so \
+                 the {name} leaves to the {side}."
             ),
             Self::OffAWall => format!(
-                "You turned the striker by {}, as off a wall. But the {name} gives way.",
+                "You deflected the striker by {}, as if off a wall. But the {name} is free to \
+                 move.",
                 degrees(PI - 2.0 * alpha)
             ),
             Self::OffsetAsAngle => format!(
-                "You took the offset as a share of 90° and found {}. But that share is the sine \
-                 of the angle.",
+                "You used the offset as a share of 90° and got {}. But that share is the sine of \
+                 the angle.",
                 degrees(FRAC_PI_2 * hit.alpha().sin().abs())
             ),
             Self::Lossless => format!(
-                "Your angles are those without loss. With e = {} the two part more slowly along \
-                 the line of impact.",
+                "Your angles are right if no energy is lost. With e = {} the two separate more \
+                 slowly along the line of impact.",
                 significant(hit.restitution)
             ),
             Self::AlwaysStops => {
-                "You stopped the striker. Without loss that takes equal masses.".into()
+                "You stopped the striker. If no energy is lost, it stops only if the masses are \
+                 equal."
+                    .into()
             }
             _ => String::new(),
         }

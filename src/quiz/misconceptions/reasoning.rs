@@ -1,8 +1,10 @@
 //! Why the two discs of a hit go where they go, on its own figures.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::physics::CollisionOutcome;
 
-use crate::numbers::{bare_degrees, bare_millimetres, degrees, significant};
+use crate::numbers::{Intermediate, bare_millimetres, degrees, fixed, significant};
 use crate::physics::ImpactPoint;
 use crate::quiz::question::Hit;
 
@@ -16,10 +18,10 @@ pub(crate) fn reasoning(hit: &Hit) -> String {
     let alpha = degrees(hit.alpha().abs());
     let target = match hit.given {
         ImpactPoint::Angle { .. } => {
-            format!("The {name} leaves along the line of impact: {alpha}.")
+            format!("The {name} leaves along the line of impact, at {alpha}.")
         }
         ImpactPoint::Offset { offset_mm } => format!(
-            "{} / {} = sin {alpha} gives the line of impact, the {name}'s path.",
+            "sin α = {} / {}, so the line of impact, the {name}'s path, is at α = {alpha}.",
             bare_millimetres(offset_mm.abs()),
             bare_millimetres(hit.reach_mm())
         ),
@@ -37,28 +39,31 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     ) else {
         return String::new();
     };
-    let alpha = bare_degrees(hit.alpha().abs());
-    let theta1 = degrees(theta1.abs());
-    let along = outcome.v1.dot(normal);
-    let across = significant(outcome.v1.dot(tangent).abs());
+    let (alpha, theta1) = (hit.alpha().abs(), theta1.abs());
+    let (along, across) = (outcome.v1.dot(normal), outcome.v1.dot(tangent).abs());
     // Rounding noise against the speed of the striker.
     if along.abs() <= 1e-9 * hit.speed {
         return format!(
-            "Along it the striker gives up all its speed. Its part across stays, at right angles: \
-             90 - {alpha} = {theta1}."
+            "Along that line the striker loses all of its velocity. Only the perpendicular \
+             component remains, at 90° − {}° = {}.",
+            Intermediate::angle(alpha, |alpha| degrees(FRAC_PI_2 - alpha)),
+            degrees(theta1)
         );
     }
-    let rest = significant(along.abs());
-    let rest = if along > 0.0 {
-        format!("along it {rest} m/s is left")
-    } else {
-        format!("along it, it bounces at {rest} m/s")
+    let shown = Intermediate::angle(separation, |whole| degrees(whole - alpha));
+    let alpha = Intermediate::angle(alpha, |alpha| degrees(shown.value - alpha));
+    let between =
+        |along: f64, across: f64| fixed(across.atan2(along).to_degrees(), shown.decimals());
+    let along = Intermediate::new(along, |along| between(along, across));
+    let across = Intermediate::new(across, |across| between(along.value, across));
+    let rest = match along.value > 0.0 {
+        true => format!("along it {along} m/s remain"),
+        false => format!("along it the striker rebounds at {} m/s", along.size()),
     };
     format!(
-        "Across the line the striker keeps {across} m/s; {rest}. So the two part by \
-         {separation}: {bare} - {alpha} = {theta1}.",
-        separation = degrees(separation),
-        bare = bare_degrees(separation),
+        "Perpendicular to that line the striker keeps {across} m/s; {rest}. So the angle between \
+         the paths is {shown}°, and the striker's is {shown}° − {alpha}° = {}.",
+        degrees(theta1)
     )
 }
 
@@ -70,23 +75,27 @@ fn head_on(hit: &Hit, outcome: &CollisionOutcome) -> String {
     let heavier = collision.striker.mass > collision.target.mass;
     let striker = match outcome.theta1 {
         None if collision.striker.mass == collision.target.mass => {
-            "With equal masses and no loss they exchange velocities: the striker stops".into()
+            "With equal masses and no energy lost they exchange velocities: the striker stops"
+                .into()
         }
         None => format!(
-            "A {name} of this mass would throw the striker back if no energy were lost. With this \
-             loss it just stops it"
+            "If no energy were lost, the striker would rebound from a {name} of this mass. With \
+             this loss it just stops"
         ),
         Some(_) if outcome.v1.dot(collision.u1) < 0.0 => {
-            format!("The lighter striker is thrown straight back, at {v1} m/s")
+            format!("The lighter striker rebounds straight back at {v1} m/s")
         }
         Some(_) if heavier => {
-            format!("The heavier striker is slowed but goes on, at {v1} m/s")
+            format!("The heavier striker is slowed but goes on at {v1} m/s")
         }
         Some(_) => {
-            format!("As energy is lost, the striker is not quite stopped: it goes on, at {v1} m/s")
+            format!("As energy is lost, the striker does not quite stop: it goes on at {v1} m/s")
         }
     };
-    format!("Head-on, everything stays on one line. {striker}, and the {name} leaves at {v2} m/s.")
+    format!(
+        "In a head-on collision all motion stays on one line. {striker}, and the {name} \
+             leaves at {v2} m/s."
+    )
 }
 
 #[cfg(test)]
@@ -110,10 +119,10 @@ mod tests {
         };
         assert!(said(15.0, 15.0, 1.0).contains("exchange velocities"));
         assert!(said(15.0, 15.0, 0.5).contains("energy is lost"));
-        assert!(said(15.0, 15.0, 0.5).contains("goes on, at 1.00 m/s"));
-        assert!(said(15.0, 30.0, 0.5).contains("With this loss it just stops it"));
+        assert!(said(15.0, 15.0, 0.5).contains("goes on at 1.00 m/s"));
+        assert!(said(15.0, 30.0, 0.5).contains("With this loss it just stops"));
         assert!(said(45.0, 15.0, 1.0).contains("heavier striker is slowed"));
-        assert!(said(15.0, 45.0, 1.0).contains("thrown straight back, at 2.00 m/s"));
+        assert!(said(15.0, 45.0, 1.0).contains("rebounds straight back at 2.00 m/s"));
         assert!(!said(20.0, 30.0, 0.5).contains("heavier"));
     }
 }

@@ -11,7 +11,7 @@ use crate::quiz::question::{Answer, Confidence, Hit, Rays, Response};
 /// both, if they did: a title, which may be empty, and a text.
 pub fn why(collision: &Collision, said: Option<Rays>) -> (&'static str, String) {
     if collision.outcome().meeting != Meeting::Hit {
-        let text = "They just brush: nothing is pushed, and both go on as before.";
+        let text = "The discs only graze each other: no force acts, and both go on as before.";
         return ("", text.into());
     }
     if collision.u2 != DVec2::ZERO {
@@ -41,6 +41,7 @@ fn both_moving(collision: &Collision) -> String {
     let [v1n, v2n] = [outcome.v1, outcome.v2].map(|v| fixed(v.dot(n), 2));
     let [u1t, u2t] = [collision.u1, collision.u2].map(|u| fixed(u.dot(t), 2));
     format!(
-        "Both move, but the rule is the same. Along n: {u1n} and {u2n} m/s become {v1n} and {v2n}. Across, along t, both keep what they had: {u1t} and {u2t}."
+        "Both discs move, but the rule is the same. Along n, {u1n} and {u2n} m/s become {v1n} and \
+         {v2n} m/s. Along t, both keep their components: {u1t} and {u2t} m/s."
     )
 }

@@ -128,7 +128,7 @@ impl Hit {
         [self.pieces.striker(), self.pieces.target()].map(|disc| g_from_kg(disc.mass))
     }
 
-    /// What meets what: "A striker of 15.0 g hits a resting coin of 5.50 g", where the
+    /// What meets what: "A striker of 15.0 g hits a coin of 5.50 g at rest", where the
     /// striker is called so and does so.
     pub(in crate::quiz) fn who(&self, striker: &str, does: &str) -> String {
         let [m1, m2] = self.masses_g().map(significant);
@@ -137,7 +137,12 @@ impl Hit {
             true => "the same mass".to_owned(),
             false => format!("{m2} g"),
         };
-        format!("A {striker} of {m1} g {does} a resting {name} of {mass}")
+        format!("A {striker} of {m1} g {does} a {name} of {mass} at rest")
+    }
+
+    /// What a striker of this speed does: "moving at 3.00 m/s hits".
+    pub(in crate::quiz) fn hits(&self) -> String {
+        format!("moving at {} m/s hits", significant(self.speed))
     }
 
     /// How much is lost, in a sentence: "Some energy is lost: e = 0.500."
@@ -179,22 +184,21 @@ impl Hit {
     /// The hit in words, without what the picture alone can tell.
     pub fn setting(&self) -> String {
         let name = self.pieces.target_name();
-        let speed = significant(self.speed);
         let side = self.side_name();
         let place = match self.given {
-            _ if self.head_on() => format!("It meets the {name} head-on (offset 0)."),
+            _ if self.head_on() => "The collision is head-on (offset 0).".to_owned(),
             ImpactPoint::Angle { .. } => format!(
-                "The {name} lies to the {side} of its path; the line of impact makes {} with it.",
+                "The {name} lies to the {side} of the striker's path, and the line of impact is at \
+                 {} to that path.",
                 numbers::degrees(self.alpha().abs())
             ),
             ImpactPoint::Offset { offset_mm } => format!(
-                "The {name}'s centre lies {} to the {side} of its path; the two radii \
-                 make {} together.",
+                "The {name}'s centre lies {} to the {side} of the striker's path; r₁ + r₂ = {}.",
                 numbers::millimetres(offset_mm.abs()),
                 numbers::millimetres(self.reach_mm())
             ),
         };
-        let (who, loss) = (self.who("striker", "hits"), self.loss());
-        format!("{who} at {speed} m/s. {place} {loss}")
+        let who = self.who("striker", &self.hits());
+        format!("{who}. {place} {}", self.loss())
     }
 }

@@ -13,15 +13,20 @@ pub(crate) fn explain(watch: &Watch) -> (&'static str, String) {
     let collision = watch.collision();
     let text = match watch.outcome().meeting {
         Meeting::Miss if collision.relative_velocity().length() == 0.0 => {
-            "Both move with the same velocity, so the gap between them never closes: no hit.".into()
+            "Both discs have the same velocity, so the distance between them never changes: there \
+             is no collision."
+                .into()
         }
         Meeting::Miss => format!(
-            "A miss. The offset of {:.1} mm is more than r₁ + r₂ = {:.1} mm, so nothing touches: the striker goes straight on and the coin is left as it was.",
+            "A miss. The offset of {:.1} mm is more than r₁ + r₂ = {:.1} mm, so the discs do not \
+             touch: the striker goes straight on, and the coin stays as it was.",
             tidy(mm_from_m(collision.offset.abs())),
             tidy(mm_from_m(collision.contact_distance()))
         ),
         Meeting::Graze => {
-            "They just brush: at an offset of exactly r₁ + r₂ the line of impact is at right angles to the motion, nothing is pushed, and the striker goes straight on.".into()
+            "The discs only graze each other: at an offset of exactly r₁ + r₂ the line of impact \
+             is at right angles to the motion, no force acts, and the striker goes straight on."
+                .into()
         }
         Meeting::Hit if collision.bond == Bond::Stick => stuck(watch),
         Meeting::Hit => {
@@ -40,14 +45,18 @@ fn stuck(watch: &Watch) -> String {
     let turning = if outcome.energy_rotation > 0.0 {
         let [striker, coin] = watch.collision().centres_after().map(DVec2::length);
         format!(
-            " Hit off-centre, the pair also turns about it, {} times a second: right after the contact the striker's centre has {striker:.2} m/s and the coin's {coin:.2} m/s.",
+            " After an off-centre collision the pair also rotates about the centre of mass, {} \
+             times a second: right after the contact the striker's centre moves at {striker:.2} \
+             m/s and the coin's at {coin:.2} m/s.",
             turns_a_second(outcome)
         )
     } else {
-        " Hit head-on, the pair does not turn.".into()
+        " After a head-on collision the pair does not rotate.".into()
     };
     format!(
-        "They stick. Their centre of mass goes on with V = {:.2} m/s.{turning} Sticking is not the same as e = 0: smooth discs would still slip past each other.",
+        "The collision is perfectly inelastic: the discs move on together, and their centre of \
+         mass moves at V = {:.2} m/s.{turning} This is not the same as e = 0 with smooth rims: \
+         then the discs would still slip past each other.",
         outcome.v1.length()
     )
 }
