@@ -110,7 +110,7 @@ fn passed(hit: &Hit) -> Option<Question> {
         .wrong(Lossless, without_loss)
         .says(here_e("That is right if no energy is lost.", e))
         .wrong(EAsEnergy, e * without_loss)
-        .says("You took e as a share of energy. e compares the speeds of separation and approach.")
+        .says("You used e as a share of energy. e compares the speeds of separation and approach.")
         .wrong(LossOnEverything, e * e * without_loss)
         .says(SHRUNK)
         .why(format!(
@@ -137,7 +137,7 @@ fn lost(hit: &Hit) -> Option<Question> {
         .number(Measure::Share, PERCENT * lost)
         .wrong(EAsEnergy, PERCENT * (1.0 - e))
         .says(format!(
-            "You took e = {} as the share that is kept. e compares speeds, not energies.",
+            "You used e = {} as the share that is kept. e compares speeds, not energies.",
             significant(e)
         ))
         .wrong(LossOnEverything, without_return)

@@ -109,11 +109,15 @@ impl<'a> BeatWords<'a> {
         let sticks = self.collision.bond == Bond::Stick;
         match beat {
             Beat::Contact if self.outcome.meeting == Meeting::Graze => {
-                "Only just: the rims brush past each other, and nothing is pushed.".into()
+                "A graze: the rims only just touch, and no force acts.".into()
             }
-            Beat::Contact => "The rims touch at one point. For this instant each disc pushes the other, equally hard and in opposite directions.".into(),
-            Beat::Line if sticks => "The line of impact n joins the two centres; the tangent t is at right angles to it. Smooth rims push along n only. These stick, so they also pull along t.".into(),
-            Beat::Line => "The line of impact n joins the two centres: only along it do they push. The tangent t is at right angles to it.".into(),
+            Beat::Contact => "The rims touch at one point. At this instant each disc exerts a \
+                              force on the other: equal in size, opposite in direction.".into(),
+            Beat::Line if sticks => "The line of impact n joins the two centres; the tangent t is \
+                                     at right angles to it. Smooth rims exert a force along n \
+                                     only. These rims are joined, so a force acts along t as well.".into(),
+            Beat::Line => "The line of impact n joins the two centres: the force acts only along \
+                           n. The tangent t is at right angles to it.".into(),
             Beat::Split => self.split(sticks),
             Beat::Coin => self.coin(),
             Beat::Striker => self.striker(),
@@ -139,15 +143,20 @@ impl<'a> BeatWords<'a> {
     fn split(&self, sticks: bool) -> String {
         let u = self.parts(self.collision.u1);
         match (sticks, self.is_plain()) {
-            (true, true) => "So split u into uₙ along n and uₜ along t. Rims that stick pull along t as well, so here both take part in the hit.".into(),
-            (true, false) => "So split the velocities along n and along t. Rims that stick pull along t as well, so here both parts take part in the hit.".into(),
-            (false, true) if is_none(u.t) => "So split u: it is all along n. Nothing of it lies along t, so all of it takes part in the hit.".into(),
+            (true, true) => "So resolve u into uₙ along n and uₜ along t. Here forces act along \
+                             both, so the collision changes both components.".into(),
+            (true, false) => "So resolve the velocities along n and along t. Here forces act \
+                              along both, so the collision changes both components.".into(),
+            (false, true) if is_none(u.t) => "So resolve u: it is all along n. There is no \
+                                              component along t, so the collision acts on all of \
+                                              u.".into(),
             (false, true) => format!(
-                "So split u: uₙ = {} along n takes part in the hit, uₜ = {} along t does not notice it.",
+                "So resolve u: the collision changes uₙ = {} along n, but not uₜ = {} along t.",
                 speed(u.n),
                 speed(u.t)
             ),
-            (false, false) => "So split both velocities. The parts along t do not notice the hit: only those along n take part in it.".into(),
+            (false, false) => "So resolve both velocities. The collision changes only the \
+                               components along n, not those along t.".into(),
         }
     }
 
@@ -158,7 +167,7 @@ impl<'a> BeatWords<'a> {
             return self.changed(1, &format!("What the {name} gets"));
         }
         let share = match is_none(v2.n - u1.n) {
-            true => "It takes all of uₙ".to_owned(),
+            true => "It gets all of uₙ".to_owned(),
             false => format!("It gets {:.2} of uₙ", v2.n / u1.n),
         };
         format!(
@@ -176,25 +185,26 @@ impl<'a> BeatWords<'a> {
         let whole = speed(v1.n.hypot(v1.t));
         match (is_none(v1.n), is_none(v1.t)) {
             (true, true) => {
-                format!("The {name} has no uₜ to keep, and of uₙ nothing is left: it stands still.")
+                format!("The {name} has no component uₜ, and nothing is left of uₙ: the {name} \
+                         stops.")
             }
             (true, false) => format!(
-                "The {name} keeps uₜ as it was. Of uₙ nothing is left, so v₁ = uₜ = {whole}."
+                "The {name} keeps uₜ. Nothing is left of uₙ, so v₁ = uₜ = {whole}."
             ),
             (false, across) => {
                 let keeps = if across {
-                    "has no uₜ to keep"
+                    "has no component uₜ"
                 } else {
-                    "keeps uₜ as it was"
+                    "keeps uₜ"
                 };
                 let along = match v1.n > 0.0 {
-                    true => format!("Along n it has {} left", speed(v1.n)),
-                    false => format!("Along n it is thrown back with {}", speed(v1.n)),
+                    true => format!("Along n the {name} has {} left", speed(v1.n)),
+                    false => format!("Along n the {name} rebounds at {}", speed(v1.n)),
                 };
                 let end = if across {
                     String::new()
                 } else {
-                    format!(" Both together: v₁ = {whole}.")
+                    format!(" Together: v₁ = {whole}.")
                 };
                 format!("The {name} {keeps}. {along}.{end}")
             }
@@ -206,11 +216,11 @@ impl<'a> BeatWords<'a> {
         let before = self.parts([self.collision.u1, self.collision.u2][body]);
         let after = self.parts([self.outcome.v1, self.outcome.v2][body]);
         let keeps = match is_none(after.t) {
-            true => "Along t it has nothing, before and after.".to_owned(),
-            false => format!("Along t it keeps its {}.", speed(after.t)),
+            true => "The component along t is zero, before and after.".to_owned(),
+            false => format!("The component along t stays at {}.", speed(after.t)),
         };
         format!(
-            "{title}. {keeps} Along n it had {} and now has {}.",
+            "{title}. {keeps} The component along n was {} and is now {}.",
             signed(before.n),
             signed(after.n)
         )
@@ -229,7 +239,7 @@ fn speed(v: f64) -> String {
 /// A part along n with its direction in words.
 fn signed(v: f64) -> String {
     match (is_none(v), v > 0.0) {
-        (true, _) => "nothing".into(),
+        (true, _) => "zero".into(),
         (_, true) => format!("{} forwards", speed(v)),
         (_, false) => format!("{} backwards", speed(v)),
     }
@@ -274,7 +284,7 @@ mod tests {
         assert!(lab(15.0, Beat::Coin).contains("all of uₙ: v₂ = 3.46 m/s"));
         assert!(lab(15.0, Beat::Striker).contains("v₁ = uₜ = 2.00 m/s"));
         assert!(lab(45.0, Beat::Coin).contains("0.50 of uₙ: v₂ = 1.73 m/s"));
-        assert!(lab(45.0, Beat::Striker).contains("thrown back with 1.73 m/s"));
+        assert!(lab(45.0, Beat::Striker).contains("rebounds at 1.73 m/s"));
         assert!(lab(5.0, Beat::Coin).contains("1.50 of uₙ: v₂ = 5.20 m/s"));
         assert!(lab(5.0, Beat::Striker).contains("1.73 m/s left"));
         // √(4 + 3): both parts together.
@@ -284,9 +294,9 @@ mod tests {
     #[test]
     fn from_the_centre_of_mass_the_part_along_n_turns_round() {
         let seen = words(&hit(15.0, 15.0, 30.0), Frame::CentreOfMass, Beat::Striker);
-        assert!(seen.contains("had 1.73 m/s forwards"), "{seen}");
-        assert!(seen.contains("now has 1.73 m/s backwards"), "{seen}");
-        assert!(seen.contains("keeps its 1.00 m/s"), "{seen}");
+        assert!(seen.contains("was 1.73 m/s forwards"), "{seen}");
+        assert!(seen.contains("is now 1.73 m/s backwards"), "{seen}");
+        assert!(seen.contains("stays at 1.00 m/s"), "{seen}");
     }
 
     #[test]
@@ -311,6 +321,6 @@ mod tests {
         let head_on = hit(15.0, 15.0, 0.0);
         assert!(words(&head_on, Frame::Laboratory, Beat::Split).contains("all along n"));
         let striker = words(&head_on, Frame::Laboratory, Beat::Striker);
-        assert!(striker.contains("stands still"), "{striker}");
+        assert!(striker.contains("the striker stops"), "{striker}");
     }
 }
