@@ -101,32 +101,36 @@ impl Intermediate {
         decimals.map_or(0, |(_, decimals)| decimals.len())
     }
 
-    /// The value of a printed result that follows from it.
+    /// A value before this result, which should be printed as it follows from the
+    /// [`value`](Self::value).
     pub(crate) fn new<T: PartialEq>(x: f64, result: impl Fn(f64) -> T) -> Self {
         let text = |more| fixed(x, decimals_for(x, 3) + more);
-        Self::leading_to(&result(x), text, |read| read, result)
+        Self::leading_to(x, text, |read| read, result)
     }
 
     /// The same of an angle in radians, printed in degrees without a unit.
     pub(crate) fn angle<T: PartialEq>(angle: f64, result: impl Fn(f64) -> T) -> Self {
         let text = |more| fixed(angle.to_degrees(), 1 + more);
-        Self::leading_to(&result(angle), text, f64::to_radians, result)
+        Self::leading_to(angle, text, f64::to_radians, result)
     }
 
     fn leading_to<T: PartialEq>(
-        wanted: &T,
+        exact: f64,
         text: impl Fn(usize) -> String,
         value: impl Fn(f64) -> f64,
         result: impl Fn(f64) -> T,
     ) -> Self {
         /// Beyond so many more figures the result hangs on rounding noise.
         const MOST: usize = 6;
+        const EDGE: f64 = 1e-9;
         let printed = |more| {
             let text = text(more);
             let value = value(text.parse().unwrap_or(f64::NAN));
             Self { text, value }
         };
-        let enough = |it: &Self| result(it.value) == *wanted;
+        // A result on the edge between two last digits may be printed as either.
+        let wanted = [1.0, 1.0 - EDGE, 1.0 + EDGE].map(|near| result(near * exact));
+        let enough = |it: &Self| wanted.contains(&result(it.value));
         (0..MOST)
             .map(&printed)
             .find(enough)
@@ -294,6 +298,9 @@ mod tests {
         let half = |angle: f64| degrees((90.0_f64.to_radians() - angle) / 2.0);
         assert_eq!(half(most), "34.3°");
         assert_eq!(Intermediate::angle(most, half).to_string(), "21.5");
+        // 3 × 0.433² is 56.247 %, and exactly 56.25 %.
+        let edge = Intermediate::new(0.75_f64.sqrt() / 2.0, |x| significant(300.0 * x * x));
+        assert_eq!(edge.to_string(), "0.433");
         let sixty = Intermediate::angle(60.0_f64.to_radians(), degrees);
         assert_eq!(sixty.to_string(), "60.0");
     }

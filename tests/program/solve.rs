@@ -423,20 +423,20 @@ fn the_worked_solution_speaks_of_what_is_special() {
     for (args, part) in [
         (
             &["--alpha-deg", "30"][..],
-            "a right angle, as always between equal masses",
+            "a right angle, as always for equal masses",
         ),
-        (&["--alpha-deg", "0"], "The striker stops dead"),
+        (&["--alpha-deg", "0"], "The striker stops"),
         (&["--alpha-deg", "90"], "A graze"),
         (&offset("40"), "A miss"),
         (&offset("-18.275"), "alpha = -30 deg"),
-        (&["--alpha-deg", "30", "--u2", "4,0"], "they never meet"),
+        (&["--alpha-deg", "30", "--u2", "4,0"], "they never collide"),
         (
             &["--alpha-deg", "30", "--u2", "-4,0"],
             "Seen by someone who moves as the target did, it is 90 deg",
         ),
         (
             &["--alpha-deg", "30", "--speed", "0", "--u2", "-1,0"],
-            "without an old course there is no scattering angle",
+            "without an original direction there is no scattering angle",
         ),
         (
             &["--alpha-deg", "30", "--restitution", "0.8", "--m1-g", "12"],
@@ -453,12 +453,12 @@ fn the_worked_solution_speaks_of_what_is_special() {
         ),
         (
             &["--alpha-deg", "0", "--stick"],
-            "a hit through the middle turns nothing",
+            "a head-on collision causes no rotation",
         ),
     ] {
         let text = printed(args);
         // No sign without a spelling in ASCII: those become question marks.
-        let text = text.replace("how squarely?", "");
+        let text = text.replace("at which impact angle?", "");
         let unwrapped = text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(unwrapped.contains(part), "{args:?}: {part}\n{text}");
         for never in ["NaN", "inf", "?", "-0 "] {

@@ -10,7 +10,7 @@ use carrom::quiz::{
     Answer, Confidence, Fit, Form, Grade, Hit, Misconception, Pieces, Question, RIGHT_DEG, Ray,
     Rays, Response, Round, explain, hits,
 };
-use carrom::widgets::text::wrap;
+use carrom::widgets::{Charset, text::wrap};
 use glam::DVec2;
 
 const SEEDS: u64 = 2_000;
@@ -170,8 +170,12 @@ fn assert_readable(text: &str, lines: usize) {
     for stranger in ["NaN", "inf", "-0.0", "  ", " -1", "{", "}"] {
         assert!(!text.contains(stranger), "{stranger:?} in {text:?}");
     }
-    let ascii = text.replace('°', " deg");
-    assert!(ascii.is_ascii(), "{text:?}");
+    let ascii = Charset::Ascii.text(text);
+    let unknown = |text: &str| text.matches('?').count();
+    assert!(
+        ascii.is_ascii() && unknown(&ascii) == unknown(text),
+        "{text:?}"
+    );
     let taken = wrap(&ascii, 28).len();
     assert!(taken <= lines, "{taken} lines: {text}");
 }
@@ -195,7 +199,7 @@ fn every_text_can_be_read() {
         }
         for rays in answers {
             let explanation = explain(question, &sure(rays));
-            assert_readable(&explanation.text, 12);
+            assert_readable(&explanation.text, 14);
             assert!(explanation.title.len() <= 28);
             let sentences = explanation.text.matches(['.', ':']).count();
             assert!(sentences >= 2);

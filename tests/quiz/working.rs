@@ -269,7 +269,10 @@ fn check_inverses(text: &str) -> Result<usize, String> {
         let angle = tokens.split(|(_, token)| *token == Token::End).next();
         let angle = angle.and_then(|it| printed(&bare(it))).ok_or(text)?;
         // Of a tangent below 0 the angle is obtuse.
-        let found = inverse(side).to_degrees().rem_euclid(180.0);
+        let found = match inverse(side).to_degrees() {
+            below if below < 0.0 => below + 180.0,
+            found => found,
+        };
         if !agree(found, angle) {
             return Err(format!("{mark}{side} gives {found}: {text}"));
         }

@@ -177,7 +177,7 @@ fn frames(
         1 => (
             draft
                 .named("from-the-coin", TOPIC)
-                .ask(angle_for("as the coin did before the collision"))
+                .ask(angle_for("as the coin did at first"))
                 .options(ANGLES, 0)
                 .chooses(FramesMixed, 1)
                 .says(
@@ -256,11 +256,11 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -
 fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Question> {
     let sign = if pair.way_deg == 180 { -1.0 } else { 1.0 };
     let dot = sign * f64::from(pair.speed * pair.target_speed);
-    let between = |v1: f64, v2: f64| degrees((dot / (v1 * v2)).acos());
+    let between = |v1: f64, v2: f64| degrees((dot / (v1 * v2)).clamp(-1.0, 1.0).acos());
     let [v1, v2] = [outcome.v1.length(), outcome.v2.length()];
-    let separation = between(v1, v2);
     let v1 = Intermediate::new(v1, |v1| between(v1, v2));
     let v2 = Intermediate::new(v2, |v2| between(v1.value, v2));
+    let separation = between(v1.value, v2.value);
     draft
         .named("separation", TOPIC)
         .ask("What is the angle between their paths in the laboratory frame?")
@@ -310,7 +310,8 @@ fn speed(
     let (along, across) = (others * cos, own * sin);
     let along = Intermediate::new(along, |along| speed(along, across));
     let across = Intermediate::new(across, |across| speed(along.value, across));
-    let [taken, kept, all] = [others, own, truth].map(significant);
+    let [taken, kept] = [others, own].map(significant);
+    let all = speed(along.value, across.value);
     draft
         .named(id, TOPIC)
         .ask(format!("What is the {name}'s speed after the collision?"))

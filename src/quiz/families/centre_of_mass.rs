@@ -46,8 +46,8 @@ fn shown(alpha: f64) -> Intermediate {
 /// Why Θ = 180° − 2α.
 fn why_turn(alpha: f64, turn: f64) -> String {
     format!(
-        "In the centre-of-mass frame the component along the line of impact is reversed and the \
-         perpendicular component stays the same, as at a wall. So Θ = 180° − 2 × {}° = {}.",
+        "In the centre-of-mass frame the component along the line of impact is reversed; the \
+         perpendicular component is not. So Θ = 180° − 2 × {}° = {}.",
         shown(alpha),
         degrees(turn)
     )

@@ -37,6 +37,7 @@ const HALVES: &str =
 fn kept(hit: &Hit) -> Option<Question> {
     let alpha = hit.alpha().abs();
     let shares = RestingTarget::from(&hit.collision()).energy_shares(alpha);
+    let sin = Intermediate::new(alpha.sin(), |sin| percent(sin * sin));
     Outline::about(hit)
         .named("kept", "energy-of-striker")
         .ask("What share of its kinetic energy does the striker keep?")
@@ -58,8 +59,7 @@ fn kept(hit: &Hit) -> Option<Question> {
             "Of its speed the striker keeps the component perpendicular to the line of impact, \
              sin {}° = {sin}. The share of the energy is the square: {sin}² = {}.",
             bare_degrees(alpha),
-            percent(shares.kept),
-            sin = Intermediate::new(alpha.sin(), |sin| percent(sin * sin)),
+            percent(sin.value.powi(2)),
         ))
 }
 
@@ -80,11 +80,12 @@ fn passed(hit: &Hit) -> Option<Question> {
     let share = |speed: f64, ratio: f64| percent(ratio * speed.powi(2));
     let ratio = masses.m2 / masses.m1;
     let shown = Intermediate::new(speed, |speed| share(speed, ratio));
+    let ratio = Intermediate::new(ratio, |ratio| share(shown.value, ratio));
+    let passed = share(shown.value, ratio.value);
     let of_energy = if equal {
-        format!("{shown}²")
+        format!("{shown}² = {passed}")
     } else {
-        let ratio = Intermediate::new(ratio, |ratio| share(shown.value, ratio));
-        format!("m₂ / m₁ times the square, {ratio} × {shown}²")
+        format!("m₂ / m₁ times the square, {ratio} × {shown}² = {passed}")
     };
     Outline::about(hit)
         .named("passed", "energy-of-target")
@@ -115,9 +116,8 @@ fn passed(hit: &Hit) -> Option<Question> {
         .says(SHRUNK)
         .why(format!(
             "The {name}'s speed is (1 + e) m₁ cos {}° / (m₁ + m₂) = {shown} of the striker's \
-             original speed. The {name}'s share of the energy is {of_energy} = {}.",
-            bare_degrees(alpha),
-            percent(shares.passed)
+             original speed. The {name}'s share of the energy is {of_energy}.",
+            bare_degrees(alpha)
         ))
 }
 
@@ -152,6 +152,6 @@ fn lost(hit: &Hit) -> Option<Question> {
              approach along the line of impact. The share 1 − e² = {missing} of it is lost: {most} \
              × {missing} = {}.",
             bare_degrees(alpha),
-            percent(lost)
+            percent(most.value * missing.value)
         ))
 }

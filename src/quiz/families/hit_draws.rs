@@ -119,7 +119,7 @@ pub(super) fn read_off_angle(angle: f64) -> f64 {
 pub(super) fn within_readings(found: &str, exact: &str) -> String {
     match found == exact {
         true => exact.to_owned(),
-        false => format!("{found}, which is {exact} within the accuracy of the readings"),
+        false => format!("{found}, or {exact} within the reading error"),
     }
 }
 

@@ -115,7 +115,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
             .chooses(OffAWall, BACK)
             .says(
                 "You assumed that the striker bounces back as if off a wall. But an equal coin is \
-                 free to move, and takes all of the striker's velocity along the line of impact.",
+                 free to move.",
             )
             .chooses(HalfAndHalf, BELOW)
             .says(
@@ -149,17 +149,18 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     let lossless = turned(&hit.with_restitution(1.0));
     let k = RestingTarget::from(&hit.collision()).k();
     let arcsine = |x: f64| degrees(x.asin());
-    let sine = if hit.restitution < 1.0 {
-        let k = Intermediate::new(k, |k| arcsine(k / (2.0 - k)));
-        format!("k / (2 − k) = {k} / (2 − {k}), with k = (1 + e) m₂ / (m₁ + m₂)")
+    let of_k = |k: f64| arcsine(k / (2.0 - k));
+    let (sine, most) = if hit.restitution < 1.0 {
+        let k = Intermediate::new(k, of_k);
+        let sine = format!("k / (2 − k) = {k} / (2 − {k}), with k = (1 + e) m₂ / (m₁ + m₂)");
+        (sine, of_k(k.value))
     } else {
         let ratio = Intermediate::new(hit.mass_ratio().recip(), arcsine);
-        format!("m₂ / m₁ = {ratio}")
+        (format!("m₂ / m₁ = {ratio}"), arcsine(ratio.value))
     };
     let why = format!(
         "For every offset, the tip of the final velocity vector lies on one circle. The greatest \
-         deflection is along the tangent to it, so sin θ₁ = {sine}. So θ₁ = {}.",
-        degrees(theta1)
+         deflection is along the tangent to it, so sin θ₁ = {sine}. So θ₁ = {most}."
     );
     Outline::told(&hit, setting(&hit), unmarked(&hit))
         .named("theta1", "largest-turn")

@@ -110,7 +110,7 @@ impl ShotTask {
             let of_turn =
                 |ratio: f64| format!("{:.*}", turn.decimals(), deg_from_rad(turn_of(ratio)));
             format!(
-                "In the centre-of-mass frame the striker must be deflected by Θ, with \
+                "In the centre-of-mass frame the deflection must be Θ, with \
                  sin(Θ − {theta}°) = m₁ / m₂ × sin {theta}° = {} × sin {theta}°, so Θ = {turn}°. \
                  Then α = 90° − {turn}° / 2 = {shown}°, and",
                 Intermediate::new(ratio, of_turn),
@@ -126,8 +126,8 @@ impl ShotTask {
                 if_so(!equal && across, reach_mm * wanted.cos()),
             )
             .says(
-                "You assumed an angle of 90° between the paths. That is right for equal masses; \
-                 here the angle is larger.",
+                "You assumed 90° between the paths. That is right for equal masses; here the \
+                 angle is larger.",
             )
             .wrong(CopiedAngle, if_so(across, reach_mm * wanted.sin()))
             .says(
@@ -150,8 +150,8 @@ impl ShotTask {
             )
             .wrong(FramesMixed, if_so(!equal, reach_mm * (wanted / 2.0).cos()))
             .says(format!(
-                "You used {} as the striker's deflection in the centre-of-mass frame. In the \
-                 laboratory frame the deflection is smaller.",
+                "You used {} as the deflection in the centre-of-mass frame. In the laboratory \
+                 frame it is smaller.",
                 degrees(wanted)
             ))
             .why(self.why(&why, alpha))

@@ -65,8 +65,9 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
         .says("You assumed that a loss rules out the right angle. It only requires other masses.")
         .why(format!(
             "{COMPONENT} With a loss a striker of equal mass still goes on along it. For m₁ = e m₂ = \
-             {} × {coin_g} g = {} g the striker has none.",
+             {} × {} g = {} g the striker has none.",
             significant(e),
+            significant(f64::from(coin_g)),
             significant(e * f64::from(coin_g))
         ))
 }
@@ -204,7 +205,7 @@ fn corner(dice: &mut Dice) -> Option<Question> {
              of impact and (1 − {}) / 2 × cos {alpha}° = {along} along it, the coin's direction. \
              The tangent of the angle is {across} / {along}, and the angle is {}.",
             significant(e),
-            degrees(separation),
+            between(across.value, along.value),
             alpha = bare_degrees(alpha),
         ))
 }
@@ -220,6 +221,7 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
     let [read1, read2] = [outcome.theta1?.abs(), outcome.theta2?.abs()].map(read_off_angle);
     let read = k_from_angles(read1, read2).unwrap_or(k);
     let found = |k: f64| k * (m1 + m2) / m2 - 1.0;
+    let shown = Intermediate::new(read, |k| significant(found(k)));
     let text = format!(
         "{}. {}",
         hit.who("smooth striker", "hit"),
@@ -245,7 +247,6 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
              − 1 = {}.",
             significant(m1 + m2),
             significant(m2),
-            within_readings(&significant(found(read)), &significant(e)),
-            shown = Intermediate::new(read, |k| significant(found(k))),
+            within_readings(&significant(found(shown.value)), &significant(e)),
         ))
 }

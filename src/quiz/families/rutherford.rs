@@ -1,4 +1,4 @@
-//! Rutherford's law: how many are counted at two angles, 1 / sin⁴(φ/2).
+//! Rutherford's law: how many are counted at two angles, 1 / sin⁴(Θ/2).
 
 use super::prelude::*;
 use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
@@ -72,13 +72,13 @@ fn times_as_many(from_deg: f64, to_deg: f64) -> f64 {
 fn why(from_deg: f64, to_deg: f64, power: impl Fn(f64) -> String) -> String {
     let half = |deg: f64| bare_degrees(rad_from_deg(deg / 2.0));
     let ratio = half_sine(to_deg) / half_sine(from_deg);
+    let ratio = Intermediate::new(ratio, |ratio| power(ratio.powi(4)));
     format!(
         "Counts are proportional to 1 / sin⁴ of half the angle. sin {}° / sin {}° = {ratio}, and \
          {ratio}⁴ = {}.",
         half(to_deg),
         half(from_deg),
-        power(ratio.powi(4)),
-        ratio = Intermediate::new(ratio, |ratio| power(ratio.powi(4))),
+        power(ratio.value.powi(4))
     )
 }
 
@@ -209,6 +209,12 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let half = Intermediate::angle(rad_from_deg(truth / 2.0), |half| degrees(2.0 * half));
     let arcsine = |sine: f64| fixed(deg_from_rad(sine.asin()), half.decimals());
     let sine = Intermediate::new(half_sine * root, arcsine);
+    let times = Intermediate::new(root, |root| {
+        [
+            fixed(half_sine * root, sine.decimals()),
+            fixed(root.powi(4), 0),
+        ]
+    });
     beam.told(Illustration::Nothing)
         .named("angle", "angle-of-count")
         .ask(format!(
@@ -229,8 +235,8 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         .says("You chose a smaller angle. There more particles are counted, not fewer.")
         .why(format!(
             "Counts are proportional to 1 / sin⁴ of half the angle. So the sine of half the angle \
-             is ⁴√{fewer} × sin {}° = {sine}. Half the angle is {half}°, and the angle is 2 × \
-             {half}° = {}.",
+             is {times} × sin {}° = {sine}, where {times}⁴ = {fewer}. Half the angle is {half}°, and \
+             the angle is 2 × {half}° = {}.",
             bare_degrees(rad_from_deg(from_deg / 2.0)),
             in_degrees(truth)
         ))

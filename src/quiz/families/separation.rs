@@ -112,9 +112,8 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
 }
 
 /// Of whoever lets loss widen the angle between equal masses.
-const CLOSES: &str = "You assumed that the loss makes the angle larger. It makes the angle \
-                      smaller: the two separate more slowly, so the striker keeps some velocity \
-                      along the line of impact and follows the coin.";
+const CLOSES: &str = "You assumed that the loss makes the angle larger. But the two separate more \
+                      slowly, so the striker follows the coin.";
 
 /// Of whoever has the masses upside down.
 pub(super) const FOLLOWS_OR_BOUNCES: &str = "You had it the wrong way round: a heavier striker \
@@ -144,11 +143,10 @@ fn lossy_corner(right: usize, hit: &Hit) -> String {
         EXACTLY => ("equal to", "exactly 90°"),
         _ => ("more than", "less than 90°"),
     };
-    let ([m1, m2], e) = (hit.masses_g(), hit.restitution);
+    let ([_, m2], e) = (hit.masses_g(), hit.restitution);
     format!(
         "Along the line of impact the striker's final velocity is proportional to m₁ − e m₂. Here \
-         m₁ = {} g is {compared} e m₂ = {} × {} g = {} g, so the angle is {angle}, at any offset.",
-        significant(m1),
+         e m₂ = {} × {} g = {} g. As m₁ is {compared} that, the angle is {angle}, at any offset.",
         significant(e),
         significant(m2),
         significant(e * m2)

@@ -233,6 +233,7 @@ fn striker_speed(hit: &Hit) -> Option<Question> {
 /// How fast the stuck pair goes on.
 fn pair_speed(hit: &Hit) -> Option<Question> {
     let (u, share) = (hit.speed, share(hit));
+    let shown = Intermediate::new(share, |share| significant(share * u));
     let outcome = Rims::Stick.collision(hit).outcome();
     Rims::Stick
         .ask(
@@ -257,10 +258,9 @@ fn pair_speed(hit: &Hit) -> Option<Question> {
         .says("You swapped the two masses: a heavier striker is slowed less.")
         .why(format!(
             "They move on with their centre of mass: m₁ / (m₁ + m₂) of the striker's speed is \
-             {} × {} m/s = {} m/s, at any offset.",
-            Intermediate::new(share, |share| significant(share * u)),
+             {shown} × {} m/s = {} m/s, at any offset.",
             significant(u),
-            significant(share * u)
+            significant(shown.value * u)
         ))
 }
 

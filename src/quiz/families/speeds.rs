@@ -27,13 +27,13 @@ fn target(hit: &Hit) -> Option<Question> {
     let equal = hit.masses_are_equal();
     let times = truth / along;
     let shown = Intermediate::new(along, |along| significant(along * times));
+    let times = Intermediate::new(times, |times| significant(shown.value * times));
     let share = if equal && e >= 1.0 {
         format!("With equal masses and no energy lost the {name} takes all of it.")
     } else {
         format!(
-            "The {name}'s speed is (1 + e) m₁ / (m₁ + m₂) times that: {} × {shown} m/s = {} m/s.",
-            Intermediate::new(times, |times| significant(shown.value * times)),
-            significant(truth)
+            "The {name}'s speed is (1 + e) m₁ / (m₁ + m₂) times that: {times} × {shown} m/s = {} m/s.",
+            significant(times.value * shown.value)
         )
     };
     Outline::about(hit)

@@ -138,8 +138,8 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
         .number(Measure::Mass, seen.coin_g)
         .wrong(ScalarMomentum, STRIKER * (u - v1) / v2)
         .says(
-            "You added the momenta as plain numbers. They are vectors: their components \
-             perpendicular to the original direction cancel.",
+            "You added the momenta as plain numbers. They are vectors: their perpendicular \
+             components cancel.",
         )
         .wrong(UpsideDown, STRIKER * STRIKER / seen.coin_g)
         .says(RATIO_UPSIDE_DOWN)
@@ -148,17 +148,19 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
             (STRIKER * v1 * theta1.cos() / (v2 * theta2.cos())).abs(),
         )
         .says(
-            "You used the components along the original direction, with cosines. It is the \
-             perpendicular components, with sines, that cancel.",
+            "You used the components along the original direction. It is the perpendicular \
+             components, with sines, that cancel.",
         )
         .why(format!(
-            "Perpendicular to the original direction there was no momentum, so the two components \
-             are equal in size: m₁v₁ sin θ₁ = m₂v₂ sin θ₂. So m₂ = {} × {then} × sin {}° / ({coin} × \
-             sin {}°) = {}.",
+            "Perpendicular to the original direction the total momentum is zero, so m₁v₁ sin θ₁ = \
+             m₂v₂ sin θ₂ and m₂ = {} × {then} × sin {}° / ({coin} × sin {}°) = {}.",
             significant(STRIKER),
             bare_degrees(theta1),
             bare_degrees(theta2),
-            within_readings(&Measure::Mass.print(found), &Measure::Mass.print(seen.coin_g))
+            within_readings(
+                &Measure::Mass.print(found),
+                &Measure::Mass.print(seen.coin_g)
+            )
         ))
 }
 
@@ -177,24 +179,24 @@ fn by_angles(seen: &SeenHit) -> Option<Question> {
     let (loss, why) = if e < 1.0 {
         let k = k_from_angles(read1, read2).or(k_from_angles(theta1, theta2))?;
         let mass = |k: f64| STRIKER * k / (1.0 + e - k);
+        let k = Intermediate::new(k, |k| significant(mass(k)));
         let why = format!(
             "The striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {k} of its velocity \
              along the line of impact. As k = (1 + e) m₂ / (m₁ + m₂), m₂ = {} × {k} / (1 + {} − {k}) \
              = {}.",
             significant(STRIKER),
             significant(e),
-            found(mass(k)),
-            k = Intermediate::new(k, |k| significant(mass(k))),
+            found(mass(k.value))
         );
         (format!("e = {}.", significant(e)), why)
     } else {
         let ratio = mass_ratio_from_angles(read1, read2, 1.0).unwrap_or(lossless);
+        let shown = Intermediate::new(ratio, |ratio| significant(STRIKER / ratio));
         let why = format!(
             "If no energy is lost, m₁ / m₂ = sin(θ₁ + 2θ₂) / sin θ₁ = {shown}. So m₂ = {} / {shown} = \
              {}.",
             significant(STRIKER),
-            found(STRIKER / ratio),
-            shown = Intermediate::new(ratio, |ratio| significant(STRIKER / ratio))
+            found(STRIKER / shown.value)
         );
         ("No energy was lost.".into(), why)
     };

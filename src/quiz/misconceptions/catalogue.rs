@@ -18,7 +18,7 @@ struct Description {
 }
 
 impl Misconception {
-    /// Its name as shown: "the angle was copied".
+    /// Its name as shown: "always 90°".
     pub fn name(self) -> &'static str {
         &self.description().name
     }

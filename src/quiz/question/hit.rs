@@ -188,8 +188,8 @@ impl Hit {
         let place = match self.given {
             _ if self.head_on() => "The collision is head-on (offset 0).".to_owned(),
             ImpactPoint::Angle { .. } => format!(
-                "The {name} lies to the {side} of the striker's path, and the line of impact is at \
-                 {} to that path.",
+                "The {name} lies to the {side} of the path; the line of impact is at {} to the \
+                 path.",
                 numbers::degrees(self.alpha().abs())
             ),
             ImpactPoint::Offset { offset_mm } => format!(

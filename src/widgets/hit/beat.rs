@@ -112,12 +112,15 @@ impl<'a> BeatWords<'a> {
                 "A graze: the rims only just touch, and no force acts.".into()
             }
             Beat::Contact => "The rims touch at one point. At this instant each disc exerts a \
-                              force on the other: equal in size, opposite in direction.".into(),
+                              force on the other: equal in size, opposite in direction."
+                .into(),
             Beat::Line if sticks => "The line of impact n joins the two centres; the tangent t is \
                                      at right angles to it. Smooth rims exert a force along n \
-                                     only. These rims are joined, so a force acts along t as well.".into(),
+                                     only. These rims are joined, so a force acts along t as well."
+                .into(),
             Beat::Line => "The line of impact n joins the two centres: the force acts only along \
-                           n. The tangent t is at right angles to it.".into(),
+                           n. The tangent t is at right angles to it."
+                .into(),
             Beat::Split => self.split(sticks),
             Beat::Coin => self.coin(),
             Beat::Striker => self.striker(),
@@ -144,19 +147,23 @@ impl<'a> BeatWords<'a> {
         let u = self.parts(self.collision.u1);
         match (sticks, self.is_plain()) {
             (true, true) => "So resolve u into uₙ along n and uₜ along t. Here forces act along \
-                             both, so the collision changes both components.".into(),
+                             both, so the collision changes both components."
+                .into(),
             (true, false) => "So resolve the velocities along n and along t. Here forces act \
-                              along both, so the collision changes both components.".into(),
+                              along both, so the collision changes both components."
+                .into(),
             (false, true) if is_none(u.t) => "So resolve u: it is all along n. There is no \
                                               component along t, so the collision acts on all of \
-                                              u.".into(),
+                                              u."
+            .into(),
             (false, true) => format!(
                 "So resolve u: the collision changes uₙ = {} along n, but not uₜ = {} along t.",
                 speed(u.n),
                 speed(u.t)
             ),
             (false, false) => "So resolve both velocities. The collision changes only the \
-                               components along n, not those along t.".into(),
+                               components along n, not those along t."
+                .into(),
         }
     }
 
@@ -185,12 +192,14 @@ impl<'a> BeatWords<'a> {
         let whole = speed(v1.n.hypot(v1.t));
         match (is_none(v1.n), is_none(v1.t)) {
             (true, true) => {
-                format!("The {name} has no component uₜ, and nothing is left of uₙ: the {name} \
-                         stops.")
+                format!(
+                    "The {name} has no component uₜ, and nothing is left of uₙ: the {name} \
+                         stops."
+                )
             }
-            (true, false) => format!(
-                "The {name} keeps uₜ. Nothing is left of uₙ, so v₁ = uₜ = {whole}."
-            ),
+            (true, false) => {
+                format!("The {name} keeps uₜ. Nothing is left of uₙ, so v₁ = uₜ = {whole}.")
+            }
             (false, across) => {
                 let keeps = if across {
                     "has no component uₜ"

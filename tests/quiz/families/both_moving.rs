@@ -35,7 +35,7 @@ fn what_is_true_follows_from_an_exchange_along_the_line_of_impact() {
         assert_close(between_deg(v1 - centre, v2 - centre), 180.0, &question);
         match word(&question, "asked") {
             "who" => {
-                assert!(right_choice(&question).contains("as the coin did before the hit"));
+                assert!(right_choice(&question).contains("as the coin did at first"));
                 assert!((on_board - 90.0).abs() > 0.5, "{question:#?}");
             }
             "from-the-coin" => assert!(right_choice(&question).contains("90°")),

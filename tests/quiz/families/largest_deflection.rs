@@ -51,9 +51,9 @@ fn the_true_most_is_the_most_of_all_offsets() {
         match word(&question, "asked") {
             "limit" => {
                 let limit = match turned_deg {
-                    most if most > 179.0 => "by anything up to straight back",
-                    most if most > 89.0 => "by anything up to just short of 90°",
-                    _ => "only by some angle well below 90°",
+                    most if most > 179.0 => "up to 180°, straight back",
+                    most if most > 89.0 => "up to nearly 90°, but no further",
+                    _ => "up to an angle well below 90°",
                 };
                 assert_eq!(right_choice(&question), limit, "{question:#?}");
             }

@@ -38,7 +38,7 @@ fn the_true_offset_does_it() {
         assert_close(aim.wanted.to_degrees(), way, &question);
         let to_left = (way > 0.0) == (ray == Ray::Striker);
         let told = format!(
-            "Send the {name} off {:.1}° to the {} ",
+            "Make the {name} leave at {:.1}° to the {} of ",
             figure("wanted_deg"),
             if to_left { "left" } else { "right" }
         );

@@ -23,7 +23,7 @@ fn the_truth_is_that_of_an_impulse_along_the_line_of_centres() {
                 let at = |m1| Hit::new(m1, coin_g, e, hit.u, 0.5).separation_deg();
                 assert_close(at(e * coin_g), 90.0, &question);
                 assert!(e < 1.0 && at(coin_g) < 89.0 && at(2.0 * coin_g) < 89.0);
-                assert_eq!(right_choice(&question), "with a certain lighter striker");
+                assert_eq!(right_choice(&question), "for a certain lighter striker");
             }
             "e head-on" => {
                 let parting = hit.v2.length() - hit.v1.length();
