@@ -318,8 +318,7 @@ fn speed(
         .number(Measure::Speed, truth)
         .wrong(CoinAtRest, seen)
         .says(format!(
-            "You treated the coin as if it had been at rest. That is the {name}'s speed in the \
-             frame in which the coin started at rest."
+            "You treated the coin as if it had been at rest. But here both discs move at first."
         ))
         .wrong(SineCosine, (others * sin).hypot(own * cos))
         .says(

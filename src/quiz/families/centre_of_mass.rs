@@ -208,8 +208,7 @@ fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) 
         .figure("turn_deg", turn_deg)
         .wrong(FramesMixed, turn_deg)
         .says(format!(
-            "You used Θ for {mixed}. Θ is an angle in the centre-of-mass frame, which moves over \
-             the board."
+            "You used Θ for {mixed}. But Θ is an angle in the centre-of-mass frame."
         ))
 }
 

@@ -168,8 +168,8 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
         .number(Measure::Angle, deg_from_rad(theta1))
         .wrong(BeyondLargest, 90.0)
         .says(
-            "You assumed that the heavier striker can be deflected by 90°. But a light coin \
-             cannot take all of the striker's forward motion.",
+            "You assumed a deflection of 90°. But a light coin cannot take all of the striker's \
+             forward motion.",
         )
         .wrong(HeavyUnmoved, 0.0)
         .says(

@@ -110,10 +110,10 @@ impl ShotTask {
             let of_turn =
                 |ratio: f64| format!("{:.*}", turn.decimals(), deg_from_rad(turn_of(ratio)));
             format!(
-                "In the centre-of-mass frame the deflection must be Θ, with \
-                 sin(Θ − {theta}°) = m₁ / m₂ × sin {theta}° = {} × sin {theta}°, so Θ = {turn}°. \
-                 Then α = 90° − {turn}° / 2 = {shown}°, and",
-                Intermediate::new(ratio, of_turn),
+                "With m₁ / m₂ = {ratio}, the deflection Θ in the centre-of-mass frame follows \
+                 from sin(Θ − {theta}°) = {ratio} × sin {theta}°: Θ = {turn}°. So α = 90° − \
+                 {turn}° / 2 = {shown}°, and",
+                ratio = Intermediate::new(ratio, of_turn),
                 theta = bare_degrees(wanted),
             )
         };
@@ -139,8 +139,8 @@ impl ShotTask {
                 self.at(reach_mm * deg_from_rad(alpha) / 90.0),
             )
             .says(format!(
-                "You assumed that the offset is proportional to α = {}. It is proportional to sin \
-                 α.",
+                "You assumed that the offset is proportional to α = {}. But it is proportional to \
+                 sin α.",
                 degrees(alpha)
             ))
             .wrong(SidesExchanged, self.at(-reach_mm * alpha.sin()))

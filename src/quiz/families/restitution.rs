@@ -234,8 +234,7 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
         .number(Measure::Restitution, e)
         .wrong(EAsEnergy, outcome.energy_after / outcome.energy_before)
         .says(
-            "That is the share of the energy that is left. e compares speeds along the line of \
-             impact.",
+            "That is the share of the energy that is left. e compares speeds.",
         )
         .wrong(UpsideDown, k * (m1 + m2) / m1 - 1.0)
         .says("You swapped the two masses.")

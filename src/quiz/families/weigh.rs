@@ -149,7 +149,7 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
         )
         .says(
             "You used the components along the original direction. It is the perpendicular \
-             components, with sines, that cancel.",
+             components that cancel.",
         )
         .why(format!(
             "Perpendicular to the original direction the total momentum is zero, so m₁v₁ sin θ₁ = \
