@@ -80,8 +80,8 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
     /// The first three in the order of [`Rims`].
     const WAYS: [&str; 4] = [
-        "They leave at exactly 90° to each other",
-        "They leave at less than 90° to each other",
+        "They move apart at exactly 90°",
+        "They move apart at less than 90°",
         "They stay together and move on",
         "They stay together, at rest",
     ];

@@ -31,8 +31,8 @@ fn what_is_true_follows_from_shared_momentum_along_the_line_or_in_all() {
             "picture" => {
                 assert_close(m1, m2, &question);
                 let expected = match rims {
-                    "lossless" => "They leave at exactly 90° to each other",
-                    "slip" => "They leave at less than 90° to each other",
+                    "lossless" => "They move apart at exactly 90°",
+                    "slip" => "They move apart at less than 90°",
                     "stick" => "They stay together and move on",
                     other => panic!("{other}"),
                 };
