@@ -204,7 +204,7 @@ fn a_round_is_chosen_by_its_number_or_its_code() {
     assert!(said.contains("Where will they go?\n"), "{said}");
     let said = talk("quiz --plain", folder.path(), b"code\nspeeds4-7\nquit\n");
     assert!(said.contains("Question 1 of 4, "), "{said}");
-    assert!(said.contains("Speeds after the hit."), "{said}");
+    assert!(said.contains("Speeds after collisions."), "{said}");
 }
 
 /// Somebody who copies the angle finds it out, and checks it.

@@ -449,12 +449,12 @@ fn the_worked_solution_speaks_of_what_is_special() {
         ),
         (
             &["--alpha-deg", "30", "--m2-g", "5.5"],
-            "They part at 51.25 deg: less than a right angle",
+            "The angle between their paths is 51.25 deg: less than a right angle",
         ),
         (&["--alpha-deg", "0", "--m1-g", "5.5"], "straight back"),
         (
             &["--alpha-deg", "30", "--stick"],
-            "their centre of mass goes on at 2 m/s, and they turn about it",
+            "their centre of mass moves on at 2 m/s, and they rotate about it",
         ),
         (
             &["--alpha-deg", "0", "--stick"],

@@ -173,7 +173,9 @@ fn a_misconception_held_throughout_is_named_in_the_end() {
     }
     let screen = game.screen();
     assert!(
-        screen.contains("It showed in 9 of 9 answers that could show it: impact angle used for both."),
+        screen.contains(
+            "It showed in 9 of 9 answers that could show it: impact angle used for both."
+        ),
         "{screen}"
     );
     assert!(screen.contains("! sure, but wrong"), "{screen}");

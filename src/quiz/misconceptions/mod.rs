@@ -1,4 +1,4 @@
-//! What students are known to believe about hits: where both discs will go, and all
+//! What students may believe about collisions: where both discs will go, and all
 //! else in the catalogue.
 //!
 //! A misconception that predicts rays does so for any `Hit`; a family of questions

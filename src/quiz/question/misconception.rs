@@ -1,9 +1,9 @@
-//! What students are known to believe, by name; what each predicts and is told is declared a
+//! What students may believe, by name; what each predicts and is told is declared a
 //! floor above.
 
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
-/// Something students are known to believe. First those that say where both discs of a hit
+/// Something students may believe. First those that say where both discs of a hit
 /// will go; then those that show in something else (a speed, a share, a ratio, a choice of
 /// words), in the order in which their subjects are taught.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr, VariantArray)]

@@ -270,7 +270,7 @@ fn assert_words(question: &Question) {
         Form::Rays { .. } | Form::Shot(_) => {}
     }
     // The panel scrolls where it is small.
-    let longest = 16;
+    let longest = 17;
     for said in answers(question) {
         let explanation = explain(question, &Answer::new(said, Confidence::Guess));
         assert_readable(&explanation.text, PANEL, longest);
