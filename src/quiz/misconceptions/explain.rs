@@ -155,16 +155,15 @@ mod tests {
         assert_eq!(
             equal,
             "[right] Right, and this is why. The coin leaves along the line of impact, at 30.0°. \
-             Along that line the striker loses all of its velocity. Only the perpendicular \
-             component remains, at 90° − 30.0° = 60.0°."
+             Along that line the striker stops; it keeps only the perpendicular component, at 90° − \
+             30.0° = 60.0°."
         );
         let marbles = explained(Pieces::Marbles, 45.0, Some(63.4), 45.0);
         assert_eq!(
             marbles,
             "[right] Right, and this is why. The marble leaves along the line of impact, at 45.0°. \
-             Perpendicular to that line the striker keeps 2.12 m/s; along it the striker rebounds \
-             at 0.707 m/s. So the angle between the paths is 108.4°, and the striker's is 108.4° − \
-             45.0° = 63.4°."
+             The striker keeps 2.12 m/s perpendicular to that line and rebounds at 0.707 m/s along \
+             it: the paths are 108.4° apart. 108.4° − 45.0° = 63.4°."
         );
     }
 

@@ -84,8 +84,8 @@ impl Misconception {
                     "for unequal masses"
                 }
             ),
-            Self::HalfAndHalf => "You gave each disc 45°. But the two angles are not equal: they \
-                                  depend on where the discs touch."
+            Self::HalfAndHalf => "You gave each disc 45°. But the two angles are equal only at \
+                                  one offset."
                 .into(),
             Self::Swapped => match hit.truth() {
                 Rays {
@@ -102,29 +102,27 @@ impl Misconception {
                 ),
             },
             Self::HeavyUnmoved if hit.mass_ratio() > 1.0 => {
-                "You assumed that the heavy striker goes straight on. But the coin exerts an \
-                 equal and opposite force on the striker."
+                "You sent the heavy striker straight on. But the coin pushes back with an equal \
+                 force."
                     .into()
             }
-            Self::HeavyUnmoved => "You left the heavy marble at rest. But the striker exerts a \
-                                   force on the marble, as large as the one that deflects the \
-                                   striker."
+            Self::HeavyUnmoved => "You left the heavy marble at rest. But the force on the marble \
+                                   is as large as the force on the striker."
                 .into(),
             Self::StraightOn => format!(
-                "You assumed that the striker goes straight on. But the {name} exerts an equal \
-                 and opposite force on the striker."
+                "You sent the striker straight on. But the {name} pushes back with an equal force."
             ),
             Self::PushedAhead => format!(
-                "You sent the {name} straight ahead. But smooth discs exert forces only along the \
-                 line through their centres."
+                "You sent the {name} straight ahead. But smooth discs push only along their line \
+                 of centres."
             ),
             Self::SameSide => format!(
-                "You sent both to the {side}. There was no sideways momentum before, so the two \
-                 sideways momenta must cancel."
+                "You sent both to the {side}. But their sideways momenta must add up to zero, as \
+                 before."
             ),
             Self::SidesExchanged => format!(
-                "Your angles are right, but on the wrong sides. The {name} lies to the {side}, so \
-                 the {name} leaves to the {side}."
+                "Your angles are right, but on the wrong sides: the {name} lies to the {side} and \
+                 leaves to the {side}."
             ),
             Self::OffAWall => format!(
                 "You deflected the striker by {}, as if off a wall. But the {name} is free to \
@@ -137,8 +135,8 @@ impl Misconception {
                 degrees(FRAC_PI_2 * hit.alpha().sin().abs())
             ),
             Self::Lossless => format!(
-                "Your angles are right if no energy is lost. With e = {} the two separate more \
-                 slowly along the line of impact.",
+                "Your angles are right for e = 1. With e = {} the two separate more slowly along \
+                 the line of impact.",
                 significant(hit.restitution)
             ),
             Self::AlwaysStops => {

@@ -21,7 +21,7 @@ pub(crate) fn reasoning(hit: &Hit) -> String {
             format!("The {name} leaves along the line of impact, at {alpha}.")
         }
         ImpactPoint::Offset { offset_mm } => format!(
-            "sin α = {} / {}, so the line of impact, the {name}'s path, is at α = {alpha}.",
+            "sin α = {} / {}: the {name} leaves along the line of impact, at α = {alpha}.",
             bare_millimetres(offset_mm.abs()),
             bare_millimetres(hit.reach_mm())
         ),
@@ -44,8 +44,8 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     // Rounding noise against the speed of the striker.
     if along.abs() <= 1e-9 * hit.speed {
         return format!(
-            "Along that line the striker loses all of its velocity. Only the perpendicular \
-             component remains, at 90° − {}° = {}.",
+            "Along that line the striker stops; it keeps only the perpendicular component, at 90° \
+             − {}° = {}.",
             Intermediate::angle(alpha, |alpha| degrees(FRAC_PI_2 - alpha)),
             degrees(theta1)
         );
@@ -57,12 +57,12 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     let along = Intermediate::new(along, |along| between(along, across));
     let across = Intermediate::new(across, |across| between(along.value, across));
     let rest = match along.value > 0.0 {
-        true => format!("along it {along} m/s remain"),
-        false => format!("along it the striker rebounds at {} m/s", along.size()),
+        true => format!("{along} m/s along it"),
+        false => format!("rebounds at {} m/s along it", along.size()),
     };
     format!(
-        "Perpendicular to that line the striker keeps {across} m/s; {rest}. So the angle between \
-         the paths is {shown}°, and the striker's is {shown}° − {alpha}° = {}.",
+        "The striker keeps {across} m/s perpendicular to that line and {rest}: the paths are \
+         {shown}° apart. {shown}° − {alpha}° = {}.",
         degrees(theta1)
     )
 }
