@@ -163,7 +163,7 @@ mod tests {
             marbles,
             "[right] Right, and this is why. The marble leaves along the line of impact, at 45.0°. \
              The striker keeps 2.12 m/s perpendicular to that line and rebounds at 0.707 m/s along \
-             it: the paths are 108.4° apart. 108.4° − 45.0° = 63.4°."
+             it: the paths are 108.4° apart, so θ₁ = 108.4° − 45.0° = 63.4°."
         );
     }
 

@@ -62,7 +62,7 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     };
     format!(
         "The striker keeps {across} m/s perpendicular to that line and {rest}: the paths are \
-         {shown}° apart. {shown}° − {alpha}° = {}.",
+         {shown}° apart, so θ₁ = {shown}° − {alpha}° = {}.",
         degrees(theta1)
     )
 }
