@@ -62,7 +62,7 @@ impl Counts {
     }
 
     /// Those from the edge below bin `first` on.
-    pub(crate) fn from_bin(&self, first: usize) -> u64 {
+    pub(crate) fn beyond_bin(&self, first: usize) -> u64 {
         self.bins.iter().skip(first).sum()
     }
 

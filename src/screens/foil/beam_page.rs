@@ -170,7 +170,7 @@ pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Conte
     panel.gap();
     let share = run.law.share_beyond(PI / 2.0);
     panel.line("turned by more than 90°:", Role::Dim);
-    panel.fact("counted", words::count(run.counts.from_bin(BINS / 2)));
+    panel.fact("counted", words::count(run.counts.beyond_bin(BINS / 2)));
     let counted = run.share_turned_back().map_or("none".into(), words::share);
     panel.fact("share", counted);
     panel.coloured_fact("the law", words::share(share), Role::StrikerOut);

@@ -64,7 +64,7 @@ impl BeamRun {
 
     /// The share turned by more than 90° so far; `None` before the first particle.
     pub(super) fn share_turned_back(&self) -> Option<f64> {
-        let back = self.counts.from_bin(BINS / 2);
+        let back = self.counts.beyond_bin(BINS / 2);
         (self.thrown() > 0).then(|| back as f64 / self.thrown() as f64)
     }
 }
