@@ -128,7 +128,8 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
     let (theta1, theta2) = (seen.theta1, seen.theta2);
     let [before, then, coin] = [u, v1, v2].map(significant);
     let [sin1, sin2] = [theta1, theta2].map(|angle| read_off_angle(angle).sin());
-    let found = STRIKER * read_off(v1) * sin1 / (read_off(v2) * sin2);
+    let mass = |momentum: f64| Measure::Mass.print(momentum * sin1 / (read_off(v2) * sin2));
+    let momentum = Intermediate::new(STRIKER * read_off(v1), mass);
     seen.told(&format!("A striker of {} g", significant(STRIKER)))
         .named("momentum", "mass-from-momentum")
         .ask(format!(
@@ -153,14 +154,11 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
         )
         .why(format!(
             "Perpendicular to the original direction the total momentum is zero, so m₁v₁ sin θ₁ = \
-             m₂v₂ sin θ₂ and m₂ = {} × {then} × sin {}° / ({coin} × sin {}°) = {}.",
-            significant(STRIKER),
+             m₂v₂ sin θ₂. With m₁v₁ = {momentum} g m/s, m₂ = {momentum} × sin {}° / ({coin} × sin \
+             {}°) = {}.",
             bare_degrees(theta1),
             bare_degrees(theta2),
-            within_readings(
-                &Measure::Mass.print(found),
-                &Measure::Mass.print(seen.coin_g)
-            )
+            within_readings(&mass(momentum.value), &Measure::Mass.print(seen.coin_g))
         ))
 }
 
