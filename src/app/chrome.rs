@@ -33,7 +33,7 @@ pub(super) fn draw(app: &App, area: Rect, buf: &mut Buffer) {
     };
     title_line(app, screen.as_ref(), area, buf, look);
     let body = body(area);
-    screen.draw(body, buf, &app.context);
+    screen.draw(buf, &app.context);
     // `?` is the last of the screen's keys.
     let table = screen.table(&app.context);
     let rows = table.rows().iter().filter(|row| !row.name.is_empty());

@@ -34,11 +34,9 @@ impl Advice {
     /// As it is said to the teacher: it says nothing of which answer is right.
     pub const fn words(self) -> &'static str {
         match self {
-            Self::ExplainAgain => {
-                "Fewer than 30 % are right: explain once more, then vote again (Backspace)."
-            }
-            Self::Talk => "Between 30 and 80 % are right: talking helps most now.",
-            Self::GoOn => "More than 80 % are right: g goes on to the shot.",
+            Self::ExplainAgain => "Under 30 % are right: explain once more, vote again.",
+            Self::Talk => "30 to 80 % are right: talking helps most now.",
+            Self::GoOn => "More than 80 % are right: go on to the shot.",
         }
     }
 }

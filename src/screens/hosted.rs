@@ -11,7 +11,7 @@ use super::{Context, Next, Place, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::{Panel, Placed, Writing};
-use crate::widgets::{Scroll, SplitLayout, scroll_keys, sheet};
+use crate::widgets::{Item, Look, PAGE_ROWS, Role, SplitLayout, Words, scroll_keys, sheet, text};
 
 /// What keys do on every screen that has no use of its own for them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -80,8 +80,7 @@ pub trait AnyScreen {
     fn confirmed(&mut self, cx: &mut Context) -> Next;
     /// See [`Screen::input`].
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next;
-    /// The cells of the panels that do something, from the top; none on a screen without a
-    /// view.
+    /// The cells of the panels that do something, from the top.
     fn targets(&self, cx: &Context) -> Vec<Rect>;
     /// Does what the target of this number does, as a click on it would.
     fn choose(&mut self, target: usize, cx: &mut Context) -> Next;
@@ -93,8 +92,8 @@ pub trait AnyScreen {
     fn wake(&self, cx: &Context) -> Option<Duration>;
     /// See [`Screen::shares_time`].
     fn shares_time(&self) -> bool;
-    /// See [`Screen::draw`].
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context);
+    /// Draws it into [`Context::body`].
+    fn draw(&self, buf: &mut Buffer, cx: &Context);
 }
 
 /// A screen, what the player was asked about on it, and how far its panels are scrolled.
@@ -114,6 +113,16 @@ struct Scrolled {
     rows: u16,
     /// The row of what was chosen then: once another is, it is followed instead.
     chosen: Option<u16>,
+}
+
+/// A view laid out, its panels scrolled as far as they are.
+struct ShownView<'p, A> {
+    /// Below the tabs.
+    area: Rect,
+    small_heading: bool,
+    layout: SplitLayout,
+    picture: Rect,
+    panels: Vec<(&'p Panel<A>, Shown<'p>)>,
 }
 
 /// A panel laid out, scrolled as far as it is.
@@ -141,16 +150,8 @@ impl<S: Screen> Hosted<S> {
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<Pressed<S::Action>> {
-        self.keys_beside(self.screen.view(cx).is_some(), cx)
-    }
-
-    /// The keys, of a screen that has a view or not.
-    fn keys_beside(&self, has_view: bool, cx: &Context) -> KeyTable<Pressed<S::Action>> {
         let own = self.screen.keys(cx).map(Pressed::Own);
-        let own = match has_view {
-            true => own.with(view_keys(), Pressed::Shared),
-            false => own,
-        };
+        let own = own.with(view_keys(), Pressed::Shared);
         // Whatever Escape does here is to go back.
         own.with(shared_keys(), Pressed::Shared)
             .identified(Key::Escape, "everywhere.back")
@@ -175,13 +176,13 @@ impl<S: Screen> Hosted<S> {
         &self,
         view: &View<S::Action>,
         cx: &Context,
-        take: impl FnOnce(&SplitLayout, &[(&Panel<S::Action>, Shown)], &Writing) -> T,
+        take: impl FnOnce(&ShownView<S::Action>, &Writing) -> T,
     ) -> T {
-        let keys = self.keys_beside(true, cx);
+        let keys = self.keys(cx);
         let key = |action: &S::Action| Some(keys.key_of(&Pressed::Own(*action))?.to_string());
         let look = cx.settings.look();
         let page = |rows| keys.key_of(&Pressed::Shared(SharedAction::Scroll(rows)));
-        let pages = match (page(-Scroll::PAGE), page(Scroll::PAGE)) {
+        let pages = match (page(-PAGE_ROWS), page(PAGE_ROWS)) {
             (Some(back), Some(on)) => Some([back.to_string(), on.to_string()]),
             _ => None,
         };
@@ -191,15 +192,20 @@ impl<S: Screen> Hosted<S> {
             Part::Picture(..) | Part::Nothing => cx.room(),
             Part::Panel(_) => cx.body.into(),
         };
-        let (layout, places) = view.places(room);
-        let panels: Vec<_> = places
-            .into_iter()
-            .map(|(panel, area)| {
-                let placed = panel.placed(area, &writing, &key);
-                (panel, self.shown(panel, placed, area))
-            })
+        let placed = view.placed(room, &writing, &key);
+        let panels = placed.panels.into_iter();
+        let panels: Vec<_> = panels
+            .map(|(panel, placed, area)| (panel, self.shown(panel, placed, area)))
             .collect();
-        take(&layout, &panels, &writing)
+        let pages = { panels.iter() }.find_map(|(_, it)| Some(it.placed.pages()?.places(it.rows)));
+        let shown = ShownView {
+            area: placed.area,
+            small_heading: placed.small_heading,
+            layout: placed.layout,
+            picture: pages.map_or(placed.layout.picture, |[picture, _]| picture),
+            panels,
+        };
+        take(&shown, &writing)
     }
 
     fn shown<'p>(&self, panel: &'p Panel<S::Action>, placed: Placed<'p>, area: Rect) -> Shown<'p> {
@@ -210,6 +216,7 @@ impl<S: Screen> Hosted<S> {
             _ if panel.from_top => 0,
             _ => placed.following(),
         };
+        let area = placed.pages().map_or(area, |it| it.places(rows)[1]);
         Shown {
             of,
             placed,
@@ -220,16 +227,18 @@ impl<S: Screen> Hosted<S> {
 
     /// Scrolls the panel at a cell, or else the last one that is longer than its place.
     fn scroll(&mut self, by: i16, cell: Option<(u16, u16)>, cx: &mut Context) -> Next {
-        let Some(view) = self.screen.view(cx) else {
-            return Next::Ignored;
-        };
-        let scrolled = self.with_panels(&view, cx, |_, panels, _| {
+        let view = self.screen.view(cx);
+        let scrolled = self.with_panels(&view, cx, |view, _| {
             let is_meant = |shown: &&Shown| match cell {
                 Some(cell) => shown.area.contains(cell.into()),
                 None => shown.placed.overflow() > 0,
             };
-            let mut shown = panels.iter().rev().map(|(_, shown)| shown);
+            let mut shown = view.panels.iter().rev().map(|(_, shown)| shown);
             let shown = shown.find(is_meant)?;
+            let by = match shown.placed.pages() {
+                Some(_) => by.signum(),
+                None => by,
+            };
             let rows = shown.rows.saturating_add_signed(by);
             let rows = rows.min(shown.placed.overflow());
             (rows != shown.rows).then(|| Scrolled {
@@ -253,61 +262,58 @@ impl<S: Screen> Hosted<S> {
             return;
         }
         let of = |panel: Panel<S::Action>| (panel.title, panel.subject);
-        let shown = self.screen.view(cx).map(|view| match view.first {
+        let view = self.screen.view(cx);
+        let shown = match view.first {
             Part::Panel(panel) => vec![of(panel), of(view.second)],
             Part::Picture(..) | Part::Nothing => vec![of(view.second)],
-        });
-        let shown = shown.unwrap_or_default();
+        };
         self.scrolled.retain(|it| shown.contains(&it.of));
     }
 
     /// Rows that its panel beside the picture takes, and rows there are for it.
     pub(super) fn rows(&self, cx: &Context) -> (u16, u16) {
-        let Some(view) = self.screen.view(cx) else {
-            return (0, 0);
-        };
-        self.with_panels(&view, cx, |layout, panels, _| {
-            let rows = layout.panel.height;
-            let more = panels.last().map_or(0, |(_, it)| it.placed.overflow());
+        let view = self.screen.view(cx);
+        self.with_panels(&view, cx, |view, _| {
+            let rows = view.layout.panel.height;
+            let more = view.panels.last().map_or(0, |(_, it)| it.placed.overflow());
             (rows + more, rows)
         })
     }
 
     /// The cells of the panels that do something, and what they do.
     fn actions(&self, cx: &Context) -> Vec<(Rect, S::Action)> {
-        let Some(view) = self.screen.view(cx) else {
-            return Vec::new();
-        };
-        self.with_panels(&view, cx, |_, panels, _| {
+        let view = self.screen.view(cx);
+        self.with_panels(&view, cx, |view, _| {
             let of = |(panel, shown): &(&Panel<S::Action>, Shown)| -> Vec<_> {
                 let targets = shown.placed.targets(shown.rows);
                 let action = |(cells, at)| Some((cells, panel.action(at)?));
                 targets.filter_map(action).collect()
             };
-            panels.iter().flat_map(of).collect()
+            view.panels.iter().flat_map(of).collect()
         })
     }
 
     /// Takes the mouse over the view: a click in a panel does what stands there.
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let Some(view) = self.screen.view(cx) else {
-            return self.screen.input(&Input::Mouse(*mouse), cx);
-        };
+        let view = self.screen.view(cx);
         let cell = mouse.cell();
         let has_picture = matches!(view.first, Part::Picture(..));
-        let (picture, hit, under) = self.with_panels(&view, cx, |layout, panels, _| {
-            let mut panels = panels.iter();
+        let (picture, hit, under) = self.with_panels(&view, cx, |view, _| {
+            let mut panels = view.panels.iter();
             let under = panels.find(|(_, it)| it.area.contains(cell.into()));
             let hit = under.and_then(|(panel, it)| {
                 let mut targets = it.placed.targets(it.rows);
                 let (_, at) = targets.find(|(cells, _)| cells.contains(cell.into()))?;
                 panel.action(at)
             });
-            // The wheel moves the mark of a list, which is followed.
-            let is_followed =
-                |it: &Shown| it.placed.is_list() || !has_picture && it.placed.chosen().is_some();
+            // The wheel moves the mark of a list, which is followed; beside pages there may be one.
+            let is_followed = |it: &Shown| {
+                let placed = &it.placed;
+                let is_list = placed.is_list() || placed.pages().is_some();
+                is_list || !has_picture && placed.chosen().is_some()
+            };
             let is_long = under.map(|(_, it)| it.placed.overflow() > 0 && !is_followed(it));
-            (layout.picture, hit, is_long)
+            (view.picture, hit, is_long)
         });
         drop(view);
         let wheel = mouse.wheel().map(|up| -up);
@@ -418,25 +424,42 @@ impl<S: Screen> AnyScreen for Hosted<S> {
         self.screen.shares_time()
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        let Some(view) = self.screen.view(cx) else {
-            return self.screen.draw(area, buf, cx);
-        };
-        self.with_panels(&view, cx, |layout, panels, writing| {
+    fn draw(&self, buf: &mut Buffer, cx: &Context) {
+        let view = self.screen.view(cx);
+        self.with_panels(&view, cx, |placed, writing| {
             // What is read first is drawn first.
-            let (tabs, panels) = panels.split_at(view.tabs.is_some().into());
+            let (tabs, panels) = placed.panels.split_at(view.tabs.is_some().into());
             for (_, shown) in tabs {
                 shown.placed.draw(0, buf, writing);
             }
+            let look = &writing.look;
+            if let Some(heading) = &view.heading {
+                heading.draw(placed.area, buf, look, placed.small_heading);
+            }
+            if let Some(words) = &view.corner {
+                draw_corner(words, placed.area, buf, look);
+            }
             let [first, second] = view.titles();
-            layout.draw(buf, &writing.look, &first, &second);
-            if let Part::Picture(_, draw) = &view.first {
+            placed.layout.draw(buf, look, &first, &second);
+            if let Part::Picture(_, draw) = &view.first
+                && !placed.picture.is_empty()
+            {
                 sheet::next_picture_drags(view.drag);
-                draw(layout.picture, buf, &writing.look);
+                draw(placed.picture, buf, look);
             }
             for (_, shown) in panels {
                 shown.placed.draw(shown.rows, buf, writing);
             }
         });
     }
+}
+
+/// Draws a few words into the upper right corner of an area, over what is there.
+fn draw_corner(words: &str, area: Rect, buf: &mut Buffer, look: &Look) {
+    sheet::note(area, || Item::new(Words::large(words, Role::Selected)));
+    let words = format!(" {words} ");
+    let width = text::width(&words);
+    let column = area.right().saturating_sub(width as u16);
+    let style = look.theme.style(Role::Selected);
+    buf.set_stringn(column, area.y, &words, width, style);
 }

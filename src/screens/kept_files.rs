@@ -1,13 +1,12 @@
 //! A list of kept files, the newest first: to open one, or to remove it.
 
-use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{Confirmation, Context, Next};
-use crate::messages::{Kept, Key, Mouse, StoreRequest};
+use crate::messages::{Kept, Key, StoreRequest};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::panel::Panel;
-use crate::widgets::{Lines, Outcome, Role, text};
+use crate::widgets::{Outcome, Role, text};
 
 /// What keys do to a list of kept files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -28,8 +27,6 @@ pub(super) struct KeptKind {
     pub(super) all: &'static str,
     /// When one is saved, in a sentence.
     pub(super) saved: &'static str,
-    /// Rows below the list for what is to be said of the chosen one.
-    pub(super) about: u16,
     /// Asks what files there are.
     pub(super) list: StoreRequest,
     /// Asks for one.
@@ -132,22 +129,7 @@ impl<T> KeptFiles<T> {
             return Next::Confirm(Confirmation::new(text, "remove it", "keep it"));
         };
         self.notice = None;
-        let outcome = self.list.act(action, self.known().len());
-        self.opened(outcome, cx)
-    }
-
-    /// The mouse over the list in `area`.
-    pub(super) fn mouse(&mut self, mouse: &Mouse, area: Rect, cx: &mut Context) -> Next {
-        let height = self.rows(area.height);
-        let count = self.known().len();
-        let (rows, chosen) = (Rect { height, ..area }, self.list.chosen(count));
-        let line = ListView::line_at(rows, mouse.cell(), chosen, count);
-        let outcome = self.list.mouse(mouse, count, line);
-        self.opened(outcome, cx)
-    }
-
-    fn opened(&mut self, outcome: Outcome<usize>, cx: &mut Context) -> Next {
-        match outcome {
+        match self.list.act(action, self.known().len()) {
             Outcome::Ignored => return Next::Ignored,
             Outcome::Done(_) if self.content().is_some() => {
                 self.load(cx);
@@ -155,44 +137,6 @@ impl<T> KeptFiles<T> {
             _ => {}
         }
         Next::Stay
-    }
-
-    /// Rows of the list in an area of so many.
-    fn rows(&self, height: u16) -> u16 {
-        height.saturating_sub(self.kind.about).max(3)
-    }
-
-    /// The first file that is shown in so many rows.
-    fn first_row(&self, rows: u16) -> usize {
-        let count = self.known().len();
-        ListView::first_shown(self.list.chosen(count), count, rows)
-    }
-
-    /// Writes as much of the list as there is room for, or why there is none.
-    pub(super) fn write(&self, title: impl Fn(&Kept<T>) -> String, lines: &mut Lines) {
-        let KeptKind { all, saved, .. } = self.kind;
-        match &self.files {
-            Ok(None) => lines.paragraph("Looking …", Role::Text),
-            Err(reason) => {
-                let message = format!("The {all} cannot be listed: {reason}.");
-                lines.paragraph(&message, Role::Warn);
-            }
-            Ok(Some(files)) if files.is_empty() => {
-                lines.paragraph(&format!("There are none yet. {saved}"), Role::Text);
-            }
-            Ok(Some(files)) => {
-                let chosen = self.list.chosen(files.len());
-                let rows = self.rows(lines.left());
-                let shown = files.iter().enumerate().skip(self.first_row(rows));
-                for (i, kept) in shown.take(rows.into()) {
-                    let age = kept.age.map(text::ago).unwrap_or_default();
-                    lines.choice(i == chosen, Role::Text, |lines, mark, role| {
-                        lines.pair(&format!("{mark} {}", title(kept)), &age, role, Role::Dim);
-                    });
-                }
-            }
-        }
-        lines.gap();
     }
 
     /// A turn of the wheel goes through the list.
@@ -245,24 +189,6 @@ impl<T> KeptFiles<T> {
                 panel.paragraph(format!("It cannot be read. {reason}."), Role::Warn);
                 panel.gap();
                 panel.paragraph("The file is left unchanged.", Role::Text);
-            }
-            None => {}
-        }
-    }
-
-    /// Writes what is to be said of the chosen file: the notice, that it cannot be read,
-    /// or what `about` says.
-    pub(super) fn write_about(&self, lines: &mut Lines, about: impl FnOnce(&T, &mut Lines)) {
-        if let Some(notice) = &self.notice {
-            lines.paragraph(notice, Role::Warn);
-            lines.gap();
-        }
-        match self.chosen().map(|kept| &kept.content) {
-            Some(Ok(content)) => about(content, lines),
-            Some(Err(reason)) => {
-                lines.paragraph(&format!("It cannot be read. {reason}."), Role::Warn);
-                lines.gap();
-                lines.paragraph("The file is left unchanged.", Role::Text);
             }
             None => {}
         }

@@ -22,7 +22,6 @@ pub mod table;
 
 use std::time::Duration;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 pub use context::Context;
@@ -81,10 +80,8 @@ pub trait Screen {
     }
 
     /// What it shows. What is clicked in a panel is done as by a key; panels that are longer
-    /// than their places are scrolled. A screen without a view draws itself.
-    fn view<'s>(&'s self, _cx: &'s Context) -> Option<View<'s, Self::Action>> {
-        None
-    }
+    /// than their places are scrolled.
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, Self::Action>;
 
     /// Takes the mouse over the picture of its view, which stands in `picture`.
     fn point(&mut self, _mouse: &Mouse, _picture: Rect, _cx: &mut Context) -> Next {
@@ -102,17 +99,9 @@ pub trait Screen {
         Next::Ignored
     }
 
-    /// Takes the mouse.
-    fn mouse(&mut self, _mouse: &Mouse, _cx: &mut Context) -> Next {
+    /// Takes an input that is neither a key nor the mouse: pasted text, what came of a request.
+    fn input(&mut self, _input: &Input, _cx: &mut Context) -> Next {
         Next::Ignored
-    }
-
-    /// Takes an input that is no key: the mouse, pasted text, what came of a request.
-    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
-        match input {
-            Input::Mouse(mouse) => self.mouse(mouse, cx),
-            _ => Next::Ignored,
-        }
     }
 
     /// It is on top again, after another screen was left.
@@ -130,10 +119,6 @@ pub trait Screen {
     fn shares_time(&self) -> bool {
         false
     }
-
-    /// Draws itself into `area`, which is [`Context::body`]; not asked of a screen with a
-    /// view.
-    fn draw(&self, _area: Rect, _buf: &mut Buffer, _cx: &Context) {}
 }
 
 /// What follows from an input or from time that passed.

@@ -3,7 +3,8 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::widgets::panel::Panel;
+use crate::widgets::panel::{Beside, Panel, Placed, PlacedPages, Writing};
+use crate::widgets::panels::Heading;
 use crate::widgets::picture::Picture;
 use crate::widgets::{Look, Room, SplitLayout, areas};
 
@@ -11,16 +12,31 @@ use crate::widgets::{Look, Room, SplitLayout, areas};
 pub struct View<'s, A> {
     /// One row above both parts: the names of the screen's pages.
     pub(super) tabs: Option<Panel<A>>,
-    /// Where both parts stand in the area of the screen, or below the tabs.
-    pub(super) layout: fn(Room) -> SplitLayout,
+    /// What it is called, in large letters above both parts.
+    pub(super) heading: Option<Heading>,
+    /// A few words in its upper right corner.
+    pub(super) corner: Option<String>,
+    /// Where both parts stand between what is above and below them.
+    pub(super) layout: Layout<'s>,
     /// The part that has most of the room.
     pub(super) first: Part<'s, A>,
     /// What stands beside it.
     pub(super) second: Panel<A>,
+    /// What stays in sight below both, in as many rows as it takes.
+    pub(super) foot: Option<Panel<A>>,
     /// Whether keys go to the larger part first, where they may go to either.
     pub(super) focus: Option<bool>,
     /// What can be dragged in the picture, in a sentence for fingers and the mouse.
     pub(super) drag: Option<&'static str>,
+}
+
+/// Where the two parts of a view stand.
+pub(super) enum Layout<'s> {
+    /// Where this says.
+    At(Box<dyn Fn(Room) -> SplitLayout + 's>),
+    /// The words in letters that the back row can read, and the picture as large as they leave
+    /// it.
+    ForTheBackRow(Beside),
 }
 
 /// The larger part of a view.
@@ -57,12 +73,21 @@ impl<'s, A> View<'s, A> {
         Self::picture(title, draw, second)
     }
 
+    /// The same in these places.
+    pub(super) fn laid_out(self, layout: impl Fn(Room) -> SplitLayout + 's) -> Self {
+        let layout = Layout::At(Box::new(layout));
+        Self { layout, ..self }
+    }
+
     /// The same with a picture just as wide as a square board needs.
     pub(super) fn square(self) -> Self {
-        Self {
-            layout: SplitLayout::square,
-            ..self
-        }
+        self.laid_out(SplitLayout::square)
+    }
+
+    /// A picture alone, in all the room there is.
+    pub fn picture_alone(draw: impl Fn(Rect, &mut Buffer, &Look) + 's) -> Self {
+        Self::picture("", draw, Panel::new(""))
+            .laid_out(|room| SplitLayout::open(room.area, Rect::default()))
     }
 
     /// A panel, and one beside it that tells more.
@@ -71,16 +96,23 @@ impl<'s, A> View<'s, A> {
     }
 
     /// A panel alone, in the middle.
-    pub(super) fn alone(layout: fn(Room) -> SplitLayout, panel: Panel<A>) -> Self {
+    pub(super) fn alone(layout: impl Fn(Room) -> SplitLayout + 's, panel: Panel<A>) -> Self {
         Self::new(layout, Part::Nothing, panel)
     }
 
-    fn new(layout: fn(Room) -> SplitLayout, first: Part<'s, A>, second: Panel<A>) -> Self {
+    fn new(
+        layout: impl Fn(Room) -> SplitLayout + 's,
+        first: Part<'s, A>,
+        second: Panel<A>,
+    ) -> Self {
         Self {
             tabs: None,
-            layout,
+            heading: None,
+            corner: None,
+            layout: Layout::At(Box::new(layout)),
             first,
             second,
+            foot: None,
             focus: None,
             drag: None,
         }
@@ -108,17 +140,113 @@ impl<'s, A> View<'s, A> {
         [marked(first, true), marked(&self.second.title, false)]
     }
 
-    /// Where both parts stand in a room, and all its panels, each with the place it has.
-    pub(super) fn places(&self, room: Room) -> (SplitLayout, Vec<(&Panel<A>, Rect)>) {
+    /// Lays it out in a room; `key` says what the key is called that does something.
+    pub(super) fn placed(
+        &self,
+        room: Room,
+        writing: &Writing,
+        key: &dyn Fn(&A) -> Option<String>,
+    ) -> PlacedView<'_, A>
+    where
+        A: Copy,
+    {
+        let under = |small: bool| self.placed_under(small, room, writing, key);
+        let large = under(false);
+        // What to do is worth a row, what a step is called hardly more.
+        if !matches!(self.layout, Layout::ForTheBackRow(_)) || self.heading.is_none() {
+            return large;
+        }
+        let small = under(true);
+        match large.pages().zip(small.pages()) {
+            Some((large_pages, small_pages))
+                if large_pages.are_as_good_as(small_pages, &writing.look) =>
+            {
+                large
+            }
+            _ => small,
+        }
+    }
+
+    fn placed_under(
+        &self,
+        small_heading: bool,
+        room: Room,
+        writing: &Writing,
+        key: &dyn Fn(&A) -> Option<String>,
+    ) -> PlacedView<'_, A>
+    where
+        A: Copy,
+    {
+        let look = &writing.look;
         let [above, area] = areas::upper(room.area, self.tabs.is_some().into());
-        let layout = (self.layout)(Room { area, ..room });
-        let tabs = self.tabs.as_ref().map(|tabs| (tabs, above));
+        let heading = self.heading.as_ref();
+        let rest = heading.map_or(area, |it| it.rest(area, look, small_heading));
+        let foot = { self.foot.as_ref() }.map(|foot| (foot, foot.placed(rest, writing, key)));
+        let foot_rows = foot.as_ref().map_or(0, |(_, it)| it.rows());
+        let [middle, below] = areas::upper(rest, rest.height.saturating_sub(foot_rows));
+        let middle = Room {
+            area: middle,
+            ..room
+        };
+        let (layout, second) = match &self.layout {
+            Layout::At(layout) => {
+                let layout = layout(middle);
+                (layout, self.second.placed(layout.panel, writing, key))
+            }
+            Layout::ForTheBackRow(beside) => {
+                let rows = room.area.height;
+                let paged = self.second.paged(*beside, middle, rows, writing);
+                let second = paged.unwrap_or_else(|| {
+                    let column = areas::middle(middle.area, WIDEST);
+                    self.second.placed(column, writing, key)
+                });
+                let [picture, words] = match (second.pages(), beside) {
+                    (Some(pages), _) => pages.places(0),
+                    (None, Beside::Nothing) => [Rect::default(), middle.area],
+                    (None, _) => {
+                        let [words, picture] = areas::upper(middle.area, second.rows());
+                        [picture, words]
+                    }
+                };
+                (SplitLayout::open(picture, words), second)
+            }
+        };
+        let tabs = { self.tabs.as_ref() }.map(|it| (it, it.placed(above, writing, key), above));
         let first = match &self.first {
-            Part::Panel(panel) => Some((panel, layout.picture)),
+            Part::Panel(panel) => Some(panel),
             Part::Picture(..) | Part::Nothing => None,
         };
-        let panels = tabs.into_iter().chain(first);
-        let panels = panels.chain([(&self.second, layout.panel)]).collect();
-        (layout, panels)
+        let first = first.map(|it| {
+            let place = layout.picture;
+            (it, it.placed(place, writing, key), place)
+        });
+        let second = (&self.second, second, layout.panel);
+        let foot = foot.map(|(foot, placed)| (foot, placed.moved(below), below));
+        let panels = tabs.into_iter().chain(first).chain([second]).chain(foot);
+        PlacedView {
+            area,
+            small_heading,
+            layout,
+            panels: panels.collect(),
+        }
+    }
+}
+
+/// Columns of what is read line by line.
+pub(super) const WIDEST: u16 = 100;
+
+/// A view laid out.
+pub(super) struct PlacedView<'v, A> {
+    /// Below the tabs.
+    pub(super) area: Rect,
+    pub(super) small_heading: bool,
+    pub(super) layout: SplitLayout,
+    /// Its panels, each with its place.
+    pub(super) panels: Vec<(&'v Panel<A>, Placed<'v>, Rect)>,
+}
+
+impl<A> PlacedView<'_, A> {
+    pub(super) fn pages(&self) -> Option<&PlacedPages<'_>> {
+        self.panels.iter().find_map(|(_, placed, _)| placed.pages())
     }
 }

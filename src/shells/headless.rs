@@ -232,10 +232,9 @@ impl From<App> for Headless {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::screens::{Context, Hosted, Next, Place, Screen, Settings};
+    use crate::screens::{Context, Hosted, Next, Place, Screen, Settings, View};
     use crate::widgets::input::KeyTable;
     use crate::widgets::{Charset, Depth};
-    use ratatui::layout::Rect;
 
     /// Counts what it is told, and moves for a second after a space.
     #[derive(Default)]
@@ -276,7 +275,9 @@ mod tests {
         fn wake(&self, _: &Context) -> Option<Duration> {
             (!self.left.is_zero()).then(|| Duration::from_millis(40).min(self.left))
         }
-        fn draw(&self, _: Rect, _: &mut Buffer, _: &Context) {}
+        fn view<'s>(&'s self, _: &'s Context) -> View<'s, ()> {
+            View::picture_alone(|_, _, _| ())
+        }
     }
 
     fn counter() -> Headless {

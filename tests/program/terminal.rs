@@ -8,15 +8,13 @@ use std::time::{Duration, Instant};
 
 use carrom::app::App;
 use carrom::messages::Key;
-use carrom::screens::{Context, Hosted, Next, Screen, Settings};
+use carrom::screens::{Context, Hosted, Next, Screen, Settings, View};
 use carrom::shells::FRAME;
 use carrom::shells::host::HostOptions;
 use carrom::shells::terminal::{self, Ending};
 use carrom::store::Store;
 use carrom::widgets::input::KeyTable;
 use portable_pty::CommandBuilder;
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use rustix::process::{Pid, Signal, kill_process};
 
 use crate::folder::Folder;
@@ -352,10 +350,12 @@ impl Screen for Restless {
         self.moves.then_some(Duration::ZERO)
     }
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, _: &Context) {
+    fn view<'s>(&'s self, _: &'s Context) -> View<'s, RestlessAction> {
         use ratatui::style::Stylize;
-        let line = format!("step {}", self.steps).bold().reversed();
-        buf.set_span(area.x, area.y, &line, area.width);
+        View::picture_alone(|area, buf, _| {
+            let line = format!("step {}", self.steps).bold().reversed();
+            buf.set_span(area.x, area.y, &line, area.width);
+        })
     }
 }
 

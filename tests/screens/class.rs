@@ -219,6 +219,43 @@ fn going_back_corrects_a_vote_and_the_scores() {
     assert!(game.screen().contains("question 2 of 2"));
 }
 
+/// A tap on the words of a choice is the vote for it, on whichever page of the question it stands.
+#[test]
+fn a_tap_on_a_choice_is_the_vote_for_it() {
+    let code = "concept1-4";
+    let round = ClassRound::new(Code::parse(code).unwrap(), vec!["A".into()]);
+    let Form::Choice { options, .. } = &round.questions()[0].form else {
+        panic!("no choice");
+    };
+    let mut last_page = 0;
+    for size in [(80, 24), (120, 40), (60, 20), (61, 50)] {
+        let folder = Folder::new(&format!("class-taps-{}-{}", size.0, size.1));
+        let mut game = class(folder.path(), code, &["Ants", "Bees"]);
+        game.resize(size.0, size.1);
+        game.press("<Enter><Enter><Enter>1");
+        let mut places = Vec::new();
+        let mut shown = String::new();
+        let mut page = 0;
+        while std::mem::replace(&mut shown, game.screen()) != game.screen() {
+            places.extend(game.app().targets().into_iter().map(|cells| (page, cells)));
+            game.press("<PageDown>");
+            page += 1;
+        }
+        assert_eq!(places.len(), options.len(), "{size:?}:\n{shown}");
+        game.press("<Escape>");
+        for (choice, (page, cells)) in places.into_iter().enumerate() {
+            game.press("1");
+            game.press(&"<PageUp>".repeat(9));
+            game.press(&"<PageDown>".repeat(page));
+            game.click((cells.x + cells.width / 2, cells.y + cells.height / 2));
+            let said = kept(folder.path())[0].ballot(0, 0).vote(Vote::First);
+            assert_eq!(said, Some(Response::Choice(choice)), "{size:?}");
+            last_page = last_page.max(page);
+        }
+    }
+    assert!(last_page > 0, "all choices stand on the first page");
+}
+
 #[test]
 fn a_pause_is_blank_until_someone_goes_on() {
     let folder = Folder::new("class-pause");

@@ -4,11 +4,10 @@ use std::time::Duration;
 
 use carrom::app::App;
 use carrom::cli;
-use carrom::messages::{Input, Key, MouseKind};
-use carrom::screens::{Context, Hosted, Next, Place, Screen, Settings};
+use carrom::messages::{Key, Mouse, MouseKind};
+use carrom::screens::{Context, Hosted, Next, Place, Screen, Settings, View};
 use carrom::shells::tape::{ParseError, PlayError, Screenshot, Tape, play};
 use carrom::widgets::input::KeyTable;
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
@@ -232,20 +231,15 @@ impl Screen for Notes {
     fn act(&mut self, (): (), _: &mut Context) -> Next {
         Next::Stay
     }
-    fn input(&mut self, input: &Input, _: &mut Context) -> Next {
-        self.0 += &match input {
-            Input::Mouse(mouse) => {
-                let kind = match mouse.kind {
-                    MouseKind::Down => "down",
-                    MouseKind::Drag => "drag",
-                    MouseKind::Up => "up",
-                    MouseKind::ScrollUp => "wheel-up",
-                    MouseKind::ScrollDown => "wheel-down",
-                };
-                format!("<{kind} {},{}>", mouse.column, mouse.row)
-            }
-            _ => String::new(),
+    fn point(&mut self, mouse: &Mouse, _: Rect, _: &mut Context) -> Next {
+        let kind = match mouse.kind {
+            MouseKind::Down => "down",
+            MouseKind::Drag => "drag",
+            MouseKind::Up => "up",
+            MouseKind::ScrollUp => "wheel-up",
+            MouseKind::ScrollDown => "wheel-down",
         };
+        self.0 += &format!("<{kind} {},{}>", mouse.column, mouse.row);
         Next::Stay
     }
     fn advance(&mut self, passed: Duration, _: &mut Context) {
@@ -254,8 +248,10 @@ impl Screen for Notes {
     fn wake(&self, _: &Context) -> Option<Duration> {
         Some(Duration::from_millis(400))
     }
-    fn draw(&self, area: Rect, buf: &mut Buffer, _: &Context) {
-        buf.set_stringn(area.x, area.y, &self.0, area.width.into(), Style::new());
+    fn view<'s>(&'s self, _: &'s Context) -> View<'s, ()> {
+        View::picture_alone(|area, buf, _| {
+            buf.set_stringn(area.x, area.y, &self.0, area.width.into(), Style::new());
+        })
     }
 }
 

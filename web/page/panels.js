@@ -113,7 +113,7 @@ const panels = (() => {
   }
 
   // What follows belongs together: values, rows of a table, choices.
-  const isChoice = (item) => item.chosen !== null && ["text", "pair"].includes(item.is);
+  const isChoice = (item) => item.chosen !== null && ["text", "pair", "large"].includes(item.is);
   function kindOf(item) {
     if (item.is === "pair" && !isChoice(item)) return "facts";
     if (item.is === "text" && !isChoice(item)) return item.mark ? "list" : "text";
@@ -221,6 +221,7 @@ const panels = (() => {
         node.update = (item) => {
           node.item = item;
           mark(node, "chosen", item.chosen);
+          mark(node, "large", item.is === "large");
           node.setAttribute("aria-pressed", Boolean(item.chosen));
           const list = item.is === "pair" ? [item.name] : item.runs;
           // A chosen one has its colour by being chosen.

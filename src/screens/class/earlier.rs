@@ -1,26 +1,28 @@
 //! The list of earlier rounds, to take one up again.
 
 use jiff::civil::Date;
-use ratatui::buffer::Buffer;
-use ratatui::layout::{Margin, Rect};
 
-use super::heading::column;
+use super::ClassAction;
 use super::play::ClassPlay;
 use super::set_up::SetUp;
 use crate::class::{ClassRound, Vote, WayOfVoting};
-use crate::messages::{Kept, Mouse, StoreAnswer, StoreReply, StoreRequest};
+use crate::messages::{Kept, StoreAnswer, StoreReply, StoreRequest};
 use crate::numbers::counted;
 use crate::progress::long_day;
-use crate::screens::kept_files::{KeptFiles, KeptKind};
-use crate::screens::{Context, Next};
-use crate::widgets::panels::draw_panel;
-use crate::widgets::{Lines, Look, Role, text};
+use crate::screens::kept_files::{KeptAction, KeptFiles, KeptKind};
+use crate::screens::view::WIDEST;
+use crate::screens::{Context, View};
+use crate::widgets::input::ListAction;
+use crate::widgets::panel::Panel;
+use crate::widgets::{Role, SplitLayout, text};
+
+/// Columns of the names that are told of a round at most.
+const NAMES: usize = 180;
 
 const ROUNDS: KeptKind = KeptKind {
     one: "round",
     all: "earlier rounds",
     saved: "Every round is saved by itself, after each vote.",
-    about: 7,
     list: StoreRequest::ListClasses,
     load: StoreRequest::LoadClass,
     remove: StoreRequest::RemoveClass,
@@ -39,11 +41,6 @@ impl EarlierRounds {
     pub(super) fn ask(set_up: SetUp, cx: &mut Context) -> Self {
         let rounds = KeptFiles::ask(ROUNDS, cx);
         Self { set_up, rounds }
-    }
-
-    pub(super) fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        let list = column(cx.body).inner(Margin::new(1, 1));
-        self.rounds.mouse(mouse, list, cx)
     }
 
     /// Takes in what came of what was asked; gives the round that is to be taken up.
@@ -69,33 +66,27 @@ impl EarlierRounds {
         None
     }
 
-    pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look) {
-        let frame = column(area);
-        let inside = draw_panel(buf, frame, "earlier rounds", look.charset, &look.theme);
-        let mut lines = Lines::new(inside, buf, *look);
-        let width = usize::from(lines.width());
-        let title = |kept: &Kept<ClassRound>| {
-            let age = kept.age.map(text::ago).unwrap_or_default();
-            let title = match &kept.content {
-                Ok(round) => titled(round, kept.day),
-                Err(_) => format!("{}: not readable", kept.name),
-            };
-            text::clipped(
-                &look.charset.text(&title),
-                width.saturating_sub(text::width(&age) + 4),
-            )
+    /// The list, and below it what is to be said of the chosen one.
+    pub(super) fn view(&self) -> View<'_, ClassAction> {
+        let mut panel = Panel::new("earlier rounds");
+        let title = |kept: &Kept<ClassRound>| match &kept.content {
+            Ok(round) => titled(round, kept.day),
+            Err(_) => format!("{}: not readable", kept.name),
         };
-        self.rounds.write(title, &mut lines);
-        self.rounds.write_about(&mut lines, |round, lines| {
+        panel.part(ClassAction::Earlier, |panel| {
+            self.rounds.write_list(title, panel);
+        });
+        panel.pin_below();
+        self.rounds.write_chosen(&mut panel, |round, panel| {
             let number = round.place().question + 1;
             let place = format!("Question {number} of {}.", round.questions().len());
-            lines.paragraph(&place, Role::Text);
-            let names = round.teams().join(", ");
-            let names = text::clipped(&look.charset.text(&names), 2 * width);
-            lines.paragraph(&names, Role::Dim);
-            lines.gap();
-            lines.paragraph("Enter: take it up where it was left.", Role::Key);
+            panel.paragraph(place, Role::Text);
+            panel.paragraph(text::clipped(&round.teams().join(", "), NAMES), Role::Dim);
+            panel.gap();
+            let take_up = ClassAction::Earlier(KeptAction::List(ListAction::Open));
+            panel.prompt("take it up where it was left", take_up);
         });
+        View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
     }
 }
 

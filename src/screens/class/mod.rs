@@ -1,27 +1,24 @@
 //! A round for a class round one screen: one keyboard, a projector, teams.
 //!
 //! A question goes through the `ClassStep`s of [`crate::class`]; `play` knows the way
-//! through them, and every step has a view of its own.
+//! through them, and every step with something to do is a module of its own.
 
 mod earlier;
-mod ending_view;
-mod heading;
+mod ending;
 mod hosting;
 mod play;
-mod question_view;
-mod scores_view;
+mod question;
+mod scores;
 mod set_up;
 mod set_up_view;
-mod shown;
-mod shown_view;
-mod spread_view;
-mod step_view;
-mod tally_entry;
+mod shot;
+mod stage;
+mod talk;
+mod tally;
+#[cfg(test)]
+mod tests;
 mod unfinished;
-mod view;
-mod vote_entry;
-mod vote_view;
-mod words;
+mod vote;
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -31,60 +28,58 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::kept_files::KeptAction;
-use super::{Confirmation, Context, Next, Place, Screen, View};
+use super::{Confirmation, Context, Next, Place, Screen, SharedAction, View};
 use crate::class::ClassRound;
 use crate::messages::{Input, Key, Mouse};
 use crate::quiz::Code;
+use crate::widgets::big::{Align, Big};
 use crate::widgets::hit::WatchAction;
 use crate::widgets::input::{KeyTable, ListAction};
-use crate::widgets::{AnswerAction, Outcome, Palette, SplitLayout};
+use crate::widgets::{Item, Look, Outcome, Palette, Role, Words, areas, sheet};
 use earlier::EarlierRounds;
-use heading::WIDEST;
+use ending::EndAction;
 use hosting::HostingAction;
 use play::ClassPlay;
 use set_up::{SetUp, SetUpAction, SetUpEnd, SetUpRow};
+use tally::CountAction;
 use unfinished::{Unfinished, UnfinishedEnd};
+use vote::VoteAction;
 
-/// What keys do in a class round.
-#[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
-#[strum(serialize_all = "kebab-case")]
+/// What keys do in a class round: each page has actions of its own, and so has each step with
+/// something to do.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum ClassAction {
-    /// set up the round
     SetUp(SetUpAction),
-    /// choose an earlier round
     Earlier(KeptAction),
-    /// continue the interrupted round, or begin another
     Unfinished(ListAction),
-    /// manage the pupils on their own devices
+    /// On the pages about pupils on devices of their own.
     Hosting(HostingAction),
+    /// At any step.
+    Round(RoundAction),
+    /// While teams vote.
+    Vote(VoteAction),
+    /// While votes are counted.
+    Count(CountAction),
+    /// While the hit is watched.
+    Watch(WatchAction),
+    /// After the last question.
+    End(EndAction),
+}
+
+/// What keys do at any step of a class round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum RoundAction {
     /// go on
     Forward,
     /// go back one step
     Backward,
     /// go to the previous or next question, where you left it
     Leap(isize),
-    /// go to the previous or next page
-    TurnPage(isize),
-    /// choose a team, or go on
-    Teams(ListAction),
-    /// let this team enter or correct its vote
-    Team(usize),
-    /// take back the team's vote
-    TakeBack,
-    /// vote
-    Vote(AnswerAction),
-    /// leave the vote unchanged
-    NotYet,
-    /// show or hide what is typed
-    ShowTyped,
-    /// watch the collision
-    Watch(WatchAction),
     /// blank the screen; press the key again to return
     Pause,
     /// switch between dark on light, for a projector, and light on dark
     Light,
-    /// enter the counts
-    Count,
     /// go straight to the shot, if there is little to discuss
     ToTheShot,
     /// show a one-minute countdown, or add half a minute
@@ -95,8 +90,6 @@ pub(crate) enum ClassAction {
     BoardNames,
     /// write two tables for a spreadsheet: answers and questions
     Tables,
-    /// turn the page, or scroll
-    Scroll(i16),
     /// go back, or leave the round
     Leave,
 }
@@ -197,25 +190,6 @@ impl Class {
             }
         }
     }
-
-    fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
-        match &mut self.scene {
-            _ if self.paused => Next::Ignored,
-            ClassScene::Earlier(earlier) => earlier.mouse(mouse, cx),
-            // Their views take it.
-            ClassScene::SetUp(_) | ClassScene::Unfinished(_) => Next::Ignored,
-            ClassScene::Play(play) if play.host_page.is_some() => Next::Ignored,
-            ClassScene::Play(play) => {
-                let (room, look) = (cx.room(), cx.settings.look());
-                if let Some(action) = view::meant_by(play, mouse, room, &look) {
-                    return self.act(action, cx);
-                }
-                let step = play.step_view(room, &look);
-                let picture = step.map(|step| step.picture());
-                Next::after(picture.is_some_and(|picture| play.point(mouse, picture)))
-            }
-        }
-    }
 }
 
 impl Screen for Class {
@@ -228,7 +202,7 @@ impl Screen for Class {
     fn place(&self, _cx: &Context) -> Place {
         Place::Class {
             code: match &self.scene {
-                ClassScene::Play(play) => Some(play.round().code().clone()),
+                ClassScene::Play(play) => Some(play.stage.round().code().clone()),
                 _ => None,
             },
             teams: Vec::new(),
@@ -239,15 +213,15 @@ impl Screen for Class {
     fn status(&self, _cx: &Context) -> String {
         match &self.scene {
             ClassScene::Play(play) if !self.paused => {
-                let of = play.round().questions().len();
-                let place = format!("question {} of {of}", play.number() + 1);
-                match play.step().vote().filter(|_| !play.is_over()) {
+                let of = play.stage.round().questions().len();
+                let place = format!("question {} of {of}", play.stage.number() + 1);
+                match play.stage.step().vote().filter(|_| !play.is_over()) {
                     // Whoever has the code could play the round first.
-                    Some(vote) if play.session.is_hosted() => {
-                        format!("{place}  {}", play.session.turnout(vote))
+                    Some(vote) if play.stage.session.is_hosted() => {
+                        format!("{place}  {}", play.stage.session.turnout(vote))
                     }
-                    None if play.session.is_hosted() => place,
-                    _ => format!("{place}  code {}", play.round().code()),
+                    None if play.stage.session.is_hosted() => place,
+                    _ => format!("{place}  code {}", play.stage.round().code()),
                 }
             }
             _ => String::new(),
@@ -255,24 +229,24 @@ impl Screen for Class {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<ClassAction> {
-        use ClassAction::{Earlier, Leave, Pause, SetUp};
+        use RoundAction::{Leave, Pause};
+        let round = KeyTable::new("class");
+        if self.paused {
+            let keys = round.on('p', Pause, "go on").or([(Key::Escape, Pause)]);
+            return keys.map(ClassAction::Round);
+        }
         let keys = KeyTable::new("class");
-        match &self.scene {
-            _ if self.paused => keys.on('p', Pause, "go on").or([(Key::Escape, Pause)]),
-            ClassScene::SetUp(set_up) => {
-                let keys = keys.with(set_up.keys(), SetUp);
-                keys.on(Key::Escape, Leave, "back")
-            }
+        let keys = match &self.scene {
+            ClassScene::SetUp(set_up) => keys.with(set_up.keys(), ClassAction::SetUp),
             ClassScene::Earlier(earlier) => {
-                let keys = keys.with(earlier.rounds.keys("take it up"), Earlier);
-                keys.on(Key::Escape, Leave, "back")
+                keys.with(earlier.rounds.keys("take it up"), ClassAction::Earlier)
             }
             ClassScene::Unfinished(unfinished) => {
-                let keys = keys.with(unfinished.keys(), ClassAction::Unfinished);
-                keys.on(Key::Escape, Leave, "back")
+                keys.with(unfinished.keys(), ClassAction::Unfinished)
             }
-            ClassScene::Play(play) => play.keys(),
-        }
+            ClassScene::Play(play) => return play.keys(),
+        };
+        keys.with(round.on(Key::Escape, Leave, "back"), ClassAction::Round)
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
@@ -294,22 +268,14 @@ impl Screen for Class {
 
     fn act(&mut self, action: ClassAction, cx: &mut Context) -> Next {
         match (action, &mut self.scene) {
-            (ClassAction::Pause, _) => self.paused = !self.paused,
-            (ClassAction::Light, _) => {
+            (ClassAction::Round(RoundAction::Pause), _) => self.paused = !self.paused,
+            (ClassAction::Round(RoundAction::Light), _) => {
                 cx.settings.palette = match cx.settings.palette {
                     Palette::Light => Palette::Dark,
                     Palette::Dark | Palette::Mono => Palette::Light,
                 };
             }
-            (ClassAction::Leave, _) => return self.leave(cx),
-            (ClassAction::Hosting(action), ClassScene::Play(play)) => {
-                let page = play.host_page.as_mut();
-                let asked = page.and_then(|it| it.confirmation(action, &play.session));
-                if let Some(words) = asked {
-                    return Next::Confirm(Confirmation::new(words, "yes", "no"));
-                }
-                play.host(action, cx);
-            }
+            (ClassAction::Round(RoundAction::Leave), _) => return self.leave(cx),
             (ClassAction::SetUp(action), ClassScene::SetUp(set_up)) => {
                 let outcome = set_up.act(action, cx);
                 return self.set_up(outcome, cx);
@@ -321,10 +287,7 @@ impl Screen for Class {
                 let end = unfinished.act(action, cx);
                 self.after_unfinished(end, cx);
             }
-            (ClassAction::Scroll(rows), ClassScene::Play(play)) => {
-                view::scroll(play, rows, cx.room(), &cx.settings.look());
-            }
-            (action, ClassScene::Play(play)) => play.act(action, cx),
+            (action, ClassScene::Play(play)) => return play.act(action, cx),
             _ => return Next::Ignored,
         }
         Next::Stay
@@ -350,7 +313,6 @@ impl Screen for Class {
 
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match (input, &mut self.scene) {
-            (Input::Mouse(mouse), _) => return self.mouse(mouse, cx),
             (Input::Paste(text), ClassScene::SetUp(set_up)) => set_up.paste(text),
             (Input::Kept(answer), ClassScene::Earlier(earlier)) => {
                 if let Some(play) = earlier.take_answer(answer, cx) {
@@ -368,14 +330,24 @@ impl Screen for Class {
         Next::Stay
     }
 
-    fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
-        let by = ListAction::Choose(by.into());
-        match &self.scene {
-            ClassScene::SetUp(_) => self.act(ClassAction::SetUp(SetUpAction::List(by)), cx),
-            ClassScene::Unfinished(_) => self.act(ClassAction::Unfinished(by), cx),
-            ClassScene::Play(_) => self.act(ClassAction::Hosting(HostingAction::List(by)), cx),
-            ClassScene::Earlier(_) => Next::Ignored,
+    fn point(&mut self, mouse: &Mouse, picture: Rect, _cx: &mut Context) -> Next {
+        match &mut self.scene {
+            ClassScene::Play(play) if !self.paused => Next::after(play.point(mouse, picture)),
+            _ => Next::Ignored,
         }
+    }
+
+    fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        let list = ListAction::Choose(by.into());
+        let action = match &self.scene {
+            _ if self.paused => None,
+            ClassScene::SetUp(_) => Some(ClassAction::SetUp(SetUpAction::List(list))),
+            ClassScene::Earlier(_) => Some(ClassAction::Earlier(KeptAction::List(list))),
+            ClassScene::Unfinished(_) => Some(ClassAction::Unfinished(list)),
+            ClassScene::Play(play) => play.wheel(by),
+        };
+        let pages = Next::Shared(SharedAction::Scroll(by.into()));
+        action.map_or(pages, |action| self.act(action, cx))
     }
 
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
@@ -395,30 +367,22 @@ impl Screen for Class {
         }
     }
 
-    fn view<'s>(&'s self, _cx: &'s Context) -> Option<View<'s, ClassAction>> {
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, ClassAction> {
         match &self.scene {
-            _ if self.paused => None,
-            ClassScene::SetUp(set_up) => Some(set_up_view::view(set_up)),
-            ClassScene::Unfinished(unfinished) => Some(unfinished.view()),
-            ClassScene::Play(play) => {
-                let panel = view::panel(play)?;
-                Some(View::alone(
-                    |room| SplitLayout::text_of(room, WIDEST),
-                    panel,
-                ))
-            }
-            _ => None,
+            _ if self.paused => View::picture_alone(draw_pause),
+            ClassScene::SetUp(set_up) => set_up_view::view(set_up),
+            ClassScene::Earlier(earlier) => earlier.view(),
+            ClassScene::Unfinished(unfinished) => unfinished.view(),
+            ClassScene::Play(play) => play.view(cx),
         }
     }
+}
 
-    fn draw(&self, area: Rect, buf: &mut Buffer, cx: &Context) {
-        let look = cx.settings.look();
-        match &self.scene {
-            _ if self.paused => view::paused(area, buf, &look),
-            ClassScene::Earlier(earlier) => earlier.draw(area, buf, &look),
-            // Their views draw them.
-            ClassScene::SetUp(_) | ClassScene::Unfinished(_) => {}
-            ClassScene::Play(play) => view::draw(play, cx.room(), buf, &look),
-        }
+/// Draws the calm screen of a pause.
+fn draw_pause(area: Rect, buf: &mut Buffer, look: &Look) {
+    sheet::note(area, || Item::new(Words::large("paused", Role::Dim)));
+    if let Some(big) = Big::fit("paused", area.width, area.height / 2, look.charset) {
+        let [_, place] = areas::upper(area, area.height.saturating_sub(big.rows()) / 2);
+        big.draw(place, buf, look, Role::Dim, Align::Centre);
     }
 }

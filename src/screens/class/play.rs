@@ -5,35 +5,30 @@ use std::time::Duration;
 
 use ratatui::layout::Rect;
 
-use super::ClassAction;
+use super::ending::{EndAction, EndPage};
 use super::hosting::{self, HostPage, HostingAction};
-use super::shown::ClassReveal;
-use super::tally_entry::TallyEntry;
-use super::vote_entry::VoteEntry;
+use super::shot::{self, ClassReveal};
+use super::stage::Stage;
+use super::tally::{self, Tally};
+use super::vote::{TeamVotes, VoteAction};
+use super::{ClassAction, RoundAction, question, scores, talk};
 use crate::class::{
     ClassPlace, ClassRound, ClassStep, HandInOnItsWay, Session, SessionEffect, Vote, WayOfVoting,
 };
 use crate::messages::{HostNews, Key, Mouse, MouseKind, StoreAnswer, StoreReply, StoreRequest};
 use crate::quiz::Question;
-use crate::screens::Context;
+use crate::screens::{Confirmation, Context, Next, View};
 use crate::widgets::hit::HitPace;
-use crate::widgets::input::{KeyTable, ListView};
-use crate::widgets::{AnswerAction, Outcome, Scroll};
+use crate::widgets::input::{KeyTable, ListAction};
+use crate::widgets::panel::{Beside, Panel};
+use crate::widgets::panels::Heading;
+use crate::widgets::{SplitLayout, draw_question};
 
 /// A round being played.
 #[derive(Debug, Clone)]
 pub(super) struct ClassPlay {
-    pub(super) session: Session,
-    pub(super) phase: ClassPhase,
-    pub(super) scroll: Scroll,
-    /// The page of the words of a step, from 0.
-    pub(super) page: usize,
-    /// The time that is left of a countdown, where one is shown.
-    pub(super) countdown: Option<Duration>,
-    /// Whether the words of the question have the screen to themselves.
-    pub(super) words_alone: bool,
-    /// Whether the names of pupils on devices may stand on the scoreboard.
-    pub(super) names_shown: bool,
+    pub(super) stage: Stage,
+    phase: ClassPhase,
     /// The step at which each question stands.
     steps: Vec<ClassStep>,
     /// The last question that has been reached; their number if the end was.
@@ -50,27 +45,12 @@ pub(super) struct ClassPlay {
 
 /// What there is to do at a step, where that is more than to look and go on.
 #[derive(Debug, Clone)]
-pub(super) enum ClassPhase {
+enum ClassPhase {
     Look,
-    Vote(VoteEntry),
-    Tally(TallyEntry),
+    Vote(TeamVotes),
+    Tally(Tally),
     Shot(Box<ClassReveal>),
     End(EndPage),
-}
-
-/// A page after the last question.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum EndPage {
-    /// The scoreboard.
-    Board,
-    /// What the class believed.
-    Held,
-    /// What each question showed.
-    Items,
-}
-
-impl EndPage {
-    pub(super) const ALL: [Self; 3] = [Self::Board, Self::Held, Self::Items];
 }
 
 impl ClassPlay {
@@ -95,13 +75,13 @@ impl ClassPlay {
             hand_ins: BTreeMap::new(),
             host_page: session.gathers().then_some(HostPage::Door),
             steps,
-            session,
+            stage: Stage {
+                session,
+                countdown: None,
+                words_alone: false,
+                names_shown: false,
+            },
             phase: ClassPhase::Look,
-            scroll: Scroll::default(),
-            page: 0,
-            countdown: None,
-            words_alone: false,
-            names_shown: false,
             furthest,
             ticket,
             unsaved: false,
@@ -109,24 +89,6 @@ impl ClassPlay {
         play.arrive(cx);
         play.flush(cx);
         play
-    }
-
-    /// The round as it stands.
-    pub(super) fn round(&self) -> &ClassRound {
-        self.session.round()
-    }
-
-    pub(super) fn question(&self) -> Option<&Question> {
-        self.session.round().questions().get(self.number())
-    }
-
-    /// Its number, from 0.
-    pub(super) fn number(&self) -> usize {
-        self.session.round().place().question
-    }
-
-    pub(super) fn step(&self) -> ClassStep {
-        self.session.round().place().step
     }
 
     /// Whether the last question is behind.
@@ -137,22 +99,22 @@ impl ClassPlay {
     /// Whether leaving now would end something: a round in its midst, or one that is not
     /// kept.
     pub(super) fn asks_before_leaving(&self) -> bool {
-        self.session.round().is_begun() && (self.unsaved || !self.is_over())
+        self.stage.session.round().is_begun() && (self.unsaved || !self.is_over())
     }
 
     /// Begins what there is to do at the place at hand.
     fn arrive(&mut self, cx: &Context) {
-        let ClassPlace { question, step } = self.session.round().place();
+        let ClassPlace { question, step } = self.stage.session.round().place();
         self.furthest = self.furthest.max(question);
         if let Some(kept) = self.steps.get_mut(question) {
             *kept = step;
         }
-        let vote = |vote| match self.session.round().way() {
+        let vote = |vote| match self.stage.session.round().way() {
             WayOfVoting::Teams => {
-                ClassPhase::Vote(VoteEntry::new(self.session.round(), question, vote))
+                ClassPhase::Vote(TeamVotes::new(self.stage.session.round(), question, vote))
             }
             WayOfVoting::Tally => {
-                ClassPhase::Tally(TallyEntry::new(self.session.round(), question, vote))
+                ClassPhase::Tally(Tally::new(self.stage.session.round(), question, vote))
             }
             WayOfVoting::Devices => ClassPhase::Look,
         };
@@ -160,26 +122,25 @@ impl ClassPlay {
             ClassStep::FirstVote => vote(Vote::First),
             ClassStep::SecondVote => vote(Vote::Second),
             ClassStep::Shot => {
-                let shown = ClassReveal::new(self.session.round(), question, cx.settings.pace());
+                let shown =
+                    ClassReveal::new(self.stage.session.round(), question, cx.settings.pace());
                 shown.map_or(ClassPhase::Look, |it| ClassPhase::Shot(Box::new(it)))
             }
             _ => ClassPhase::Look,
         };
-        self.scroll = Scroll::default();
-        self.page = 0;
-        self.countdown = None;
-        self.words_alone = false;
+        self.stage.countdown = None;
+        self.stage.words_alone = false;
     }
 
     fn go(&mut self, question: usize, step: ClassStep, cx: &mut Context) {
-        self.session.go(ClassPlace { question, step });
+        self.stage.session.go(ClassPlace { question, step });
         self.arrive(cx);
         self.flush(cx);
     }
 
     /// Asks for what the session wants of the world.
     fn flush(&mut self, cx: &mut Context) {
-        for effect in self.session.take_effects() {
+        for effect in self.stage.session.take_effects() {
             match effect {
                 SessionEffect::Host(call) => cx.host(call),
                 SessionEffect::Save(round) => {
@@ -196,33 +157,33 @@ impl ClassPlay {
             }
         }
         if let Some(page) = &mut self.host_page {
-            page.renew(&self.session);
+            page.renew(&self.stage.session);
         }
     }
 
     /// Takes in what was heard of pupils on devices.
     pub(super) fn take_news(&mut self, news: &[HostNews], cx: &mut Context) {
-        self.session.take_news(news);
+        self.stage.session.take_news(news);
         self.flush(cx);
     }
 
     /// Does what a key means for pupils on devices.
     pub(super) fn host(&mut self, action: HostingAction, cx: &mut Context) {
         let page = self.host_page.take();
-        self.host_page = HostPage::act(page, action, &mut self.session);
+        self.host_page = HostPage::act(page, action, &mut self.stage.session);
         self.flush(cx);
     }
 
     /// Lets pupils on devices go.
     pub(super) fn leave(&mut self, cx: &mut Context) {
-        self.session.close();
+        self.stage.session.close();
         self.flush(cx);
     }
 
     /// The step so many further in the question; on devices all predict where they vote.
     fn step_beside(&self, beside: impl Fn(ClassStep) -> Option<ClassStep>) -> Option<ClassStep> {
-        let skips = self.session.round().way() == WayOfVoting::Devices;
-        match beside(self.step())? {
+        let skips = self.stage.session.round().way() == WayOfVoting::Devices;
+        match beside(self.stage.step())? {
             ClassStep::Predict if skips => beside(ClassStep::Predict),
             step => Some(step),
         }
@@ -230,9 +191,9 @@ impl ClassPlay {
 
     /// To what comes next.
     fn forward(&mut self, cx: &mut Context) {
-        let question = self.number();
-        if let ClassPhase::End(page) = self.phase {
-            self.turn_page(page, 1);
+        let question = self.stage.number();
+        if let ClassPhase::End(page) = &mut self.phase {
+            *page = page.turned(1);
         } else if let Some(next) = self.step_beside(ClassStep::next) {
             self.go(question, next, cx);
         } else if let Some(step) = self.steps.get(question + 1) {
@@ -244,10 +205,10 @@ impl ClassPlay {
 
     /// To what came before.
     fn back(&mut self, cx: &mut Context) {
-        let question = self.number();
-        match self.phase {
+        let question = self.stage.number();
+        match &mut self.phase {
             ClassPhase::End(EndPage::Board) => self.go(question, ClassStep::Scores, cx),
-            ClassPhase::End(page) => self.turn_page(page, -1),
+            ClassPhase::End(page) => *page = page.turned(-1),
             _ => match (self.step_beside(ClassStep::before), question.checked_sub(1)) {
                 (Some(before), _) => self.go(question, before, cx),
                 (None, Some(question)) => self.go(question, ClassStep::Scores, cx),
@@ -259,7 +220,7 @@ impl ClassPlay {
     /// The question so many further, after the last of which comes the end; none where it
     /// has not been reached yet.
     fn leads_to(&self, by: isize) -> Option<usize> {
-        let from = self.number() + usize::from(self.is_over());
+        let from = self.stage.number() + usize::from(self.is_over());
         let to = from.checked_add_signed(by)?;
         (to <= self.furthest).then_some(to)
     }
@@ -276,15 +237,8 @@ impl ClassPlay {
     fn end(&mut self, cx: &mut Context) {
         self.furthest = self.steps.len();
         self.phase = ClassPhase::End(EndPage::Board);
-        self.scroll = Scroll::default();
-        self.session.end();
+        self.stage.session.end();
         self.flush(cx);
-    }
-
-    fn turn_page(&mut self, page: EndPage, by: isize) {
-        let to = (page as usize).saturating_add_signed(by);
-        self.phase = ClassPhase::End(EndPage::ALL[to.min(EndPage::ALL.len() - 1)]);
-        self.scroll = Scroll::default();
     }
 
     /// Takes in what came of saving and exporting.
@@ -299,12 +253,12 @@ impl ClassPlay {
                     ));
                 }
                 self.unsaved = saved.is_err();
-                self.session.saved();
+                self.stage.session.saved();
                 self.flush(cx);
             }
             StoreReply::HandedIn(folder) => {
                 if let Some(on_its_way) = self.hand_ins.remove(&answer.ticket) {
-                    self.session.keeps_hand_in(on_its_way, folder);
+                    self.stage.session.keeps_hand_in(on_its_way, folder);
                     self.flush(cx);
                 }
             }
@@ -318,97 +272,74 @@ impl ClassPlay {
 
     /// The keys of the step at hand.
     pub(super) fn keys(&self) -> KeyTable<ClassAction> {
-        use ClassAction::{
-            Backward, BoardNames, Count, Countdown, Forward, Leap, Leave, Light, NotYet, Pause,
-            ShowTyped, Tables, TakeBack, Team, Teams, ToTheShot, TurnPage, Vote, Watch, WordsAlone,
+        use RoundAction::{
+            Backward, BoardNames, Countdown, Leap, Leave, Light, Pause, Tables, WordsAlone,
         };
         let keys = KeyTable::new("class");
+        let table = KeyTable::new("class");
         if let Some(page) = &self.host_page {
-            let page = page.keys(&self.session);
+            let page = page.keys(&self.stage.session);
             let free = page.exact(Key::Escape).is_none();
-            return keys
+            let keys = keys.on(Key::Escape, Leave, "leave").when(free);
+            return table
                 .with(page, ClassAction::Hosting)
-                .on(Key::Escape, Leave, "leave")
-                .when(free)
-                .on('l', Light, "dark or light");
+                .with(keys.on('l', Light, "dark or light"), ClassAction::Round);
         }
-        let forward = |name| {
-            let keys = KeyTable::new("class").on(Key::Enter, Forward, name);
-            keys.or([(' ', Forward)])
-        };
-        let read = |name| forward(name).on('z', WordsAlone, "words alone");
-        let is_last = self.number() + 1 == self.session.round().questions().len();
-        let step =
-            match (&self.phase, self.step()) {
-                (ClassPhase::Vote(entry), _) => match &entry.input {
-                    Some(input) => {
-                        let input = input.keys();
-                        let free = input.exact(Key::Escape).is_none();
-                        let keys = keys.with(input, Vote);
-                        let show = if entry.is_open { "hide" } else { "show" };
-                        return scrolled(
-                            keys.on(Key::Escape, NotYet, "not yet")
-                                .when(free)
-                                .on('v', ShowTyped, show)
-                                .on('p', Pause, "pause")
-                                .on('l', Light, "dark or light"),
-                        );
-                    }
-                    None => {
-                        let count = self.session.round().participants().len();
-                        let numbers = ('1'..).zip((0..count).map(Team));
-                        keys.with(ListView::keys("give a vote"), Teams)
-                            .each(numbers, "a team")
-                            .on('x', TakeBack, "take back")
-                            .or([(Key::Delete, TakeBack)])
-                            .when(entry.has_voted(self.session.round()))
-                    }
-                },
-                (ClassPhase::Tally(_), _) => keys.on(Key::Enter, Count, "take it"),
-                (ClassPhase::Shot(shown), _) => {
-                    // What is watched has the space bar, and Enter until all is told.
-                    let keys = match shown.reveal.watch() {
-                        Some(_) => keys.on(Key::Enter, Forward, "the scores"),
-                        None => forward("the scores"),
-                    };
-                    let keys = keys.when(!shown.reveal.is_telling());
-                    keys.with(shown.reveal.keys(), Watch)
+        let (table, read) = match &self.phase {
+            ClassPhase::Vote(votes) => {
+                let table = table.with(votes.keys(self.stage.round()), ClassAction::Vote);
+                if votes.is_in_booth() {
+                    let keys = keys.on('p', Pause, "pause").on('l', Light, "dark or light");
+                    return table.with(keys, ClassAction::Round);
                 }
-                (ClassPhase::End(page), _) => forward("next page")
-                    .when(*page != EndPage::Items)
-                    .by([Key::Left, Key::Right], TurnPage, [-1, 1], ""),
-                (_, ClassStep::Describe) if self.session.is_hosted() => read("the vote"),
-                (_, ClassStep::FirstVote) => read("talk"),
-                (_, ClassStep::SecondVote) => read("the shot"),
-                (_, ClassStep::Describe) => read("predict"),
-                (_, ClassStep::Predict) => read("first vote"),
-                (_, ClassStep::Talk) => forward("second vote").on('g', ToTheShot, "the shot"),
-                (_, ClassStep::Scores) if is_last => forward("the end"),
-                (_, ClassStep::Scores) => forward("next question"),
-                _ => forward("go on"),
-            };
-        let tables = match self.is_over() {
-            true => "tables",
-            false => "",
+                (table, false)
+            }
+            ClassPhase::Tally(_) => (table.with(tally::keys(), ClassAction::Count), false),
+            ClassPhase::Shot(shown) => {
+                // What is watched has the space bar, and Enter until all is told.
+                let on = match shown.reveal.watch() {
+                    Some(_) => {
+                        KeyTable::new("class").on(Key::Enter, RoundAction::Forward, "the scores")
+                    }
+                    None => forward("the scores"),
+                };
+                let on = on.when(!shown.reveal.is_telling());
+                let table = table.with(on, ClassAction::Round);
+                (table.with(shown.reveal.keys(), ClassAction::Watch), false)
+            }
+            ClassPhase::End(page) => {
+                let on = forward("next page").when(*page != EndPage::Items);
+                let table = table.with(on, ClassAction::Round);
+                (table.with(EndPage::keys(), ClassAction::End), false)
+            }
+            ClassPhase::Look => {
+                let on = self.keys_to_look();
+                let reads = !matches!(self.stage.step(), ClassStep::Talk | ClassStep::Scores);
+                (table.with(on, ClassAction::Round), reads)
+            }
         };
+        let keys = keys.on('z', WordsAlone, "words alone").when(read);
         let is_board = matches!(
-            (&self.phase, self.step()),
+            (&self.phase, self.stage.step()),
             (ClassPhase::End(EndPage::Board), _) | (ClassPhase::Look, ClassStep::Scores)
         );
-        let names = if self.names_shown {
-            "no names"
-        } else {
-            "names"
+        let names = match self.stage.names_shown {
+            true => "no names",
+            false => "names",
         };
-        let step = match self.session.is_hosted() {
-            true => step
-                .with(hosting::step_keys(), ClassAction::Hosting)
-                .on('n', BoardNames, names)
-                .when(is_board),
-            false => step,
+        let (table, keys) = match self.stage.session.is_hosted() {
+            true => (
+                table
+                    .with(keys, ClassAction::Round)
+                    .with(hosting::step_keys(), ClassAction::Hosting),
+                KeyTable::new("class")
+                    .on('n', BoardNames, names)
+                    .when(is_board),
+            ),
+            false => (table, keys),
         };
-        let keys = step
-            .on('e', Tables, tables)
+        let keys = keys
+            .on('e', Tables, if self.is_over() { "tables" } else { "" })
             .on(Key::Backspace, Backward, "back")
             .on('p', Pause, "pause")
             .on('c', Countdown, "")
@@ -416,73 +347,145 @@ impl ClassPlay {
             .by(['[', ']'], Leap, [-1, 1], "questions")
             .when([-1, 1].iter().any(|by| self.leads_to(*by).is_some()))
             .on(Key::Escape, Leave, "leave");
-        match self.phase {
-            // A panel is scrolled by the keys of all panels.
-            ClassPhase::End(EndPage::Held | EndPage::Items) => keys,
-            _ => scrolled(keys),
-        }
+        table.with(keys, ClassAction::Round)
     }
 
-    /// Does what a key stands for.
-    pub(super) fn act(&mut self, action: ClassAction, cx: &mut Context) {
+    /// The key that goes on from a step at which there is nothing else to do.
+    fn keys_to_look(&self) -> KeyTable<RoundAction> {
+        let is_last = self.stage.number() + 1 == self.stage.round().questions().len();
+        let keys = forward(match self.stage.step() {
+            ClassStep::Describe if self.stage.session.is_hosted() => "the vote",
+            ClassStep::Describe => "predict",
+            ClassStep::Predict => "first vote",
+            ClassStep::FirstVote => "talk",
+            ClassStep::Talk => "second vote",
+            ClassStep::SecondVote => "the shot",
+            ClassStep::Scores if is_last => "the end",
+            ClassStep::Scores => "next question",
+            ClassStep::Shot => "go on",
+        });
+        keys.on('g', RoundAction::ToTheShot, "the shot")
+            .when(self.stage.step() == ClassStep::Talk)
+    }
+
+    /// Does what a key or a click stands for.
+    pub(super) fn act(&mut self, action: ClassAction, cx: &mut Context) -> Next {
         match (action, &mut self.phase) {
-            (ClassAction::Hosting(action), _) => self.host(action, cx),
-            (ClassAction::Forward, _) => self.forward(cx),
-            (ClassAction::Backward, _) => self.back(cx),
-            (ClassAction::Leap(by), _) => self.leap(by, cx),
-            (ClassAction::TurnPage(by), ClassPhase::End(page)) => {
-                let page = *page;
-                self.turn_page(page, by);
+            (ClassAction::Round(action), _) => self.act_at_any_step(action, cx),
+            (ClassAction::Hosting(action), _) => {
+                let page = self.host_page.as_mut();
+                if let Some(words) =
+                    page.and_then(|it| it.confirmation(action, &self.stage.session))
+                {
+                    return Next::Confirm(Confirmation::new(words, "yes", "no"));
+                }
+                self.host(action, cx);
             }
             (ClassAction::Watch(action), ClassPhase::Shot(shown)) => shown.reveal.act(action),
-            (ClassAction::Count, ClassPhase::Tally(entry)) => {
-                let entry = entry.clone();
-                if entry.give(&mut self.session) {
+            (ClassAction::Vote(action), ClassPhase::Vote(votes)) => {
+                if votes.act(action, &mut self.stage.session) {
                     self.forward(cx);
                 }
             }
-            (ClassAction::ToTheShot, _) => self.go(self.number(), ClassStep::Shot, cx),
-            (ClassAction::Countdown, _) => {
-                self.countdown = Some(match self.countdown {
+            (ClassAction::Count(_), ClassPhase::Tally(tally)) => {
+                if tally.give(&mut self.stage.session) {
+                    self.forward(cx);
+                }
+            }
+            (ClassAction::End(action), ClassPhase::End(page)) => {
+                let EndAction::TurnPage(by) = action;
+                *page = page.turned(by);
+            }
+            _ => return Next::Ignored,
+        }
+        self.flush(cx);
+        Next::Stay
+    }
+
+    fn act_at_any_step(&mut self, action: RoundAction, cx: &mut Context) {
+        match action {
+            RoundAction::Forward => self.forward(cx),
+            RoundAction::Backward => self.back(cx),
+            RoundAction::Leap(by) => self.leap(by, cx),
+            RoundAction::ToTheShot => self.go(self.stage.number(), ClassStep::Shot, cx),
+            RoundAction::Countdown => {
+                self.stage.countdown = Some(match self.stage.countdown {
                     Some(left) if !left.is_zero() => left + Duration::from_secs(30),
                     _ => Duration::from_secs(60),
                 });
             }
-            (ClassAction::WordsAlone, _) => self.words_alone = !self.words_alone,
-            (ClassAction::BoardNames, _) => {
-                self.names_shown = !self.names_shown;
-                self.scroll = Scroll::default();
+            RoundAction::WordsAlone => self.stage.words_alone = !self.stage.words_alone,
+            RoundAction::BoardNames => self.stage.names_shown = !self.stage.names_shown,
+            RoundAction::Tables => {
+                cx.ask(StoreRequest::ExportClass(self.stage.session.shared_round()));
             }
-            (ClassAction::Tables, _) => {
-                cx.ask(StoreRequest::ExportClass(self.session.shared_round()));
-            }
-            (ClassAction::Teams(action), ClassPhase::Vote(entry)) => {
-                let outcome = entry
-                    .teams
-                    .act(action, self.session.round().participants().len() + 1);
-                self.open(outcome, cx);
-            }
-            (ClassAction::Team(team), ClassPhase::Vote(entry)) => {
-                entry.open(team, self.session.round());
-            }
-            (ClassAction::TakeBack, ClassPhase::Vote(entry)) => {
-                let change = entry.take_back(self.session.round());
-                self.session.enter(&change);
-                self.flush(cx);
-            }
-            (ClassAction::Vote(action), ClassPhase::Vote(entry)) => {
-                let outcome = entry.input.as_mut().map(|input| input.act(action));
-                // A choice is given by one key.
-                let is_chosen = matches!(action, AnswerAction::Choose(_));
-                if is_chosen || outcome == Some(Outcome::Done(())) {
-                    entry.give(&mut self.session);
-                    self.flush(cx);
-                }
-            }
-            (ClassAction::ShowTyped, ClassPhase::Vote(entry)) => entry.is_open = !entry.is_open,
-            (ClassAction::NotYet, ClassPhase::Vote(entry)) => entry.input = None,
-            _ => {}
+            // They are the screen's.
+            RoundAction::Pause | RoundAction::Light | RoundAction::Leave => {}
         }
+    }
+
+    /// What a turn of the wheel does: it chooses a team or somebody who is in, or turns the page.
+    pub(super) fn wheel(&self, by: i8) -> Option<ClassAction> {
+        let by = ListAction::Choose(by.into());
+        match (&self.host_page, &self.phase) {
+            (Some(_), _) => Some(ClassAction::Hosting(HostingAction::List(by))),
+            (None, ClassPhase::Vote(votes)) if !votes.is_in_booth() => {
+                Some(ClassAction::Vote(VoteAction::Teams(by)))
+            }
+            _ => None,
+        }
+    }
+
+    /// What it shows.
+    pub(super) fn view<'s>(&'s self, cx: &'s Context) -> View<'s, ClassAction> {
+        if let Some(page) = &self.host_page {
+            return page.view(&self.stage.session, cx);
+        }
+        let Some(question) = self.stage.question() else {
+            return View::alone(SplitLayout::text_alone, Panel::new(""));
+        };
+        match (&self.phase, self.stage.step()) {
+            (ClassPhase::Vote(votes), _) => votes.view(&self.stage, question),
+            (ClassPhase::Tally(tally), _) => tally.view(&self.stage, question),
+            (ClassPhase::Shot(shown), _) => shot::view(&self.stage, shown, question),
+            (ClassPhase::End(page), _) => page.view(&self.stage),
+            (ClassPhase::Look, ClassStep::Talk) => talk::view(&self.stage, question),
+            (ClassPhase::Look, ClassStep::Scores) => {
+                scores::view(&self.stage, Heading::new(&["Scores"], ""))
+            }
+            (ClassPhase::Look, step) => self.reading(step, question),
+        }
+    }
+
+    /// A question being read; on devices it is voted on meanwhile.
+    fn reading<'s>(&'s self, step: ClassStep, question: &'s Question) -> View<'s, ClassAction> {
+        let turnout = |vote| self.stage.session.turnout(vote);
+        let heading = match step {
+            ClassStep::FirstVote => Heading::new(
+                &[&turnout(Vote::First)],
+                "Everyone predicts in silence, and votes on their own device.",
+            ),
+            ClassStep::SecondVote => Heading::new(
+                &[&turnout(Vote::Second)],
+                "Who wants to change? All others keep their vote.",
+            ),
+            ClassStep::Predict => Heading::new(
+                &["Predict in silence", "In silence"],
+                "Everyone writes down an answer. Nobody speaks.",
+            ),
+            _ => Heading::new(&[&format!("Question {}", self.stage.number() + 1)], ""),
+        };
+        let heading = (!self.stage.words_alone || step.vote().is_some()).then_some(heading);
+        let beside = match self.stage.words_alone {
+            true => Beside::Nothing,
+            false => question::beside(question),
+        };
+        let mut words = self.stage.words();
+        question::write(&self.stage, question, None, |_| None, &mut words);
+        let draw = move |area, buf: &mut _, look: &_| {
+            draw_question(area, buf, look, question, None);
+        };
+        self.stage.step_view(heading, beside, draw, words)
     }
 
     /// Takes a key of what is typed.
@@ -497,32 +500,25 @@ impl ClassPlay {
     /// Takes the mouse over the picture of a step; says whether it meant something.
     pub(super) fn point(&mut self, mouse: &Mouse, picture: Rect) -> bool {
         let pressed = mouse.kind == MouseKind::Down;
-        let question = self.session.round().questions().get(self.number());
+        let question = self
+            .stage
+            .session
+            .round()
+            .questions()
+            .get(self.stage.number());
         match (&mut self.phase, question) {
-            (ClassPhase::Vote(entry), Some(question)) if mouse.is_held() => {
-                let input = entry.input.as_mut();
+            (ClassPhase::Vote(votes), Some(question)) if mouse.is_held() => {
+                let input = votes.input_mut();
                 input.is_some_and(|input| input.point(question, picture, mouse.place(), pressed))
             }
             _ => false,
         }
     }
 
-    /// Lets a team vote, or after the last one goes on.
-    fn open(&mut self, row: Outcome<usize>, cx: &mut Context) {
-        let count = self.session.round().participants().len();
-        match (row, &mut self.phase) {
-            (Outcome::Done(team), ClassPhase::Vote(entry)) if team < count => {
-                entry.open(team, self.session.round());
-            }
-            (Outcome::Done(_), _) => self.forward(cx),
-            _ => {}
-        }
-    }
-
     /// Lets time pass.
     pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
-        self.session.advance(passed);
-        self.countdown = self.countdown.map(|left| left.saturating_sub(passed));
+        self.stage.session.advance(passed);
+        self.stage.countdown = self.stage.countdown.map(|left| left.saturating_sub(passed));
         if let ClassPhase::Shot(shown) = &mut self.phase {
             shown.reveal.advance(passed, pace);
         }
@@ -535,18 +531,19 @@ impl ClassPlay {
             _ => None,
         };
         // To where the next lower second is shown.
-        let left = self.countdown.filter(|left| !left.is_zero());
+        let left = self.stage.countdown.filter(|left| !left.is_zero());
         let second = left.map(|left| match left.subsec_nanos() {
             0 => Duration::from_secs(1),
             nanos => Duration::from_nanos(nanos.into()),
         });
-        let door = self.session.wake();
+        let door = self.stage.session.wake();
         shot.into_iter().chain(second).chain(door).min()
     }
 }
 
-/// The keys with those that scroll or turn pages.
-fn scrolled(keys: KeyTable<ClassAction>) -> KeyTable<ClassAction> {
-    let keys_of_text = [Key::Up, Key::Down, Key::PageUp, Key::PageDown];
-    keys.by(keys_of_text, ClassAction::Scroll, [-1, 1, -8, 8], "")
+/// The keys that go on.
+fn forward(name: &'static str) -> KeyTable<RoundAction> {
+    KeyTable::new("class")
+        .on(Key::Enter, RoundAction::Forward, name)
+        .or([(' ', RoundAction::Forward)])
 }

@@ -1,18 +1,18 @@
 //! What the page shows on which a round is set up.
 
 use super::ClassAction;
-use super::heading::column;
 use super::set_up::{RoundKind, SetUp, SetUpAction, SetUpRow};
 use crate::class::MOST_TEAMS;
 use crate::quiz::CourseKind;
 use crate::screens::View;
+use crate::screens::view::WIDEST;
 use crate::widgets::input::{ListAction, TextField};
 use crate::widgets::panel::Panel;
-use crate::widgets::{Role, Room, SplitLayout};
+use crate::widgets::{Role, Room, SplitLayout, areas};
 
 /// Two panels of the same width.
 fn halves(room: Room) -> SplitLayout {
-    let area = column(room.area);
+    let area = areas::middle(room.area, WIDEST);
     SplitLayout::with_panel(Room { area, ..room }, area.width / 2)
 }
 
@@ -34,10 +34,7 @@ pub(super) fn view(set_up: &SetUp) -> View<'_, ClassAction> {
         teams.gap();
         teams.paragraph(trouble, Role::Warn);
     }
-    View {
-        layout: halves,
-        ..View::panels(teams, round)
-    }
+    View::panels(teams, round).laid_out(halves)
 }
 
 fn write(set_up: &SetUp, row: SetUpRow, action: SetUpAction, panel: &mut Panel<SetUpAction>) {

@@ -307,8 +307,8 @@ impl Screen for FoilScreen {
         Next::Stay
     }
 
-    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, FoilAction>> {
-        Some(view::view(self, cx))
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, FoilAction> {
+        view::view(self, cx)
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<FoilAction> {

@@ -169,7 +169,7 @@ impl Screen for Home {
         self.list = ListView::default();
     }
 
-    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, HomeAction>> {
-        Some(view::view(self, cx))
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, HomeAction> {
+        view::view(self, cx)
     }
 }

@@ -22,10 +22,7 @@ fn layout(room: Room) -> SplitLayout {
 
 pub(super) fn view<'s>(home: &'s Home, cx: &Context) -> View<'s, HomeAction> {
     let hit = |area| home.picture.picture(area);
-    View {
-        layout,
-        ..View::drawn("a glancing hit", hit, menu(home, cx))
-    }
+    View::drawn("a glancing hit", hit, menu(home, cx)).laid_out(layout)
 }
 
 fn menu(home: &Home, cx: &Context) -> Panel<HomeAction> {

@@ -355,7 +355,7 @@ impl Screen for Join {
         link.into_iter().chain(desk).min()
     }
 
-    fn view<'s>(&'s self, _cx: &'s Context) -> Option<View<'s, JoinAction>> {
+    fn view<'s>(&'s self, _cx: &'s Context) -> View<'s, JoinAction> {
         let Some((desk, link)) = self.desk() else {
             let mut panel = Panel::new("your class");
             match &self.link {
@@ -368,13 +368,13 @@ impl Screen for Join {
                 }
                 None => panel.part(JoinAction::Form, |panel| self.form.write(panel)),
             }
-            return Some(View::alone(SplitLayout::card, panel));
+            return View::alone(SplitLayout::card, panel);
         };
         let answers = if self.may_hand_in() {
             self.answers()
         } else {
             0
         };
-        Some(view::view(desk, link, answers))
+        view::view(desk, link, answers)
     }
 }

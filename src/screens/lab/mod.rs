@@ -265,8 +265,8 @@ impl Screen for Lab {
         Next::Stay
     }
 
-    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, LabAction>> {
-        Some(view::view(self, cx))
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, LabAction> {
+        view::view(self, cx)
     }
 
     fn point(&mut self, mouse: &Mouse, picture: Rect, cx: &mut Context) -> Next {

@@ -76,7 +76,7 @@ fn too_long(
     let (rows, room) = reading.rows(&cx);
     // Drawn as well: what panics or loses its figure shows here.
     let mut buf = Buffer::empty(Rect::new(0, 0, 80, 24));
-    reading.draw(BODY, &mut buf, &cx);
+    reading.draw(&mut buf, &cx);
     let what = match answer {
         None if first.is_some() => format!("the hint{}", line_of(first)),
         None => "the page".to_owned(),

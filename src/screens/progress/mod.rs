@@ -160,11 +160,7 @@ impl Progress {
     ) -> View<'s, ProgressAction> {
         let mut second = view.second;
         second.prompt(self.next_step().words(book), ProgressAction::DoNext);
-        View {
-            layout,
-            second,
-            ..view
-        }
+        View { second, ..view }.laid_out(layout)
     }
 
     /// Writes the hand-in for a teacher.
@@ -280,7 +276,7 @@ impl Screen for Progress {
         }
     }
 
-    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, ProgressAction>> {
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, ProgressAction> {
         let (book, page) = (&cx.book, self.page);
         let Some(history) = self.history() else {
             let mut first = Panel::new("your progress");
@@ -288,7 +284,7 @@ impl Screen for Progress {
                 Some((words, role)) => first.paragraph(words, role),
                 None => nothing_yet(&mut first),
             }
-            return Some(self.with_next_step(View::panels(first, Panel::new("what next")), book));
+            return self.with_next_step(View::panels(first, Panel::new("what next")), book);
         };
         let (title, beside) = page.titles();
         let (mut first, mut second) = (Panel::new(title), Panel::new(beside));
@@ -330,7 +326,7 @@ impl Screen for Progress {
             ),
             None => View::panels(first, second),
         };
-        Some(self.with_next_step(view, book))
+        self.with_next_step(view, book)
     }
 
     fn point(&mut self, mouse: &Mouse, _picture: Rect, _cx: &mut Context) -> Next {

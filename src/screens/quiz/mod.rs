@@ -26,7 +26,7 @@ use crate::quiz::{
 };
 use crate::widgets::hit::{Overlays, Reveal, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
-use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, Scroll};
+use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, PAGE_ROWS};
 
 /// Returns to choosing a round.
 const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });
@@ -496,7 +496,7 @@ impl Screen for Quiz {
                     (Outcome::Done(at), _) => self.open(at, cx),
                     (_, ListAction::Choose(by)) if is_at_end => return scroll(by as i16),
                     (_, ListAction::Page(by) | ListAction::End(by)) if is_at_end => {
-                        return scroll(Scroll::PAGE * by as i16);
+                        return scroll(PAGE_ROWS * by as i16);
                     }
                     _ => {}
                 }
@@ -564,7 +564,7 @@ impl Screen for Quiz {
         }
     }
 
-    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, QuizAction>> {
-        Some(view::view(self, cx))
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, QuizAction> {
+        view::view(self, cx)
     }
 }

@@ -72,7 +72,7 @@ impl TestRound {
     fn screen(&mut self) -> String {
         let body = self.cx.body;
         let mut buf = Buffer::empty(Rect::new(0, 0, body.width, body.bottom() + 1));
-        self.quiz.draw(body, &mut buf, &self.cx);
+        self.quiz.draw(&mut buf, &self.cx);
         text(&buf)
     }
 }

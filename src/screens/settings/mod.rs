@@ -140,8 +140,8 @@ impl Screen for SettingsScreen {
         Next::Stay
     }
 
-    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, SettingsAction>> {
-        Some(view(self, cx))
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, SettingsAction> {
+        view(self, cx)
     }
 }
 

@@ -164,12 +164,12 @@ impl Screen for Table {
         Next::Stay
     }
 
-    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, TableAction>> {
-        Some(match &self.page {
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, TableAction> {
+        match &self.page {
             TablePage::NewGame(page) => page.view(),
             TablePage::SavedGames(page) => page.view(),
             TablePage::Playing(playing) => playing.view(cx.settings.charset),
-        })
+        }
     }
 
     fn point(&mut self, mouse: &Mouse, picture: Rect, cx: &mut Context) -> Next {

@@ -18,7 +18,6 @@ const GAMES: KeptKind = KeptKind {
     one: "game",
     all: "saved games",
     saved: "Every game is saved by itself, after each stroke.",
-    about: 11,
     list: StoreRequest::List,
     load: StoreRequest::Load,
     remove: StoreRequest::Remove,

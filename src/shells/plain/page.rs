@@ -211,6 +211,7 @@ impl PlainOption {
                 let text = joined(runs);
                 (format!("{mark} {text}"), OptionKind::Entry, None)
             }
+            Words::Large { runs } => (joined(runs), OptionKind::Entry, None),
             Words::Pair { name, value } => (
                 listed(&name.text, [value.text.as_str()]),
                 OptionKind::Entry,
@@ -313,7 +314,8 @@ fn label(options: &mut [PlainOption], types: bool) {
 /// The letter or number that an entry begins with, and the rest.
 fn own_label(words: &str) -> (String, String) {
     let split = words.split_once(' ').unwrap_or((words, ""));
-    let (first, rest) = (split.0.trim_end_matches('.'), split.1.trim_start());
+    let first = split.0.trim_end_matches(['.', ':']);
+    let rest = split.1.trim_start();
     let is_number = !first.is_empty() && first.chars().all(|c| c.is_ascii_digit());
     let is_letter = first.len() == 1 && first.chars().all(|c| c.is_ascii_uppercase());
     match is_number || is_letter && !rest.is_empty() {

@@ -219,15 +219,20 @@ impl AnswerInput {
         }
     }
 
-    /// Writes what to do next; `last` is what giving the answer does.
-    pub(crate) fn write_prompt(&self, form: &Form, last: &str, panel: &mut Panel<AnswerAction>) {
+    /// What to do next, and what it is; `last` is what giving the answer does.
+    pub(crate) fn next(&self, form: &Form, last: &str) -> (String, AnswerAction) {
         let words = match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) if rays.turning() == Ray::Striker => {
                 format!("then the {target}")
             }
             _ => last.to_owned(),
         };
-        panel.prompt(words, self.go_on());
+        (words, self.go_on())
+    }
+
+    /// Writes that.
+    pub(crate) fn write_prompt(&self, form: &Form, last: &str, panel: &mut Panel<AnswerAction>) {
+        panel.prompts([self.next(form, last)]);
     }
 
     /// How it is answered, in a sentence or two.

@@ -1,10 +1,9 @@
 //! Lines one of which is chosen: the same manners wherever there is a list.
 
-use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{KeyTable, Outcome};
-use crate::messages::{Key, Mouse, MouseKind};
+use crate::messages::Key;
 
 /// Lines that a page key goes by.
 const PAGE: isize = 10;
@@ -73,23 +72,6 @@ impl ListView {
         Outcome::Used
     }
 
-    /// The mouse over a list of so many lines, `line` being the one it points at: the
-    /// wheel moves the mark, a click puts it at a line and opens the line it is at.
-    pub(crate) fn mouse(
-        &mut self,
-        mouse: &Mouse,
-        lines: usize,
-        line: Option<usize>,
-    ) -> Outcome<usize> {
-        match (mouse.kind, line) {
-            (MouseKind::ScrollUp, _) => self.go(-1, lines),
-            (MouseKind::ScrollDown, _) => self.go(1, lines),
-            (MouseKind::Down, Some(line)) => return self.point(line, lines),
-            _ => return Outcome::Ignored,
-        }
-        Outcome::Used
-    }
-
     fn point(&mut self, line: usize, lines: usize) -> Outcome<usize> {
         if line == self.chosen(lines) {
             return Outcome::Done(line);
@@ -101,27 +83,6 @@ impl ListView {
     fn go(&mut self, by: isize, lines: usize) {
         self.at = self.chosen(lines).saturating_add_signed(by);
         self.at = self.chosen(lines);
-    }
-
-    /// The row of an area at a cell, from 0 at its top; `None` beside it.
-    pub(crate) fn row_at(area: Rect, cell: (u16, u16)) -> Option<usize> {
-        let inside = area.contains(cell.into());
-        inside.then(|| usize::from(cell.1 - area.y))
-    }
-
-    /// The one of so many lines, a row each, at a cell of an area, the mark being at `at`.
-    pub(crate) fn line_at(area: Rect, cell: (u16, u16), at: usize, lines: usize) -> Option<usize> {
-        let first = Self::first_shown(at, lines, area.height);
-        let line = first + Self::row_at(area, cell)?;
-        (line < lines).then_some(line)
-    }
-
-    /// The first of so many rows that is shown in a place of this height: `row`, where
-    /// the mark is, stands in the middle where there are more rows than that.
-    pub(crate) fn first_shown(row: usize, rows: usize, height: u16) -> usize {
-        let height = usize::from(height);
-        row.saturating_sub(height / 2)
-            .min(rows.saturating_sub(height))
     }
 }
 
@@ -162,20 +123,7 @@ mod tests {
     #[test]
     fn a_click_chooses_and_then_opens() {
         let mut list = ListView::default();
-        let mouse = |kind| Mouse::over(kind, (0, 0));
-        assert_eq!(
-            list.mouse(&mouse(MouseKind::Down), 5, Some(3)),
-            Outcome::Used
-        );
-        assert_eq!(
-            list.mouse(&mouse(MouseKind::Down), 5, Some(3)),
-            Outcome::Done(3)
-        );
-        list.mouse(&mouse(MouseKind::ScrollDown), 5, None);
-        assert_eq!(list.chosen(5), 4);
-        assert_eq!(
-            list.mouse(&mouse(MouseKind::Up), 5, Some(1)),
-            Outcome::Ignored
-        );
+        assert_eq!(list.act(ListAction::Point(3), 5), Outcome::Used);
+        assert_eq!(list.act(ListAction::Point(3), 5), Outcome::Done(3));
     }
 }

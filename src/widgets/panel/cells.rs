@@ -6,10 +6,11 @@ use std::ops::Range;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::{Block, Content, Panel, TableColumn, TableRow};
+use super::pages::PlacedPages;
+use super::{Beside, Block, Content, Panel, TableColumn, TableRow, board};
 use crate::widgets::bar::{bar, stretch};
 use crate::widgets::flow::Run;
-use crate::widgets::{Charset, Lines, Look, Role, Words, areas, formula, text};
+use crate::widgets::{Charset, Lines, Look, Role, Room, Words, areas, formula, text};
 
 /// How a panel is written: in which glyphs and colours, and how its pages are turned.
 #[derive(Debug, Clone)]
@@ -33,6 +34,10 @@ pub(crate) struct Placed<'p> {
     chosen: Option<Range<u16>>,
     /// Whether that is one of a list, rather than something that can be set.
     is_list: bool,
+    /// Rows of the place in which it was laid out.
+    whole: u16,
+    /// It in large letters, where it is read page by page.
+    pages: Option<PlacedPages<'p>>,
 }
 
 /// Blocks that are not scrolled.
@@ -110,7 +115,28 @@ impl<A: Copy> Panel<A> {
             keys: piece(block),
         });
         let below = self.below.unwrap_or(self.blocks.len());
-        placed(pieces.collect(), self.pinned..below, area, writing)
+        let mut placed = placed(pieces.collect(), self.pinned..below, area, writing);
+        if self.open && placed.overflow() > 0 {
+            // The word that there is more has its own row.
+            placed.area.height = placed.area.height.saturating_sub(1);
+        }
+        placed
+    }
+
+    /// Lays it out on pages in large letters beside a picture, on a screen with a body of so
+    /// many rows; `None` where a letter is not to be had so.
+    pub(crate) fn paged(
+        &self,
+        beside: Beside,
+        room: Room,
+        body_rows: u16,
+        writing: &Writing,
+    ) -> Option<Placed<'_>> {
+        let pages = PlacedPages::new(self, beside, room, body_rows, &writing.look)?;
+        Some(Placed {
+            pages: Some(pages),
+            ..Placed::empty(room.area)
+        })
     }
 
     /// What is done by a click on one of its targets.
@@ -157,13 +183,8 @@ fn placed<'p>(
     let [above, rest] = areas::upper(area, head);
     let [area, _] = areas::upper(rest, rest.height - foot);
     let mut placed = Placed {
-        area,
-        fixed: Default::default(),
-        blocks: Vec::new(),
-        rows: 0,
-        targets: Vec::new(),
-        chosen: None,
-        is_list: false,
+        whole: area.height + head + foot,
+        ..Placed::empty(area)
     };
     let mut after_gap = true;
     let blocks = pieces.into_iter().zip(is_shown).zip(lengths);
@@ -227,15 +248,43 @@ fn with_room(pieces: &[PlacedBlock], height: u16, rows: impl Iterator<Item = u16
     pieces.iter().map(shown).collect()
 }
 
-impl Placed<'_> {
+impl<'p> Placed<'p> {
+    fn empty(area: Rect) -> Self {
+        Self {
+            area,
+            fixed: Default::default(),
+            blocks: Vec::new(),
+            rows: 0,
+            targets: Vec::new(),
+            chosen: None,
+            is_list: false,
+            whole: area.height,
+            pages: None,
+        }
+    }
+
+    /// The same in another place, of which it does not fill more.
+    #[must_use]
+    pub(crate) fn moved(self, area: Rect) -> Self {
+        Self { area, ..self }
+    }
+
+    /// It on pages, where it is read so.
+    pub(crate) fn pages(&self) -> Option<&PlacedPages<'p>> {
+        self.pages.as_ref()
+    }
+
     /// Rows of all that can be scrolled.
     pub(crate) fn rows(&self) -> u16 {
         self.rows
     }
 
-    /// Rows that the area has no room for.
+    /// Rows that the area has no room for, or pages after the first.
     pub(crate) fn overflow(&self) -> u16 {
-        self.rows.saturating_sub(self.area.height)
+        match &self.pages {
+            Some(pages) => pages.count().saturating_sub(1),
+            None => self.rows.saturating_sub(self.area.height),
+        }
     }
 
     /// The row of what is chosen.
@@ -264,23 +313,29 @@ impl Placed<'_> {
             (&self.targets, self.area, scrolled),
             (&foot.targets, foot.area, 0),
         ];
-        parts.into_iter().flat_map(|(targets, area, scrolled)| {
+        let targets = parts.into_iter().flat_map(|(targets, area, scrolled)| {
             let cells = move |it: &Target| Some((it.cells(area, scrolled)?, it.action));
             targets.iter().filter_map(cells)
-        })
+        });
+        let pages = self.pages.iter();
+        targets.chain(pages.flat_map(move |pages| pages.targets(scrolled)))
     }
 
     /// Draws it, scrolled by so many rows. Where it does not fit, the frame below says which
     /// key brings the rest.
     pub(crate) fn draw(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing) {
+        if let Some(pages) = &self.pages {
+            return pages.draw(scrolled, buf, writing);
+        }
         let write_fixed = |part: &Fixed, buf: &mut Buffer| {
-            let mut lines = Lines::new(part.area, buf, writing.look);
+            let mut lines = Lines::new(part.area, buf, writing.look).of_whole(self.whole);
             for piece in &part.pieces {
                 piece.write(&mut lines, &mut |_, _, _| ());
             }
         };
         write_fixed(&self.fixed[0], buf);
-        let mut lines = Lines::new(self.area, buf, writing.look).scrolled(scrolled);
+        let lines = Lines::new(self.area, buf, writing.look).of_whole(self.whole);
+        let mut lines = lines.scrolled(scrolled);
         for (row, piece) in &self.blocks {
             debug_assert_eq!(lines.written(), *row);
             piece.write(&mut lines, &mut |_, _, _| ());
@@ -296,20 +351,6 @@ impl Placed<'_> {
     }
 }
 
-/// Writes a panel below what has been written; nothing in it can be clicked.
-pub(crate) fn written<A: Copy>(lines: &mut Lines, write_into: impl FnOnce(&mut Panel<A>)) {
-    let mut panel = Panel::new("");
-    write_into(&mut panel);
-    for block in &panel.blocks {
-        let piece = PlacedBlock {
-            content: &block.content,
-            worth: None,
-            keys: vec![None; block.actions.len()],
-        };
-        piece.write(lines, &mut |_, _, _| ());
-    }
-}
-
 /// Takes cells that do something: rows as they are written, columns, and the number of the
 /// action in its block.
 type TakeTarget<'t> = dyn FnMut(Range<u16>, Range<u16>, usize) + 't;
@@ -322,6 +363,7 @@ impl PlacedBlock<'_> {
             Content::Table { columns, rows } => return write_table(columns, rows, lines, take),
             Content::Prompts(prompts) => return write_prompts(prompts, &self.keys, lines, take),
             Content::Tabs { names, open } => return write_tabs(names, *open, lines, take),
+            Content::Grid { cells, chosen } => return write_grid(cells, *chosen, lines, take),
             content => write(content, lines),
         }
         if !self.keys.is_empty() {
@@ -335,7 +377,18 @@ fn write(content: &Content, lines: &mut Lines) {
     match content {
         Content::Gap => lines.gap(),
         Content::Heading(text) => lines.line(text, Role::Title),
-        Content::Large(texts, role) => lines.large(texts, *role),
+        Content::Large(texts, role, from) => lines.large(texts, *role, *from),
+        Content::LargeText(text) => {
+            let words = |charset| text.words(charset);
+            let write = |lines: &mut Lines| lines.paragraph(&text.text, text.role);
+            match text.whole {
+                true => lines.clicked_as(words, Some(false), write),
+                false => lines.written_as(words, write),
+            }
+            lines.gap();
+        }
+        Content::PageBreak => lines.gap(),
+        Content::Board(rows) => board::write(rows, lines),
         Content::Line(text, role) => lines.line(text, *role),
         Content::Paragraph(text, role) => lines.paragraph(text, *role),
         Content::Code {
@@ -505,13 +558,17 @@ fn write(content: &Content, lines: &mut Lines) {
         } => {
             let (mark, role) = Role::Text.of_choice(*chosen);
             let cursor = if *chosen { "_" } else { "" };
-            let words = |_| Words::text_field(label, &format!("{before}{after}"));
+            let name = label.trim_end().trim_end_matches(':');
+            let words = |_| Words::text_field(name, &format!("{before}{after}"));
             lines.clicked_as(words, Some(*chosen), |lines| {
                 let row = format!("{mark} {label:LABEL$}{before}{cursor}{after} ");
                 lines.line(&row, role);
             });
         }
-        Content::Table { .. } | Content::Prompts(_) | Content::Tabs { .. } => {}
+        Content::Table { .. }
+        | Content::Prompts(_)
+        | Content::Tabs { .. }
+        | Content::Grid { .. } => {}
     }
 }
 
@@ -522,7 +579,10 @@ fn write_tabs(names: &[String], open: usize, lines: &mut Lines, take: &mut TakeT
     for (i, name) in names.iter().enumerate() {
         let (mark, role) = Role::Dim.of_choice(i == open);
         let shown = format!("{mark}{name} ");
-        lines.tab(column, (name, &shown), role, i == open);
+        let words = |charset: Charset| Words::Tab {
+            name: charset.text(name).into_owned(),
+        };
+        lines.beside(column, words, &shown, role, i == open);
         let end = column + text::width(&shown) as u16;
         // A panel's first column is its margin.
         take(row..row + 1, column + 1..end + 1, i);
@@ -530,6 +590,50 @@ fn write_tabs(names: &[String], open: usize, lines: &mut Lines, take: &mut TakeT
     }
     lines.unrecorded(|lines| lines.line("", Role::Text));
 }
+
+/// Writes names beside each other, as close together as they go. The first rows are left out
+/// where there would be too many.
+fn write_grid(
+    cells: &[[String; 2]],
+    chosen: Option<usize>,
+    lines: &mut Lines,
+    take: &mut TakeTarget,
+) {
+    let widest = cells.iter().map(|[name, _]| text::width(name)).max();
+    let widest = widest.unwrap_or(0) + BESIDE_NAME;
+    let width = usize::from(lines.width() + 1);
+    let per_row = (width / widest).max(1);
+    let most = usize::from(lines.whole()) * MOST_ROWS / 10;
+    let rows: Vec<_> = cells.chunks(per_row).enumerate().collect();
+    let at = chosen
+        .unwrap_or(cells.len())
+        .min(cells.len().saturating_sub(1))
+        / per_row;
+    let first = (at + 1).saturating_sub(most.max(1));
+    let column = (width / per_row) as u16;
+    for (row, cells) in rows.into_iter().skip(first).take(most.max(1)) {
+        let top = lines.written();
+        for (i, [name, sign]) in cells.iter().enumerate() {
+            let number = row * per_row + i;
+            let is_chosen = chosen == Some(number);
+            let (mark, role) = Role::Title.of_choice(is_chosen);
+            let room = usize::from(column).saturating_sub(BESIDE_NAME);
+            let name = text::clipped(name, room);
+            let words = format!("{} {name} {sign}", number + 1);
+            let start = i as u16 * column;
+            let row = format!("{mark} {words}");
+            let words = |charset| Words::text(Run::new(words, role).spelt(charset));
+            lines.beside(start, words, &row, role, is_chosen);
+            take(top..top + 1, start..start + column, number);
+        }
+        lines.unrecorded(|lines| lines.line("", Role::Text));
+    }
+}
+
+/// Columns beside a name in a grid: a mark, its number and its sign.
+const BESIDE_NAME: usize = 10;
+/// Rows of a grid at most, of ten rows of the panel.
+const MOST_ROWS: usize = 3;
 
 /// Fewest rows that are left for what is scrolled below what stays in sight.
 const LEAST: u16 = 6;

@@ -1,11 +1,17 @@
 //! What stands beside a picture, as a list of blocks: what they mean and what a click on
 //! them does, not where their letters are. [`cells`] lays a panel out and draws it.
 
+mod board;
 mod cells;
+mod pages;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use cells::{Placed, Writing, written};
+pub(crate) use board::BoardRow;
+pub(crate) use cells::{Placed, Writing};
+pub(crate) use pages::{Beside, PlacedPages};
+
+use cells::ActionAt;
 
 use crate::lessons::Formula;
 use crate::widgets::Role;
@@ -21,6 +27,8 @@ pub(crate) struct Panel<A> {
     pub subject: usize,
     /// Whether it is read from its top, rather than follow what is chosen in it.
     pub(crate) from_top: bool,
+    /// Whether no frame stands around it.
+    pub(crate) open: bool,
     blocks: Vec<Block<A>>,
     /// How many of the blocks, from the first on, stay in sight however far it is scrolled.
     pinned: usize,
@@ -49,8 +57,20 @@ enum Content {
     Gap,
     /// What the next blocks are about, in one row.
     Heading(String),
-    /// Words in the largest letters that fit: the first of these texts that does.
-    Large(Vec<String>, Role),
+    /// A few words in large letters, where the panel has so many rows: the first of these texts
+    /// that fits.
+    Large(Vec<String>, Role, u16),
+    /// A text in the largest letters that fit.
+    LargeText(LargeText),
+    /// What follows begins on a page of its own, in a panel of [`LargeText`].
+    PageBreak,
+    /// Names beside each other, each with a sign, in as many rows as it takes.
+    Grid {
+        cells: Vec<[String; 2]>,
+        chosen: Option<usize>,
+    },
+    /// Names, large where there is room, with what each has reached.
+    Board(Vec<BoardRow>),
     /// A few words of their own, in one row.
     Line(String, Role),
     /// A text.
@@ -157,6 +177,17 @@ enum Content {
     Prompts(Vec<String>),
 }
 
+/// A text that the back row is to read.
+#[derive(Debug, Clone, PartialEq)]
+struct LargeText {
+    text: String,
+    role: Role,
+    /// Whether it is to stand whole on a page.
+    whole: bool,
+    /// A bar below it, for such a share of all.
+    share: Option<f64>,
+}
+
 /// A column of a [`Content::Table`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct TableColumn {
@@ -241,6 +272,7 @@ impl<A> Panel<A> {
             title: title.into(),
             subject: 0,
             from_top: false,
+            open: false,
             blocks: Vec::new(),
             pinned: 0,
             below: None,
@@ -301,10 +333,63 @@ impl<A> Panel<A> {
         self.push(Content::Heading(text.into()));
     }
 
-    /// Words that are read from afar: the first of these texts that fits in large letters.
-    pub(crate) fn large<'t>(&mut self, texts: impl IntoIterator<Item = &'t str>, role: Role) {
+    /// Words that are read from afar, in a panel of at least so many rows: the first of these
+    /// texts that fits in large letters.
+    pub(crate) fn large<'t>(
+        &mut self,
+        texts: impl IntoIterator<Item = &'t str>,
+        role: Role,
+        from: u16,
+    ) {
         let texts = texts.into_iter().map(str::to_owned).collect();
-        self.push(Content::Large(texts, role));
+        self.push(Content::Large(texts, role, from));
+    }
+
+    /// A text for the back row, in letters as large as they fit.
+    pub(crate) fn large_text(&mut self, text: impl Into<String>, role: Role) {
+        self.push(Content::LargeText(LargeText {
+            text: text.into(),
+            role,
+            whole: false,
+            share: None,
+        }));
+    }
+
+    /// The same of something to choose, with the share that chose it and what a click on it
+    /// does.
+    pub(crate) fn large_choice(
+        &mut self,
+        text: impl Into<String>,
+        share: Option<f64>,
+        action: Option<A>,
+    ) {
+        let content = Content::LargeText(LargeText {
+            text: text.into(),
+            role: Role::Text,
+            whole: true,
+            share,
+        });
+        self.push_with(content, action);
+    }
+
+    /// Begins a page of its own, in a panel of large texts.
+    pub(crate) fn page_break(&mut self) {
+        self.push(Content::PageBreak);
+    }
+
+    /// Names beside each other, each with a sign and what a click on it does.
+    pub(crate) fn grid(
+        &mut self,
+        cells: impl IntoIterator<Item = ([String; 2], A)>,
+        chosen: Option<usize>,
+    ) {
+        let (cells, actions): (_, Vec<A>) = cells.into_iter().unzip();
+        self.push_with(Content::Grid { cells, chosen }, actions);
+    }
+
+    /// Names with what each has reached, in letters as large as there is room for.
+    pub(crate) fn board(&mut self, rows: Vec<BoardRow>) {
+        self.push(Content::Board(rows));
     }
 
     /// A few words in one row.

@@ -1,11 +1,13 @@
 //! Frames and what they hold: a picture with a panel beside it, the facts of a hit, and
 //! what was said of it beside what was true.
 
+mod heading;
 mod impact_facts;
 mod panel;
 mod said_true;
 mod split_layout;
 
+pub(crate) use heading::Heading;
 pub(crate) use impact_facts::{contact_distance, impact_angle, masses, offset, reason, separation};
 pub(crate) use panel::draw_panel;
 pub(crate) use said_true::said_and_true;

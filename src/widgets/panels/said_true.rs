@@ -53,8 +53,8 @@ mod tests {
     use super::*;
     use crate::physics::Disc;
     use crate::widgets::cells::text;
-    use crate::widgets::panel::written;
-    use crate::widgets::{Charset, Lines, Look, Theme};
+    use crate::widgets::panel::Writing;
+    use crate::widgets::{Charset, Look, Theme};
 
     /// The table for a coin to the left (−1) or to the right (+1) of the striker's way.
     fn table(side: f64, said: Rays, names: [Option<&str>; 2], errors: bool) -> String {
@@ -70,10 +70,12 @@ mod tests {
             charset: Charset::Ascii,
             theme: Theme::default(),
         };
-        let mut lines = Lines::new(area, &mut buf, look);
-        written::<()>(&mut lines, |panel| {
-            said_and_true(&collision, &said, names, errors, panel);
-        });
+        let mut panel = Panel::<()>::new("");
+        said_and_true(&collision, &said, names, errors, &mut panel);
+        let writing = Writing { look, pages: None };
+        panel
+            .placed(area, &writing, &|()| None)
+            .draw(0, &mut buf, &writing);
         text(&buf)
     }
 

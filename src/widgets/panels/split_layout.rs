@@ -118,6 +118,16 @@ impl SplitLayout {
         }
     }
 
+    /// A picture and words in these places, without frames.
+    pub fn open(picture: Rect, panel: Rect) -> Self {
+        let [no_picture, no_panel] = [picture, panel].map(|it| Rect { width: 0, ..it });
+        Self {
+            picture,
+            panel,
+            frames: [no_picture, no_panel],
+        }
+    }
+
     fn of([picture, panel]: [Rect; 2]) -> Self {
         Self {
             picture: inside(picture),

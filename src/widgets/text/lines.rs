@@ -7,16 +7,18 @@ use super::flow::{Run, flow};
 use super::sheet::{self, Item, Words};
 use crate::widgets::{Charset, Look, Role, areas, text};
 
-/// Rows of large letters.
-const LARGE: u16 = 4;
-/// Rows of a place from which on it has any.
-const LARGE_FROM: u16 = 19;
+/// Rows of large letters, and of larger ones or of two lines.
+const LARGE: [u16; 2] = [4, 8];
+/// Rows of a place from which on letters may be larger.
+const LARGER_FROM: u16 = 34;
 
 /// A column of text being written from the top of an area.
-pub struct Lines<'a> {
+pub(crate) struct Lines<'a> {
     area: Rect,
     written: u16,
     scrolled: u16,
+    /// Rows of the whole of which this is a part: by them letters are large or not.
+    whole: u16,
     buf: &'a mut Buffer,
     look: Look,
     /// Whether what is written is recorded as what it is.
@@ -41,6 +43,7 @@ impl<'a> Lines<'a> {
             area,
             written: 0,
             scrolled: 0,
+            whole: area.height,
             buf,
             look,
             is_recorded: true,
@@ -61,6 +64,18 @@ impl<'a> Lines<'a> {
     pub(crate) fn scrolled(mut self, rows: u16) -> Self {
         self.scrolled = rows;
         self
+    }
+
+    /// A part of something that has so many rows.
+    #[must_use]
+    pub(crate) fn of_whole(mut self, rows: u16) -> Self {
+        self.whole = rows;
+        self
+    }
+
+    /// Rows of the whole of which this is a part.
+    pub(crate) fn whole(&self) -> u16 {
+        self.whole
     }
 
     /// Columns of a row.
@@ -127,13 +142,6 @@ impl<'a> Lines<'a> {
         self.is_recorded = was_recorded;
     }
 
-    /// Records something that stands beside what was written last, or is to be written.
-    pub(crate) fn recorded_too(&mut self, words: impl FnOnce(Charset) -> Words) {
-        let was_recorded = std::mem::replace(&mut self.is_recorded, true);
-        self.record(words);
-        self.is_recorded = was_recorded;
-    }
-
     /// Records what can be done next, with its key, and where it is written: its column and
     /// its row from the top.
     pub(crate) fn record_prompt(&self, words: &str, key: Option<String>, cell: Option<(u16, u16)>) {
@@ -186,28 +194,6 @@ impl<'a> Lines<'a> {
 
     /// Records a text: what it prompts for, if it names keys and what they do.
     fn record_text(&self, mark: &str, runs: &[Run]) {
-        if !self.is_recorded || !sheet::is_recording() {
-            return;
-        }
-        if let [
-            Run {
-                text,
-                role: Role::Key,
-                ..
-            },
-        ] = runs
-            && mark.is_empty()
-            && let Some(prompts) = sheet::prompts(&self.look.charset.text(text))
-        {
-            return prompts.into_iter().for_each(|it| self.record(|_| it));
-        }
-        // "c: " before what the key does.
-        if let [Run { text, .. }] = runs
-            && let Some(key) = mark.trim().strip_suffix(':')
-            && let Some(prompt) = sheet::prompt_of(key, text)
-        {
-            return self.record(|_| prompt);
-        }
         let is_blank = runs.iter().all(|run| run.text.trim().is_empty());
         self.record(|charset| match is_blank && mark.trim().is_empty() {
             true => Words::Gap,
@@ -226,6 +212,11 @@ impl<'a> Lines<'a> {
         }
     }
 
+    /// Leaves rows empty down to this one, from the top.
+    pub(crate) fn skip_to(&mut self, row: u16) {
+        self.written = self.written.max(row);
+    }
+
     /// One row; cut at the edge.
     pub(crate) fn line(&mut self, text: &str, role: Role) {
         self.record_text("", &[Run::new(self.unmarked(text), role)]);
@@ -233,38 +224,56 @@ impl<'a> Lines<'a> {
         self.written += 1;
     }
 
-    /// The name of one of several pages, from a column of the next row on.
-    pub(crate) fn tab(&mut self, column: u16, (name, row): (&str, &str), role: Role, open: bool) {
+    /// One of several things to choose from that stand beside each other, from a column of the
+    /// next row on.
+    pub(crate) fn beside(
+        &mut self,
+        column: u16,
+        words: impl FnOnce(Charset) -> Words,
+        row: &str,
+        role: Role,
+        chosen: bool,
+    ) {
         if self.is_recorded {
             sheet::note(self.area, || Item {
-                words: Words::Tab {
-                    name: self.look.charset.text(name).into_owned(),
-                },
+                words: words(self.look.charset),
                 press: Some([self.area.x + column, self.area.y + self.written]),
-                chosen: Some(open),
+                chosen: Some(chosen),
             });
         }
         self.put(column, row, role);
     }
 
-    /// Words in large letters where there is room for more below them, the first of these texts
-    /// that fits; else the first in one row.
-    pub(crate) fn large(&mut self, texts: &[String], role: Role) {
+    /// Words in large letters where the whole has so many rows, the first of these texts that
+    /// fits; else the first in one row.
+    pub(crate) fn large(&mut self, texts: &[String], role: Role, from: u16) {
         let Some(first) = texts.first() else {
             return;
         };
         self.record(|charset| Words::large(&charset.text(first), role));
         let width = self.area.width.saturating_sub(1);
-        let fit = |text: &String| Big::fit(text, width, LARGE, self.look.charset);
-        let has_room = self.area.height >= LARGE_FROM;
-        let Some(big) = texts.iter().find_map(fit).filter(|_| has_room) else {
-            return self.unrecorded(|lines| lines.line(first, role));
-        };
-        if let Some(row) = self.written.checked_sub(self.scrolled) {
-            let [_, place] = areas::upper(self.area, row);
-            big.draw(place, self.buf, &self.look, role, Align::Left);
+        // Only what is shorter is worth a second line.
+        let rows = |at: usize| LARGE[usize::from(at > 0 || self.whole >= LARGER_FROM)];
+        let fit = |(at, text): (usize, &String)| Big::fit(text, width, rows(at), self.look.charset);
+        let big = texts.iter().enumerate().find_map(fit);
+        match big.filter(|_| self.whole >= from) {
+            Some(big) => self.big(&[(&big, Align::Left)], role),
+            None => self.unrecorded(|lines| lines.line(first, role)),
         }
-        self.written += big.rows();
+    }
+
+    /// Letters in large type beside each other, in as many rows as they have.
+    pub(crate) fn big(&mut self, all: &[(&Big, Align)], role: Role) {
+        let mut rows = 0;
+        for (big, align) in all {
+            if let Some(row) = self.written.checked_sub(self.scrolled) {
+                let [_, place] = areas::upper(self.area, row);
+                let [place, _] = areas::left(place, place.width.saturating_sub(1));
+                big.draw(place, self.buf, &self.look, role, *align);
+            }
+            rows = rows.max(big.rows());
+        }
+        self.written += rows;
     }
 
     /// One row: a name on the left, its value flush right. A name too long for the room

@@ -11,7 +11,6 @@ use ratatui::layout::Rect;
 use serde::Serialize;
 
 use super::flow::Run;
-use crate::messages::Key;
 use crate::widgets::Role;
 
 thread_local! {
@@ -377,76 +376,9 @@ pub(crate) fn note(area: Rect, make: impl FnOnce() -> Item) {
     }
 }
 
-/// What a text in the role of keys prompts for: "Enter: set it. v: live off." Each prompt is
-/// its key and its words; what else the text says stands between them. `None` if it prompts
-/// for nothing.
-pub(crate) fn prompts(text: &str) -> Option<Vec<Words>> {
-    let all: Vec<_> = sentences(text).map(prompt).collect();
-    let is_prompt = |words: &Words| matches!(words, Words::Prompt { .. });
-    all.iter().any(is_prompt).then_some(all)
-}
-
-/// A sentence: a prompt, if it begins with a key, or a text.
-fn prompt(sentence: &str) -> Words {
-    let inner = sentence.trim_start_matches('(').trim_end_matches(')');
-    let keyed = inner.split_once(": ");
-    let prompt = keyed.and_then(|(key, words)| prompt_of(key, words));
-    prompt.unwrap_or_else(|| Words::text(Run::new(sentence, Role::Text)))
-}
-
-/// What a key does, if it is the name of one.
-pub(crate) fn prompt_of(key: &str, words: &str) -> Option<Words> {
-    let key = Key::parse(key)?.to_string();
-    Some(Words::Prompt {
-        words: words.trim_end_matches('.').to_owned(),
-        key: Some(key),
-    })
-}
-
-/// The sentences of a text.
-fn sentences(text: &str) -> impl Iterator<Item = &str> {
-    let mut rest = text.trim();
-    std::iter::from_fn(move || {
-        if rest.is_empty() {
-            return None;
-        }
-        let ends = [". ", "! ", "? "].into_iter();
-        let end = ends.filter_map(|end| rest.find(end)).min();
-        let (sentence, after) = rest.split_at(end.map_or(rest.len(), |end| end + 1));
-        rest = after.trim_start();
-        Some(sentence)
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_text_of_keys_becomes_its_prompts_and_any_other_stays_a_text() {
-        let prompt = |words: &str, key: &str| Words::Prompt {
-            words: words.into(),
-            key: Some(key.into()),
-        };
-        assert_eq!(
-            prompts("Enter: shoot! v: live off."),
-            Some(vec![prompt("shoot!", "Enter"), prompt("live off", "v")])
-        );
-        let text = |words: &str| Words::text(Run::new(words, Role::Text));
-        assert_eq!(
-            prompts("Enter: throw. (p: predict first)"),
-            Some(vec![prompt("throw", "Enter"), prompt("predict first", "p")])
-        );
-        assert_eq!(
-            prompts("Enter: that is my vote. How sure changes nothing."),
-            Some(vec![
-                prompt("that is my vote", "Enter"),
-                text("How sure changes nothing."),
-            ])
-        );
-        assert_eq!(prompts("New here? Press l, then Enter."), None);
-        assert_eq!(prompts("New here: begin."), None);
-    }
 
     #[test]
     fn what_stands_in_a_frame_belongs_to_it_wherever_its_area_begins() {

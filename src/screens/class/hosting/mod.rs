@@ -1,15 +1,18 @@
 //! The pages about pupils on devices of their own: how to come in, and who is in.
 
-pub(super) mod door_page;
+mod door;
 mod people;
 mod qr;
 
 use strum::{EnumMessage, IntoStaticStr};
 
+use super::ClassAction;
 use crate::class::Session;
 use crate::messages::Key;
+use crate::screens::view::WIDEST;
+use crate::screens::{Context, View};
+use crate::widgets::SplitLayout;
 use crate::widgets::input::{KeyTable, ListAction};
-use crate::widgets::panel::Panel;
 use people::People;
 
 /// What keys do about pupils on their own devices.
@@ -140,11 +143,13 @@ impl HostPage {
         }
     }
 
-    /// What it shows, where that is a list.
-    pub(super) fn panel(&self, session: &Session) -> Option<Panel<HostingAction>> {
+    pub(super) fn view<'s>(&'s self, session: &'s Session, cx: &Context) -> View<'s, ClassAction> {
         match self {
-            Self::Door => None,
-            Self::People(people) => Some(people.panel(session)),
+            Self::Door => door::view(session, cx),
+            Self::People(people) => {
+                let panel = people.panel(session);
+                View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
+            }
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Who is in, and who has voted: names that are shown when the teacher asks for them.
 
-use super::HostingAction;
+use super::{ClassAction, HostingAction};
 use crate::class::{ClassChange, ClassRound, LONGEST_NAME, Participant, Session, Vote};
 use crate::messages::Key;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
@@ -212,7 +212,7 @@ impl People {
     }
 
     /// The list.
-    pub(super) fn panel(&self, session: &Session) -> Panel<HostingAction> {
+    pub(super) fn panel(&self, session: &Session) -> Panel<ClassAction> {
         let round = session.round();
         let (present, all) = (session.present(), round.participants().len());
         let mut panel = Panel::new(match session.handed_in() {
@@ -254,6 +254,7 @@ impl People {
                 }
                 _ => {
                     let action = HostingAction::List(ListAction::Point(at));
+                    let action = ClassAction::Hosting(action);
                     panel.row((name, Role::Text), (state, Role::Dim), chosen, action);
                 }
             }

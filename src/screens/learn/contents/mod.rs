@@ -176,7 +176,7 @@ impl Screen for Contents {
         listed(&mut cx.book, ListAction::Choose(by.into()))
     }
 
-    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, ContentsAction>> {
-        Some(view::view(cx))
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, ContentsAction> {
+        view::view(cx)
     }
 }

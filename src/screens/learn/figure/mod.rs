@@ -25,9 +25,9 @@ use crate::widgets::hit::{
     Face, HitPace, Markings, Overlay, Overlays, Watch, WatchAction, point_at, setup_picture,
 };
 use crate::widgets::input::{FormAction, KeyTable};
-use crate::widgets::panel::{Panel, written};
+use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
-use crate::widgets::{Lines, Look, RayInput, curves, svg};
+use crate::widgets::{Look, RayInput, curves, svg};
 
 use worked::WorkedFigure;
 
@@ -424,11 +424,8 @@ impl LiveFigure {
                 let beyond = (!self.hidden).then(|| rad_from_deg(beyond_deg));
                 vec![shots::lay_out(space, beyond, area, buf, look)]
             }
-            (FigureState::Worked(_), _) => {
-                let mut lines = Lines::new(area, buf, *look);
-                written(&mut lines, |panel| self.write(panel));
-                vec![]
-            }
+            // It is read.
+            (FigureState::Worked(_), _) => vec![],
             (_, kind) => curves::curves_and_hit(kind, &self.collision, area, look).into(),
         }
     }

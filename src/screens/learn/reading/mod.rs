@@ -17,7 +17,9 @@ use crate::quiz::Response;
 use crate::screens::{Confirmation, Context, Next, Place, Screen, SharedAction, View};
 use crate::widgets::input::{KeyTable, RayAction};
 use crate::widgets::panel::Panel;
-use crate::widgets::{AnswerAction, AnswerInput, Look, Outcome, Role, Scroll, SplitLayout, sheet};
+use crate::widgets::{
+    AnswerAction, AnswerInput, Look, Outcome, PAGE_ROWS, Role, SplitLayout, sheet,
+};
 
 use page::{OpenPage, Stage};
 
@@ -437,7 +439,7 @@ impl Screen for Reading {
             ReadingAction::Next => return self.on(cx),
             ReadingAction::Back => return self.back(cx),
             ReadingAction::Page(by) => {
-                return Next::Shared(SharedAction::Scroll(Scroll::PAGE * by));
+                return Next::Shared(SharedAction::Scroll(PAGE_ROWS * by));
             }
             ReadingAction::ShowIt => self.show_it(cx),
             ReadingAction::AskAgain => self.ask_again(cx),
@@ -479,24 +481,24 @@ impl Screen for Reading {
         }
     }
 
-    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, ReadingAction>> {
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, ReadingAction> {
         let Some(open) = &self.open else {
             let mut panel = Panel::new(self.chapter.title.as_str());
             panel.line("Looking …", Role::Dim);
-            return Some(View::alone(SplitLayout::text_alone, panel));
+            return View::alone(SplitLayout::text_alone, panel);
         };
         let panel = panel::panel(open, self.at, self.notice, cx.settings.charset);
         let Some(figure) = &open.figure else {
-            return Some(View::alone(SplitLayout::text_alone, panel));
+            return View::alone(SplitLayout::text_alone, panel);
         };
         if figure.is_text() {
             let mut shown = Panel::new(figure.title());
             shown.part(ReadingAction::Figure, |shown| figure.write(shown));
-            return Some(View {
-                layout: SplitLayout::square,
+            let view = View::panels(shown, panel).square();
+            return View {
                 focus: Some(open.on_figure),
-                ..View::panels(shown, panel)
-            });
+                ..view
+            };
         }
         let rays = open.rays();
         let title = rays.map_or_else(|| figure.title(), |_| "where will they go?".into());
@@ -505,11 +507,11 @@ impl Screen for Reading {
             sheet::next_picture_shows(|| words::describe(&self.chapter, self.at, is_told));
             figure.draw(area, buf, look, rays);
         };
-        Some(View {
-            layout: SplitLayout::square,
+        let view = View::picture(title, draw, panel).square();
+        View {
             focus: Some(open.on_figure),
-            ..View::picture(title, draw, panel)
-        })
+            ..view
+        }
     }
 
     /// The mouse over the picture.
@@ -532,8 +534,8 @@ impl Screen for Reading {
     /// Beyond its ends the text goes on with another page.
     fn scrolled_out(&mut self, by: i16, cx: &mut Context) -> Next {
         match by {
-            Scroll::PAGE => self.on(cx),
-            by if by == -Scroll::PAGE => self.back(cx),
+            PAGE_ROWS => self.on(cx),
+            by if by == -PAGE_ROWS => self.back(cx),
             _ => Next::Ignored,
         }
     }

@@ -112,7 +112,7 @@ impl Screen for Levels {
         self.act(LevelsAction::List(ListAction::Choose(by.into())), cx)
     }
 
-    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, LevelsAction>> {
-        Some(view::view(&cx.shelf))
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, LevelsAction> {
+        view::view(&cx.shelf)
     }
 }

@@ -39,10 +39,7 @@ pub(super) fn view<'s>(shelf: &Shelf) -> View<'s, LevelsAction> {
         panel.paragraph("There are no levels here.", Role::Text);
         panel
     };
-    View {
-        layout,
-        ..View::panels(list(shelf), about)
-    }
+    View::panels(list(shelf), about).laid_out(layout)
 }
 
 /// All levels, pack by pack, and after them what is left out.

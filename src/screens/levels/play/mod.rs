@@ -349,7 +349,7 @@ impl Screen for LevelPlay {
         }
     }
 
-    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, LevelAction>> {
-        Some(view::view(self, cx))
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, LevelAction> {
+        view::view(self, cx)
     }
 }

@@ -15,7 +15,7 @@ use crate::widgets::panels::{
     contact_distance, impact_angle, masses, offset, reason, said_and_true,
 };
 use crate::widgets::replay::{ShotAction, ShotImpact};
-use crate::widgets::{RayInput, Role, Room, SplitLayout};
+use crate::widgets::{RayInput, Role};
 
 /// Shots that are shown while the next one is set.
 const SHOWN_EARLIER: usize = 2;
@@ -57,11 +57,10 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
         },
     };
     // A hit takes all the room there is; a board is square.
-    let layout: fn(Room) -> SplitLayout = match play.is_enlarged() || level.is_of_the_first_hit() {
-        true => SplitLayout::new,
-        false => SplitLayout::square,
-    };
-    View { layout, ..view }
+    match play.is_enlarged() || level.is_of_the_first_hit() {
+        true => view,
+        false => view.square(),
+    }
 }
 
 fn panel(play: &LevelPlay, cx: &Context) -> LevelPanel {

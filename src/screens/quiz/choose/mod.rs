@@ -298,7 +298,7 @@ impl Screen for Choosing {
         }
     }
 
-    fn view<'s>(&'s self, cx: &'s Context) -> Option<View<'s, ChoosingAction>> {
-        Some(view::view(self, &cx.book))
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, ChoosingAction> {
+        view::view(self, &cx.book)
     }
 }

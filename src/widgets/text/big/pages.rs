@@ -1,5 +1,6 @@
 //! Long texts in large type, on as many pages as they need.
 
+use std::ops::Range;
 use std::rc::Rc;
 
 use ratatui::{buffer::Buffer, layout::Rect};
@@ -129,9 +130,9 @@ impl BigPage {
         ends
     }
 
-    /// The paragraph at a row.
-    pub(crate) fn at(&self, row: u16) -> Option<usize> {
-        let here = |part: &&BigPart| (part.row..part.row + part.big.rows()).contains(&row);
-        self.parts.iter().find(here).map(|part| part.paragraph)
+    /// The paragraphs on it, each with its rows.
+    pub(crate) fn places(&self) -> impl Iterator<Item = (usize, Range<u16>)> + '_ {
+        let rows = |part: &BigPart| part.row..part.row + part.big.rows();
+        { self.parts.iter() }.map(move |part| (part.paragraph, rows(part)))
     }
 }

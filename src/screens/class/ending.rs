@@ -3,23 +3,83 @@
 
 use std::cmp::Reverse;
 
-use super::ClassAction;
-use super::play::EndPage;
+use strum::{EnumMessage, FromRepr, IntoStaticStr};
+
+use super::stage::Stage;
+use super::{ClassAction, RoundAction, scores};
 use crate::class::{ClassRound, ItemAnalysis, Vote, WayOfVoting, items};
+use crate::messages::Key;
 use crate::numbers::fixed;
 use crate::progress::words::percent;
 use crate::quiz::{Evidence, Form, Misconception, Question, letter};
-use crate::widgets::Role;
+use crate::screens::View;
+use crate::screens::view::WIDEST;
+use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
+use crate::widgets::panels::Heading;
+use crate::widgets::{Role, SplitLayout};
 
-/// A page beside the scoreboard.
-pub(super) fn panel(round: &ClassRound, page: EndPage) -> Panel<ClassAction> {
-    let mut panel = Panel::new("");
-    match page {
-        EndPage::Items => write_items(round, &mut panel),
-        EndPage::Board | EndPage::Held => write_held(round, &mut panel),
+/// A page after the last question.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, FromRepr)]
+pub(super) enum EndPage {
+    /// The scoreboard.
+    Board,
+    /// What the class believed.
+    Held,
+    /// What each question showed.
+    Items,
+}
+
+/// What keys do after the last question.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum EndAction {
+    /// go to the previous or next page
+    TurnPage(isize),
+}
+
+impl EndPage {
+    /// The keys that turn its pages.
+    pub(super) fn keys() -> KeyTable<EndAction> {
+        let keys = KeyTable::new("class");
+        keys.by([Key::Left, Key::Right], EndAction::TurnPage, [-1, 1], "")
     }
-    panel
+
+    /// The page so many further, as far as there are any.
+    pub(super) fn turned(self, by: isize) -> Self {
+        let to = (self as usize).saturating_add_signed(by);
+        Self::from_repr(to).unwrap_or(Self::Items)
+    }
+
+    /// What it shows.
+    pub(super) fn view(self, play: &Stage) -> View<'_, ClassAction> {
+        let mut panel = Panel::new("");
+        // The scoreboard's is that of the last question.
+        panel.subject = usize::MAX - self as usize;
+        match self {
+            Self::Board => return board(play),
+            Self::Held => write_held(play.round(), &mut panel),
+            Self::Items => write_items(play.round(), &mut panel),
+        }
+        View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
+    }
+}
+
+/// The final scoreboard.
+fn board(play: &Stage) -> View<'_, ClassAction> {
+    let handed = match play.session.handed_in() {
+        0 => String::new(),
+        handed => format!("{handed} handed in their own answers."),
+    };
+    let mut foot = Panel::new("");
+    foot.prompt(
+        "write the answers as tables for a spreadsheet",
+        ClassAction::Round(RoundAction::Tables),
+    );
+    View {
+        foot: Some(foot),
+        ..scores::view(play, Heading::new(&["The end"], handed))
+    }
 }
 
 /// What shows in the votes of a class: a misconception, how many teams hold it by the
@@ -68,7 +128,7 @@ fn held(round: &ClassRound) -> Vec<ClassBelief> {
 }
 
 fn write_held(round: &ClassRound, panel: &mut Panel<ClassAction>) {
-    panel.large(["What you held", "You held"], Role::Title);
+    panel.large(["What you held", "You held"], Role::Title, LARGE_FROM);
     panel.gap();
     let held = held(round);
     if held.is_empty() {
@@ -105,7 +165,7 @@ fn write_held(round: &ClassRound, panel: &mut Panel<ClassAction>) {
 }
 
 fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
-    panel.large(["Questions"], Role::Title);
+    panel.large(["Questions"], Role::Title, LARGE_FROM);
     panel.gap();
     for heads in [
         ["right", "", "degrees off", "", "tells"],
@@ -160,6 +220,9 @@ fn told(question: &Question, item: &ItemAnalysis) -> String {
     told.retain(|it| !it.is_empty());
     told.join(". ")
 }
+
+/// Rows of a panel from which on it has a title in large letters.
+const LARGE_FROM: u16 = 19;
 
 /// Most answers that are told with their counts.
 const MOST_COUNTS: usize = 5;

@@ -7,85 +7,82 @@ use glam::dvec2;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::play::ClassPlay;
-use super::question_view;
-use super::words::{Beside, Paragraph};
+use super::stage::Stage;
+use super::{ClassAction, question, vote};
 use crate::class::{Advice, Vote, WayOfVoting};
 use crate::physics::Collision;
 use crate::physics::units::mm_from_m;
 use crate::quiz::{Form, Question, Ray, Response};
+use crate::screens::View;
+use crate::widgets::flow::Run;
 use crate::widgets::hit::{HitLayout, degrees};
+use crate::widgets::panel::{Beside, Panel};
+use crate::widgets::panels::Heading;
 use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
-use crate::widgets::{Lines, Look, Role, areas, brief, draw_question, text};
+use crate::widgets::{Lines, Look, Role, areas, brief, draw_question};
 
 /// Most different angles of a ray that are told in words.
 const MOST_ANGLES: usize = 5;
 
-/// The question with how many are for each choice.
-pub(super) fn said(play: &ClassPlay, question: &Question) -> Vec<Paragraph> {
-    question_view::paragraphs(play, question, Some(Vote::First))
+/// The question with how many are for each choice, and the votes in its picture or below it.
+pub(super) fn view<'s>(play: &'s Stage, question: &'s Question) -> View<'s, ClassAction> {
+    let heading = Heading::new(
+        &["Talk"],
+        "These are the votes. Find someone who thinks otherwise, and say why.",
+    );
+    let mut words = play.words();
+    question::write(play, question, Some(Vote::First), |_| None, &mut words);
+    let mut foot = Panel::new("");
+    write_more(play, question, &mut foot);
+    let draw = move |area, buf: &mut _, look: &_| draw(play, question, area, buf, look);
+    View {
+        foot: Some(foot),
+        ..play.step_view(Some(heading), beside(play, question), draw, words)
+    }
 }
 
 /// Writes the commonest of what was said of each ray, how many have said nothing, and what the
 /// votes advise.
-pub(super) fn write_more(play: &ClassPlay, question: &Question, lines: &mut Lines) {
+fn write_more(play: &Stage, question: &Question, panel: &mut Panel<ClassAction>) {
     let votes: Vec<_> = play.round().said(play.number(), Vote::First).collect();
     let advice = Advice::of(play.round(), play.number());
-    if play.round().way() == WayOfVoting::Tally {
-        lines.line(
-            advice.map_or("Nobody has counted.", Advice::words),
-            Role::Key,
-        );
-        return;
+    if let (Form::Rays { target, .. }, false, WayOfVoting::Teams | WayOfVoting::Devices) =
+        (&question.form, votes.is_empty(), play.round().way())
+    {
+        let [striker, coin] = [Ray::Striker, Ray::Target].map(|ray| listed(question, &votes, ray));
+        let words = format!("degrees: striker {striker}; {target} {coin}");
+        panel.paragraph(words, Role::Text);
     }
-    if let (Form::Rays { target, .. }, false) = (&question.form, votes.is_empty()) {
-        let each = [(Ray::Striker, "striker"), (Ray::Target, target)]
-            .map(|(ray, name)| (name, listed(question, &votes, ray)));
-        let both = each.each_ref().map(|(name, said)| format!("{name} {said}"));
-        let both = format!("degrees: {}", both.join("; "));
-        if text::width(&both) <= lines.width().into() {
-            lines.line(&both, Role::Text);
-        } else {
-            for (name, said) in each {
-                lines.line(&format!("{name}, degrees: {said}"), Role::Text);
-            }
+    let missing = match play.round().way() {
+        WayOfVoting::Tally if advice.is_none() => "Nobody has counted.".to_owned(),
+        WayOfVoting::Tally => String::new(),
+        _ => vote::missing(play.round(), play.number(), Vote::First),
+    };
+    match (advice, missing.as_str()) {
+        (None, missing) => panel.line(missing, Role::Dim),
+        (Some(advice), "") => panel.line(advice.words(), Role::Key),
+        (Some(advice), missing) => {
+            let advice = Run::new(advice.words(), Role::Key);
+            panel.flow(
+                "",
+                vec![advice, Run::new(format!(" ({missing})"), Role::Dim)],
+            );
         }
     }
-    let missing = play
-        .round()
-        .participants()
-        .len()
-        .saturating_sub(votes.len());
-    let missing = match missing {
-        0 => String::new(),
-        count => format!("{} without a vote", play.round().way().voters(count)),
-    };
-    let advice = advice.map_or("", Advice::words);
-    if text::width(advice) + text::width(&missing) + 2 <= lines.width().into() {
-        return lines.pair(advice, &missing, Role::Key, Role::Dim);
-    }
-    lines.line(advice, Role::Key);
-    lines.line(&missing, Role::Dim);
 }
 
 /// The picture that shows the spread: that of the question with all rays, or numbers on a line.
-pub(super) fn beside(play: &ClassPlay, question: &Question) -> Beside {
+fn beside(play: &Stage, question: &Question) -> Beside {
     match question.form {
-        _ if play.round().way() == WayOfVoting::Tally => question_view::beside(question),
-        Form::Choice { .. } => question_view::beside(question),
+        _ if play.round().way() == WayOfVoting::Tally => question::beside(question),
+        Form::Choice { .. } => question::beside(question),
         Form::Rays { .. } | Form::Number { .. } | Form::Shot(_) => Beside::Needed,
     }
 }
 
 /// Draws the picture of a question with the votes in it, or above them.
-pub(super) fn draw(
-    play: &ClassPlay,
-    question: &Question,
-    area: Rect,
-    buf: &mut Buffer,
-    look: &Look,
-) {
+fn draw(play: &Stage, question: &Question, area: Rect, buf: &mut Buffer, look: &Look) {
     let votes: Vec<_> = play.round().said(play.number(), Vote::First).collect();
     let votes = votes.as_slice();
     let is_tally = play.round().way() == WayOfVoting::Tally;
@@ -102,7 +99,7 @@ pub(super) fn draw(
         Form::Number { quantity, .. } => quantity.unit(),
         Form::Shot(_) => "mm, a minus for the left",
     };
-    let rows = match question_view::beside(question) {
+    let rows = match question::beside(question) {
         Beside::Nothing => 0,
         _ => area.height / 2,
     };

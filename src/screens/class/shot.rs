@@ -1,8 +1,15 @@
 //! What really happens, and why.
 
+use super::ClassAction;
+use super::question;
+use super::stage::Stage;
 use crate::class::{ClassRound, Vote};
 use crate::quiz::{Answer, Confidence, Form, Question, Response, evidence, explain, letter};
+use crate::screens::View;
 use crate::widgets::hit::{HitPace, Reveal, Watch};
+use crate::widgets::panel::{Beside, Panel};
+use crate::widgets::panels::Heading;
+use crate::widgets::{Role, draw_question, lettered};
 
 /// What really happens, and why.
 #[derive(Debug, Clone)]
@@ -37,6 +44,78 @@ impl ClassReveal {
             why,
         })
     }
+}
+
+/// What is told of the shot, beside it.
+pub(super) fn view<'s>(
+    play: &'s Stage,
+    shown: &'s ClassReveal,
+    question: &'s Question,
+) -> View<'s, ClassAction> {
+    let heading = match shown.reveal.is_telling() {
+        true => Heading::new(&["The shot"], ""),
+        false => Heading::new(&["And why"], right_in_words(play)),
+    };
+    let mut words = play.words();
+    write(play, question, shown, &mut words);
+    let watch = shown.reveal.watch();
+    let beside = watch.map_or_else(|| question::beside(question), |_| Beside::Needed);
+    let draw = move |area, buf: &mut _, look: &_| match watch {
+        Some(watch) => watch.picture(area).draw(buf, look),
+        None => draw_question(area, buf, look, question, None),
+    };
+    play.step_view(Some(heading), beside, draw, words)
+}
+
+/// "right at first: 1 of 3, after talking: 2 of 3"
+fn right_in_words(play: &Stage) -> String {
+    let [first, second] = Vote::BOTH.map(|vote| {
+        let results = play.round().results(play.number(), vote);
+        format!("{} of {}", results.right, results.attempts)
+    });
+    format!("right at first: {first}, after talking: {second}")
+}
+
+/// Writes what is told of the shot: while it explains itself its words; then the truth with the
+/// one sentence that matters, and on further pages all of why.
+fn write(play: &Stage, question: &Question, shown: &ClassReveal, panel: &mut Panel<ClassAction>) {
+    if let Some(watch) = shown.reveal.watch()
+        && shown.reveal.is_telling()
+    {
+        let (heading, words) = watch.telling();
+        if let Some(heading) = heading {
+            panel.large_text(heading, Role::Title);
+        }
+        return panel.large_text(words, Role::Text);
+    }
+    panel.large_text(
+        lettered(&question.form, &question.form.truth()),
+        Role::Title,
+    );
+    if let Some((name, count)) = &shown.held {
+        let words = format!("{}: {name}.", play.round().way().voters(*count));
+        panel.large_text(words, Role::Title);
+    }
+    let (sentence, rest) = first_sentence(&shown.why);
+    panel.large_text(sentence, Role::Text);
+    if !rest.is_empty() {
+        panel.page_break();
+        panel.large_text(rest, Role::Text);
+    }
+}
+
+/// The first sentence of a text, and what comes after it.
+fn first_sentence(text: &str) -> (&str, &str) {
+    let ends = text
+        .char_indices()
+        .filter(|(_, c)| ['.', '!', '?'].contains(c));
+    let mut ends = ends.map(|(at, _)| at + 1);
+    let end = ends.find(|at| {
+        let mut next = text[*at..].chars();
+        next.next().is_some_and(char::is_whitespace) && next.next().is_some_and(char::is_uppercase)
+    });
+    let (first, rest) = text.split_at(end.unwrap_or(text.len()));
+    (first, rest.trim_start())
 }
 
 /// The hit as it really goes, with what was said beside it. What is to be answered by
@@ -134,5 +213,13 @@ mod tests {
         let shown = ClassReveal::new(&round, 0, HitPace::default()).unwrap();
         assert_eq!(shown.held, Some((format!("answer {}", letter(*choice)), 2)));
         assert!(shown.why.contains(reply), "{}", shown.why);
+    }
+
+    #[test]
+    fn the_first_sentence_ends_where_another_begins() {
+        let parts = |text| first_sentence(text);
+        assert_eq!(parts("At 4.00 m/s. Then?"), ("At 4.00 m/s.", "Then?"));
+        assert_eq!(parts("One, e. g. this one"), ("One, e. g. this one", ""));
+        assert_eq!(parts(""), ("", ""));
     }
 }

@@ -1,37 +1,35 @@
-//! The words of a question, and where its picture stands.
+//! The words of a question, and what its picture is worth beside them.
 
-use super::play::ClassPlay;
-use super::words::{Beside, Paragraph};
+use super::ClassAction;
+use super::stage::Stage;
 use crate::class::{Vote, WayOfVoting};
 use crate::quiz::{Form, Illustration, Question, Response, letter};
 use crate::widgets::hit::degrees;
+use crate::widgets::panel::{Beside, Panel};
 use crate::widgets::{Role, brief};
 
-/// A question with its choices; with `vote`, how many were for each.
-pub(super) fn paragraphs(
-    play: &ClassPlay,
+/// Writes a question with its choices; with `vote`, how many were for each.
+pub(super) fn write(
+    play: &Stage,
     question: &Question,
     vote: Option<Vote>,
-) -> Vec<Paragraph> {
+    picks: impl Fn(usize) -> Option<ClassAction>,
+    panel: &mut Panel<ClassAction>,
+) {
     let votes = vote.map(|vote| play.round().said(play.number(), vote).collect::<Vec<_>>());
-    let mut paragraphs = vec![Paragraph::new(question.text.as_str(), Role::Title)];
+    panel.large_text(question.text.as_str(), Role::Title);
     for (i, choice) in choices(play, question).iter().enumerate() {
         let words = format!("{}: {}", letter(i), in_short(question, choice));
         let count = votes.as_ref().map(|votes| {
-            let count = votes.iter().filter(|it| *it == choice);
-            (count.count(), votes.len().max(1))
+            let count = votes.iter().filter(|it| *it == choice).count();
+            (count, count as f64 / votes.len().max(1) as f64)
         });
         let words = match count {
             None => words,
             Some((count, _)) => format!("{words} ({count})"),
         };
-        paragraphs.push(Paragraph {
-            whole: true,
-            share: count.map(|(count, all)| count as f64 / all as f64),
-            ..Paragraph::new(words, Role::Text)
-        });
+        panel.large_choice(words, count.map(|(_, share)| share), picks(i));
     }
-    paragraphs
 }
 
 /// A choice as short as it can be: of rays their degrees, with the letters of the discs.
@@ -50,7 +48,7 @@ fn in_short(question: &Question, choice: &Response) -> String {
 
 /// What there is to choose from: the choices of a question that has any; where hands or cards are
 /// counted, answers of every question.
-fn choices(play: &ClassPlay, question: &Question) -> Vec<Response> {
+fn choices(play: &Stage, question: &Question) -> Vec<Response> {
     let has_any = matches!(question.form, Form::Choice { .. });
     match has_any || play.round().way() == WayOfVoting::Tally {
         true => play.round().choices(play.number()),

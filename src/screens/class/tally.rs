@@ -1,28 +1,43 @@
 //! The teacher typing how many were for each choice.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use strum::{EnumMessage, IntoStaticStr};
 
+use super::stage::Stage;
+use super::{ClassAction, question};
 use crate::class::{ClassChange, ClassRound, MOST_PEOPLE, Session, Vote};
 use crate::messages::Key;
-use crate::quiz::letter;
-use crate::widgets::flow::Run;
-use crate::widgets::input::TextField;
-use crate::widgets::{Lines, Look, Role, Words};
+use crate::quiz::{Question, letter};
+use crate::screens::View;
+use crate::widgets::input::{KeyTable, TextField};
+use crate::widgets::panel::Panel;
+use crate::widgets::panels::Heading;
+use crate::widgets::{Role, draw_question};
 
-pub(super) const ROWS: u16 = 2;
 /// Most letters that are typed.
 const LONGEST: usize = 40;
 
 /// Counts on their way in: "4 17 9 2".
 #[derive(Debug, Clone)]
-pub(super) struct TallyEntry {
-    pub(super) vote: Vote,
+pub(super) struct Tally {
+    vote: Vote,
     question: usize,
     field: TextField,
 }
 
-impl TallyEntry {
+/// What keys do while votes are counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum CountAction {
+    /// enter the counts
+    Count,
+}
+
+/// The keys, but for those of every step.
+pub(super) fn keys() -> KeyTable<CountAction> {
+    KeyTable::new("class").on(Key::Enter, CountAction::Count, "take it")
+}
+
+impl Tally {
     /// What was counted before, to be put right, or nothing.
     pub(super) fn new(round: &ClassRound, question: usize, vote: Vote) -> Self {
         let counts = round.tally(question, vote).unwrap_or_default();
@@ -88,28 +103,50 @@ impl TallyEntry {
         })
     }
 
-    /// Draws what is typed, with what is to be done.
-    pub(super) fn draw(&self, round: &ClassRound, foot: Rect, buf: &mut Buffer, look: &Look) {
-        let choices = round.choices(self.question).len();
+    /// The question, and below it what is typed, with what is to be done.
+    pub(super) fn view<'s>(
+        &'s self,
+        play: &'s Stage,
+        question: &'s Question,
+    ) -> View<'s, ClassAction> {
+        let heading = match self.vote {
+            Vote::First => Heading::new(
+                &["First vote", "Vote 1"],
+                "Show your card, or raise your hand.",
+            ),
+            Vote::Second => Heading::new(
+                &["Second vote", "Vote 2"],
+                "Who has changed their mind? Show your card once more.",
+            ),
+        };
+        // Before the second vote is counted all see the first.
+        let shown = (self.vote == Vote::Second).then_some(Vote::First);
+        let mut words = play.words();
+        question::write(play, question, shown, |_| None, &mut words);
+        let choices = play.round().choices(self.question).len();
         let letters: Vec<String> = (0..choices).map(|i| letter(i).to_string()).collect();
-        let mut lines = Lines::new(foot, buf, *look);
-        let head = format!("Count {}: {}", letters.join(" "), self.field.shown());
-        let (note, role) = match self.counts(round) {
-            Ok(Some(counts)) => (format!("{} in all", counts.iter().sum::<u32>()), Role::Text),
-            Ok(None) => (String::new(), Role::Text),
-            Err(reason) => (reason, Role::Warn),
+        let mut foot = Panel::new("");
+        let label = format!("Count {}: ", letters.join(" "));
+        foot.text_field(label, self.field.around_cursor(), true, None);
+        let take = ClassAction::Count(CountAction::Count);
+        match (self.counts(play.round()), self.vote) {
+            (Err(reason), _) => foot.line(reason, Role::Warn),
+            (Ok(None), Vote::First) => foot.line(
+                "Count hands or cards, and type the numbers: 4 17 9 2",
+                Role::Key,
+            ),
+            (Ok(None), Vote::Second) => foot.prompt("all keep their vote", take),
+            (Ok(Some(counts)), _) => {
+                let all: u32 = counts.iter().sum();
+                foot.prompt(format!("that is the vote, {all} in all"), take);
+            }
+        }
+        let draw = move |area, buf: &mut _, look: &_| {
+            draw_question(area, buf, look, question, None);
         };
-        let name = format!("Count {}", letters.join(" "));
-        let recorded = |_| Words::text_field(&name, self.field.text());
-        lines.clicked_as(recorded, Some(true), |lines| {
-            lines.pair(&head, &note, Role::Title, role);
-        });
-        lines.recorded_too(|_| Words::text(Run::new(note.as_str(), role)));
-        let next = match (self.vote, self.is_empty()) {
-            (Vote::First, true) => "Count hands or cards, and type the numbers: 4 17 9 2",
-            (Vote::Second, true) => "Count again, or Enter: all keep their vote.",
-            _ => "Enter: that is the vote.",
-        };
-        lines.line(next, Role::Key);
+        View {
+            foot: Some(foot),
+            ..play.step_view(Some(heading), question::beside(question), draw, words)
+        }
     }
 }

@@ -1,0 +1,191 @@
+//! How pupils come in: the address, the code, and a picture of both for phones.
+
+use ratatui::layout::Rect;
+
+use super::qr::Qr;
+use super::{ClassAction, HostingAction};
+use crate::class::{DoorState, Session};
+use crate::messages::OpenDoor;
+use crate::screens::view::WIDEST;
+use crate::screens::{Context, View};
+use crate::widgets::big::Big;
+use crate::widgets::panel::Panel;
+use crate::widgets::{Look, Role, Room, SplitLayout, areas, text};
+
+/// What is said when nobody has come for a while.
+const HINT: &str = "Nobody in yet? Devices must be in the same network as this computer. Many \
+    school networks keep devices apart: then let this computer or a phone open a hotspot and \
+    have all join that, or vote with hands or cards instead.";
+/// Rows of an address in large letters.
+const LETTERS: u16 = 4;
+/// Rows beside a code from which on letters are large.
+const LARGE_FROM: u16 = 13;
+/// How many times as large a code for cameras may be, the largest first.
+const SCALES: [usize; 3] = [3, 2, 1];
+/// Columns beside it, for the address in plain letters at least.
+const LEAST_WORDS: u16 = 24;
+/// What all should know.
+const OPENLY: &str = "Everyone on this network can see names and votes. Nicknames are fine.";
+
+/// What tells how to come in.
+pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction> {
+    let mut panel = Panel::new("");
+    panel.open = true;
+    let column = |room: Room| SplitLayout::open(Rect::default(), areas::middle(room.area, WIDEST));
+    let door = match session.door() {
+        DoorState::Open(door) => door,
+        DoorState::Opening => {
+            panel.line("The door is being opened ..", Role::Text);
+            return View::alone(column, panel);
+        }
+        DoorState::Failed(reason) => {
+            panel.paragraph(format!("Pupils cannot come in: {reason}."), Role::Warn);
+            panel.gap();
+            let words = "The round can also be played with teams or with cards.";
+            panel.paragraph(words, Role::Text);
+            let on = ClassAction::Hosting(HostingAction::GoOn);
+            panel.prompt("go on without pupils", on);
+            return View::alone(column, panel);
+        }
+    };
+    let (look, area) = (cx.settings.look(), cx.body);
+    let address = address(door);
+    let link = format!("http://{address}/#code={}", door.code);
+    let rows = text::wrap(OPENLY, area.width.saturating_sub(2).into()).len() as u16;
+    let [body, _] = areas::upper(area, area.height.saturating_sub(rows));
+    let qr = Qr::of(&link, &look).filter(|_| door.page.is_ok());
+    let beside = qr.and_then(|qr| BesideQr::new(qr, &address, body, &look));
+    let is_below = beside.as_ref().is_some_and(|it| it.address_is_below);
+    // Beside a code there is room for what to do when nobody comes.
+    let waits = session.waits_long();
+    write(session, door, (&address, is_below), &mut panel);
+    if waits && beside.is_some() {
+        panel.gap();
+        panel.paragraph(HINT, Role::Warn);
+    }
+    let mut foot = Panel::new("");
+    if is_below {
+        foot.large([address.as_str()], Role::Title, 0);
+    }
+    if let Err(reason) = &door.page {
+        let words = format!("Browsers cannot join: {reason}. Other computers: carrom join ADDRESS");
+        foot.paragraph(words, Role::Warn);
+    }
+    match waits && beside.is_none() {
+        true => foot.paragraph(HINT, Role::Warn),
+        false => foot.paragraph(OPENLY, Role::Dim),
+    }
+    let view = match beside {
+        Some(BesideQr {
+            qr, place, words, ..
+        }) => {
+            let draw = move |place, buf: &mut _, _: &_| qr.draw(place, buf);
+            View::picture("", draw, panel).laid_out(move |_| SplitLayout::open(place, words))
+        }
+        None => View::alone(
+            |room| SplitLayout::open(Rect::default(), areas::upper(room.area, 1)[1]),
+            panel,
+        ),
+    };
+    View {
+        foot: Some(foot),
+        ..view
+    }
+}
+
+/// Writes the address, unless it stands below, the code, and how many are in.
+fn write(
+    session: &Session,
+    door: &OpenDoor,
+    (address, is_below): (&str, bool),
+    panel: &mut Panel<ClassAction>,
+) {
+    if is_below {
+        panel.line("In the browser, type the address below", Role::Key);
+    } else {
+        panel.line("In the browser, type the address", Role::Key);
+        panel.large(
+            in_lines(address).iter().map(String::as_str),
+            Role::Title,
+            LARGE_FROM,
+        );
+        panel.gap();
+    }
+    panel.line("and the code of this class", Role::Key);
+    panel.large([door.code.to_string().as_str()], Role::Title, LARGE_FROM);
+    panel.gap();
+    let in_words = match (session.present(), session.round().participants().len()) {
+        (0, 0) => "Nobody is in yet.".to_owned(),
+        (1, 1) => "One is in.".to_owned(),
+        (present, all) if present == all => format!("{all} are in."),
+        (present, all) => format!("{present} of {all} are in."),
+    };
+    panel.line(in_words, Role::Title);
+    if session.is_shut() {
+        panel.line("The door is closed: nobody new can come in.", Role::Warn);
+    }
+    for other in door.addresses.iter().skip(1).take(2) {
+        panel.line(format!("or {other}"), Role::Dim);
+    }
+}
+
+/// An address in one line, or with the port below the rest.
+fn in_lines(address: &str) -> [String; 2] {
+    [address.to_owned(), address.replace(':', " :")]
+}
+
+/// The address that is shown first.
+fn address(door: &OpenDoor) -> String {
+    let first = door.addresses.first();
+    first.map(ToString::to_string).unwrap_or_default()
+}
+
+/// A code for cameras, and what stands around it.
+struct BesideQr {
+    qr: Qr,
+    place: Rect,
+    words: Rect,
+    /// Whether the address stands below it, too long to be large beside it.
+    address_is_below: bool,
+}
+
+impl BesideQr {
+    /// The largest code that leaves room for the words; for the address in plain letters at least,
+    /// and in large ones beside a code that could be smaller.
+    fn new(qr: Qr, address: &str, body: Rect, look: &Look) -> Option<Self> {
+        let mut qr = qr;
+        for scale in SCALES {
+            qr = qr.scaled(scale);
+            let (columns, rows) = qr.size();
+            if rows > body.height || columns + LEAST_WORDS > body.width {
+                continue;
+            }
+            let [_, side] = areas::left(body, columns + 3);
+            let is_large = |address: &str, width: u16, rows: u16| {
+                Big::fit(address, width.saturating_sub(2), rows, look.charset).is_some()
+            };
+            let [one, two] = in_lines(address);
+            let is_beside =
+                is_large(&one, side.width, LETTERS) || is_large(&two, side.width, 2 * LETTERS);
+            let [above, _] = areas::upper(body, body.height.saturating_sub(LETTERS));
+            let is_below =
+                !is_beside && rows <= above.height && is_large(&one, body.width, LETTERS);
+            if scale > 1 && !is_beside && !is_below {
+                continue;
+            }
+            let height = if is_below { above } else { body }.height;
+            return Some(Self {
+                place: Rect {
+                    x: body.x + 1,
+                    y: body.y + (height - rows) / 2,
+                    width: columns,
+                    height: rows,
+                },
+                words: areas::upper(Rect { height, ..side }, 1)[1],
+                address_is_below: is_below,
+                qr,
+            });
+        }
+        None
+    }
+}

@@ -1,0 +1,95 @@
+//! Names with what each has reached, in letters as large as there is room for.
+
+use crate::widgets::bar::bar;
+use crate::widgets::big::{Align, Big};
+use crate::widgets::flow::Run;
+use crate::widgets::{Lines, Role, Words, text};
+
+/// Rows of large letters.
+const LETTERS: u16 = 4;
+/// Rows of a name in large type: its letters, one of its bar, and if possible one empty.
+const LARGE: [u16; 2] = [LETTERS + 1, LETTERS + 2];
+/// Columns between a name and the points in large type.
+const APART: u16 = 3;
+/// Columns of points and gain beside a name, and of each of them.
+const NUMBERS: u16 = 20;
+const NUMBER: usize = 6;
+
+/// What one has reached.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct BoardRow {
+    /// "1. Ants"
+    pub name: String,
+    /// "27.5"
+    pub points: String,
+    /// "+9.3"
+    pub gain: String,
+    /// Its share of all points there were.
+    pub share: f64,
+}
+
+/// Writes them over all rows that are left.
+pub(super) fn write(rows: &[BoardRow], lines: &mut Lines) {
+    let high = lines.left() / (rows.len() as u16).max(1);
+    match large(rows, high, lines) {
+        Some(letters) => {
+            for (row, [name, points]) in rows.iter().zip(&letters) {
+                row.write_large([name, points], high, lines);
+            }
+        }
+        None => rows.iter().for_each(|row| row.write(high, lines)),
+    }
+}
+
+impl BoardRow {
+    fn write_large(&self, [name, points]: [&Big; 2], high: u16, lines: &mut Lines) {
+        let top = lines.written();
+        let words = |_| Words::Pair {
+            name: Run::new(self.name.as_str(), Role::Title),
+            value: Run::new(self.points.as_str(), Role::Title),
+        };
+        lines.written_as(words, |lines| {
+            lines.big(&[(name, Align::Left), (points, Align::Right)], Role::Title);
+        });
+        lines.skip_to(top + LETTERS);
+        let bar = bar(self.share, lines.width().saturating_sub(9), lines.charset());
+        lines.written_as(
+            |_| Words::meter("", self.share, &self.gain, Role::Predicted),
+            |lines| lines.pair(&bar, &self.gain, Role::Predicted, Role::Title),
+        );
+        lines.skip_to(top + high.min(LARGE[1]));
+    }
+
+    /// Writes it in one line, with a bar below it where there is room.
+    fn write(&self, high: u16, lines: &mut Lines) {
+        let top = lines.written();
+        let room = usize::from(lines.width().saturating_sub(NUMBERS));
+        let name = text::clipped(&self.name, room);
+        let numbers = format!("{:>NUMBER$}  {:>NUMBER$}", self.points, self.gain);
+        lines.pair(&name, &numbers, Role::Title, Role::Title);
+        if high > 1 {
+            let bar = bar(self.share, lines.width().saturating_sub(1), lines.charset());
+            lines.written_as(
+                |_| Words::meter("", self.share, "", Role::Predicted),
+                |lines| lines.line(&bar, Role::Predicted),
+            );
+        }
+        lines.skip_to(top + high.clamp(1, 3));
+    }
+}
+
+/// Names and points in large type, if there is room for all of them.
+fn large(rows: &[BoardRow], high: u16, lines: &Lines) -> Option<Vec<[Big; 2]>> {
+    if high < LARGE[0] {
+        return None;
+    }
+    let (width, charset) = (lines.width(), lines.charset());
+    let texts = |of: fn(&BoardRow) -> &String| rows.iter().map(|row| of(row).as_str()).collect();
+    let points: Vec<&str> = texts(|row| &row.points);
+    let points = Big::fit_lines(&points, (width + 1) / 3, charset)?;
+    let widest = points.iter().map(Big::columns).max()?;
+    let names: Vec<&str> = texts(|row| &row.name);
+    let names = Big::fit_lines(&names, width.saturating_sub(widest + APART + 1), charset)?;
+    let letters = names.into_iter().zip(points);
+    Some(letters.map(<[Big; 2]>::from).collect())
+}

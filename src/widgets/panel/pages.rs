@@ -1,0 +1,368 @@
+//! Panels for the back row: words in the largest letters that fit beside a picture.
+//!
+//! The back row has to read them, so words come first: a picture shrinks before letters do, and
+//! letters no smaller than can be read go on over several pages.
+
+use std::rc::Rc;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Margin, Rect};
+
+use super::cells::Writing;
+use super::{ActionAt, Content, LargeText, Panel};
+use crate::widgets::bar::bar;
+use crate::widgets::big::{BigPages, BigText, LetterSize};
+use crate::widgets::flow::Run;
+use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text};
+
+/// Rows between two texts, and where that saves a page.
+const GAPS: [u16; 2] = [1, 0];
+/// Columns between a picture and the words beside it, and on their right.
+const APART: u16 = 1;
+/// Fewest columns of words beside a picture.
+const LEAST: u16 = 24;
+/// Rows of the screen that are no part of its body.
+const CHROME: u16 = 2;
+
+/// The picture beside the words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Beside {
+    /// None.
+    Nothing,
+    /// One without which the words can be understood.
+    Helps,
+    /// One that says what the words do not.
+    Needed,
+}
+
+impl Beside {
+    /// The tenths of its full size that it may have, the largest first.
+    fn tenths(self) -> std::ops::RangeInclusive<u16> {
+        match self {
+            Self::Nothing => 0..=0,
+            Self::Helps => 5..=10,
+            Self::Needed => 7..=10,
+        }
+    }
+}
+
+/// A panel of [`LargeText`] and its picture, on pages.
+pub(crate) struct PlacedPages<'p> {
+    /// What stands on pages of its own.
+    parts: Vec<Part<'p>>,
+}
+
+/// Texts that follow each other, with the numbers of their blocks.
+struct Part<'p> {
+    texts: Vec<(usize, &'p LargeText, bool)>,
+    set: SetPages,
+}
+
+/// Texts set in letters of one size.
+struct SetPages {
+    pages: BigPages,
+    size: LetterSize,
+    /// The picture and the words on the first page and on all others.
+    layouts: [Layout; 2],
+}
+
+/// A picture, perhaps of no cell, and the words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Layout {
+    picture: Rect,
+    words: Rect,
+}
+
+impl<'p> PlacedPages<'p> {
+    /// Lays a panel out beside a picture in a room of a screen with a body of so many rows;
+    /// `None` where a letter is not to be had in large type.
+    pub(crate) fn new<A>(
+        panel: &'p Panel<A>,
+        beside: Beside,
+        room: Room,
+        body_rows: u16,
+        look: &Look,
+    ) -> Option<Self> {
+        // Nobody reads the cells of a page that lays out what is recorded.
+        let screen_rows = match room.pictures {
+            Some(_) => 0,
+            None => body_rows + CHROME,
+        };
+        let blocks: Vec<_> = panel.blocks.iter().enumerate().collect();
+        let parts: Vec<_> = blocks
+            .split(|(_, block)| matches!(block.content, Content::PageBreak))
+            .collect();
+        let many = parts.len() > 1;
+        let part = |blocks: &[(usize, &'p super::Block<A>)]| {
+            let texts = blocks
+                .iter()
+                .filter_map(|(at, block)| match &block.content {
+                    Content::LargeText(text) => Some((*at, text, !block.actions.is_empty())),
+                    _ => None,
+                });
+            let texts: Vec<_> = texts.collect();
+            let set = SetPages::new(&texts, beside, many, room, screen_rows, look)?;
+            Some(Part { texts, set })
+        };
+        let parts = parts.into_iter().map(part).collect::<Option<_>>()?;
+        Some(Self { parts })
+    }
+
+    /// How many pages there are.
+    pub(crate) fn count(&self) -> u16 {
+        self.parts
+            .iter()
+            .map(|part| part.set.pages())
+            .sum::<usize>() as u16
+    }
+
+    /// What stands on a page, and its number among the pages of that part.
+    fn at(&self, page: u16) -> Option<(&Part<'p>, usize)> {
+        let mut page = usize::from(page);
+        self.parts.iter().find_map(|part| {
+            if page < part.set.pages() {
+                return Some((part, page));
+            }
+            page -= part.set.pages();
+            None
+        })
+    }
+
+    /// The places of the picture, perhaps of no cell, and of the words on a page.
+    pub(crate) fn places(&self, page: u16) -> [Rect; 2] {
+        let layout = self.at(page).map(|(part, page)| part.set.layout(page));
+        layout.map_or([Rect::default(); 2], |it| [it.picture, it.words])
+    }
+
+    /// Whether a heading in large letters costs these pages nothing, laid out as `other` without
+    /// one: neither a page nor the size of their letters, and the picture not much.
+    pub(crate) fn are_as_good_as(&self, other: &Self, look: &Look) -> bool {
+        let [Some(own), Some(other)] = [self, other].map(|it| it.parts.first()) else {
+            return false;
+        };
+        let [own, other] = [&own.set, &other.set];
+        (own.pages(), other.pages()) == (1, 1)
+            && own.size == other.size
+            && own.size.is_of_names(look.charset)
+            && 4 * own.layouts[0].picture.height >= 3 * other.layouts[0].picture.height
+    }
+
+    /// Of each part the size of its letters, how many there are, its pages, and the picture on
+    /// the first of them.
+    #[cfg(test)]
+    pub(crate) fn parts(&self) -> impl Iterator<Item = (LetterSize, usize, usize, Rect)> + '_ {
+        self.parts.iter().map(|Part { texts, set }| {
+            let letters = { texts.iter() }.map(|(_, it, _)| it.text.chars().count());
+            (set.size, letters.sum(), set.pages(), set.layouts[0].picture)
+        })
+    }
+
+    /// The cells of a page that do something.
+    pub(super) fn targets(&self, page: u16) -> impl Iterator<Item = (Rect, ActionAt)> + '_ {
+        let at = self.at(page).into_iter();
+        at.flat_map(|(part, page)| part.places(page))
+            .map(|(block, cells)| (cells, (block, 0)))
+    }
+
+    /// Draws a page, with the bars of its texts, and says which one it is of several.
+    pub(super) fn draw(&self, page: u16, buf: &mut Buffer, writing: &Writing) {
+        let Some((part, own)) = self.at(page) else {
+            return;
+        };
+        part.draw(own, buf, &writing.look);
+        let (count, place) = (self.count(), part.set.layout(own).words);
+        if count > 1 && place.height > 0 {
+            let page = page + 1;
+            let key = match &writing.pages {
+                Some([back, _]) if page == count => format!("  {back}: back"),
+                Some([_, on]) => format!("  {on}: the rest"),
+                None => String::new(),
+            };
+            let note = format!("page {page} of {count}{key}");
+            let column = place.right().saturating_sub(text::width(&note) as u16);
+            let column = column.max(place.x);
+            let style = writing.look.theme.style(Role::Key);
+            let room = place.right() - column;
+            buf.set_stringn(column, place.bottom() - 1, note, room.into(), style);
+        }
+    }
+}
+
+impl Part<'_> {
+    /// The blocks that do something when they are clicked, and where they stand on a page.
+    fn places(&self, page: usize) -> impl Iterator<Item = (usize, Rect)> + '_ {
+        let words = self.set.layout(page).words;
+        let shown = self.set.pages.page(page).into_iter();
+        shown
+            .flat_map(|page| page.places())
+            .filter_map(move |(number, rows)| {
+                let (block, _, acts) = self.texts.get(number)?;
+                let cells = Rect {
+                    y: words.y + rows.start,
+                    height: rows.end - rows.start,
+                    ..words
+                };
+                let cells = cells.intersection(words);
+                (*acts && !cells.is_empty()).then_some((*block, cells))
+            })
+    }
+
+    fn draw(&self, page: usize, buf: &mut Buffer, look: &Look) {
+        let place = self.set.layout(page).words;
+        self.record(page, place, look.charset);
+        let text = |number: usize| self.texts.get(number).map(|(_, text, _)| *text);
+        let role = |number| text(number).map_or(Role::Text, |it| it.role);
+        let Some(shown) = self.set.pages.page(page) else {
+            return;
+        };
+        for (number, row) in shown.draw(place, buf, look, role) {
+            let share = text(number).and_then(|it| it.share);
+            if let Some(share) = share.filter(|_| row < place.height) {
+                let bar = bar(share, place.width, look.charset);
+                let style = look.theme.style(Role::Predicted);
+                buf.set_stringn(place.x, place.y + row, bar, place.width.into(), style);
+            }
+        }
+    }
+
+    /// Records all texts, for who needs no pages to show them.
+    fn record(&self, page: usize, place: Rect, charset: Charset) {
+        for (block, text, acts) in &self.texts {
+            sheet::note(place, || {
+                let cells = self.places(page).find(|(number, _)| number == block);
+                Item {
+                    words: text.words(charset),
+                    press: cells.map(|(_, cells)| [cells.x, cells.y]),
+                    chosen: acts.then_some(false),
+                }
+            });
+            if let Some(share) = text.share {
+                sheet::note(place, || {
+                    Item::new(Words::meter("", share, "", Role::Predicted))
+                });
+            }
+        }
+    }
+}
+
+impl LargeText {
+    /// What is recorded of it.
+    pub(super) fn words(&self, charset: Charset) -> Words {
+        let runs = vec![Run::new(self.text.as_str(), self.role).spelt(charset)];
+        Words::Large { runs }
+    }
+}
+
+impl SetPages {
+    /// Texts on as few pages as can be, then in the largest letters, then with the largest
+    /// picture; `more` says that there are other pages too. What is not to be had in large type
+    /// is spelt out; `None` if that does not help.
+    fn new(
+        large: &[(usize, &LargeText, bool)],
+        beside: Beside,
+        more: bool,
+        room: Room,
+        screen_rows: u16,
+        look: &Look,
+    ) -> Option<Self> {
+        let has_bar = |(_, it, _): &(usize, &LargeText, bool)| it.share.is_some();
+        // A bar below the last text has its row too.
+        let last = u16::from(large.last().is_some_and(has_bar));
+        let alone = Layout::new(room, Beside::Nothing, 0);
+        let all_layouts: Vec<_> = { beside.tenths().rev() }
+            .map(|tenths| Layout::new(room, beside, tenths))
+            .flat_map(|with| [[with, with], [with, alone]])
+            .collect();
+        let has_bars = large.iter().any(has_bar);
+        let placed = |texts: &[_], gap, size, layouts: [Layout; 2]| {
+            let set = |foot: u16| {
+                let rows = |it: Layout| it.words.height.saturating_sub(last + foot);
+                let rooms = layouts.map(|it| (it.words.width, rows(it)));
+                BigPages::set(texts, gap, size, rooms)
+            };
+            // The last row of several pages says which one it is.
+            let one = set(u16::from(more)).filter(|pages| pages.count() == 1);
+            let pages = one.or_else(|| set(1))?;
+            Some(Self {
+                pages,
+                size,
+                layouts,
+            })
+        };
+        let best = |spelling: Charset| {
+            let texts = { large.iter() }.map(|(_, it, _)| {
+                let text: Rc<_> = BigText::new(&it.text, spelling).into();
+                (text, it.whole)
+            });
+            let texts: Vec<_> = texts.collect();
+            let texts = &texts;
+            // The largest letters and pictures come first.
+            let gaps = GAPS.into_iter().filter(|gap| *gap > 0 || !has_bars);
+            let sizes = gaps.flat_map(|gap| {
+                let sizes = LetterSize::legible(look.charset, screen_rows);
+                sizes.map(move |size| (gap, size))
+            });
+            fewest_pages(sizes.flat_map(|(gap, size)| {
+                let layouts = all_layouts.iter();
+                layouts.filter_map(move |layouts| placed(texts, gap, size, *layouts))
+            }))
+        };
+        [look.charset, Charset::Ascii].into_iter().find_map(best)
+    }
+
+    fn pages(&self) -> usize {
+        self.pages.count()
+    }
+
+    fn layout(&self, page: usize) -> Layout {
+        self.layouts[page.min(1)]
+    }
+}
+
+impl Layout {
+    /// A picture of so many tenths of the largest square one, and the words beside it, or
+    /// below it where the area is upright.
+    fn new(room: Room, beside: Beside, tenths: u16) -> Self {
+        let area = room.area;
+        let [_, words] = areas::left(area, APART);
+        if beside == Beside::Nothing {
+            let picture = Rect { width: 0, ..area };
+            return Self { picture, words };
+        }
+        if let Some(sizes) = room.pictures {
+            let [picture, words] = areas::sized_picture_and_panel(area, sizes.any);
+            let picture = picture.inner(Margin::new(1, 1));
+            return Self { picture, words };
+        }
+        let is_upright = 4 * u32::from(area.height) >= 3 * u32::from(area.width);
+        if is_upright {
+            let rows = (area.width / 2).min(area.height / 5 * 3) * tenths / 10;
+            let [picture, words] = areas::upper(area, rows);
+            let [_, words] = areas::left(words, APART);
+            return Self { picture, words };
+        }
+        let rows = area.height * tenths / 10;
+        let columns = (2 * rows).saturating_sub(1);
+        let columns = columns.min(area.width.saturating_sub(LEAST + APART));
+        let [picture, words] = areas::left(area, columns);
+        let [_, words] = areas::left(words, APART);
+        let [picture, _] = areas::upper(picture, rows);
+        Self { picture, words }
+    }
+}
+
+/// The first of those with the fewest pages; one that ends early counts twice. After one with a
+/// single page nobody looks further.
+fn fewest_pages(all: impl Iterator<Item = SetPages>) -> Option<SetPages> {
+    let cost = |it: &SetPages| it.pages() + usize::from(it.pages.ends_early());
+    let mut best: Option<SetPages> = None;
+    for placed in all {
+        if placed.pages() == 1 {
+            return Some(placed);
+        }
+        if best.as_ref().is_none_or(|it| cost(&placed) < cost(it)) {
+            best = Some(placed);
+        }
+    }
+    best
+}
