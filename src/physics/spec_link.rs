@@ -23,7 +23,7 @@ const SHORT: [(&str, &str); 11] = [
 impl CollisionSpec {
     /// What differs from the worked shot, in one word; empty where nothing does. Each number has
     /// all its digits, so that [`from_link`](Self::from_link) gives exactly the same collision.
-    pub fn to_link(&self) -> String {
+    pub fn to_link(self) -> String {
         let usual = Self::default();
         let mut parts = Vec::new();
         let mut put = |name: &str, value: f64, usual: f64| {
