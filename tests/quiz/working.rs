@@ -237,7 +237,7 @@ fn last_side(text: &str, mark: &str, readings: [Option<f64>; 2]) -> Option<f64> 
     let tokens = tokens(after, readings);
     let chain = tokens.split(|(_, token)| *token == Token::End).next()?;
     let sides = chain.split(|(_, token)| *token == Token::Sign('='));
-    sides.map(bare).filter_map(|side| value(&side)).last()
+    sides.map(bare).rev().find_map(|side| value(&side))
 }
 
 /// The same for an angle that is found from its sine, cosine or tangent.

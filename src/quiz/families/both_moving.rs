@@ -317,9 +317,7 @@ fn speed(
         .ask(format!("What is the {name}'s speed after the collision?"))
         .number(Measure::Speed, truth)
         .wrong(CoinAtRest, seen)
-        .says(format!(
-            "You treated the coin as if it had been at rest. But here both discs move at first."
-        ))
+        .says("You treated the coin as if it had been at rest. But here both discs move at first.")
         .wrong(SineCosine, (others * sin).hypot(own * cos))
         .says(
             "You exchanged the components perpendicular to the line of impact. Those stay the \
