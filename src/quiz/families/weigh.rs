@@ -128,8 +128,10 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
     let (theta1, theta2) = (seen.theta1, seen.theta2);
     let [before, then, coin] = [u, v1, v2].map(significant);
     let [sin1, sin2] = [theta1, theta2].map(|angle| read_off_angle(angle).sin());
-    let mass = |momentum: f64| Measure::Mass.print(momentum * sin1 / (read_off(v2) * sin2));
-    let momentum = Intermediate::new(STRIKER * read_off(v1), mass);
+    let mass = |momentum: f64, speed: f64| Measure::Mass.print(momentum / speed);
+    let (momentum, speed) = (STRIKER * read_off(v1) * sin1, read_off(v2) * sin2);
+    let momentum = Intermediate::new(momentum, |momentum| mass(momentum, speed));
+    let speed = Intermediate::new(speed, |speed| mass(momentum.value, speed));
     seen.told(&format!("A striker of {} g", significant(STRIKER)))
         .named("momentum", "mass-from-momentum")
         .ask(format!(
@@ -153,12 +155,10 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
              components that cancel.",
         )
         .why(format!(
-            "Perpendicular to the original direction the total momentum is zero, so m₁v₁ sin θ₁ = \
-             m₂v₂ sin θ₂. With m₁v₁ = {momentum} g m/s, m₂ = {momentum} × sin {}° / ({coin} × sin \
-             {}°) = {}.",
-            bare_degrees(theta1),
-            bare_degrees(theta2),
-            within_readings(&mass(momentum.value), &Measure::Mass.print(seen.coin_g))
+            "Perpendicular to the original direction the total momentum is zero: m₁v₁ sin θ₁ = \
+             m₂v₂ sin θ₂. Here m₁v₁ sin θ₁ is {momentum} g m/s and v₂ sin θ₂ is {speed} m/s, so m₂ = \
+             {momentum} / {speed} = {}.",
+            within_readings(&mass(momentum.value, speed.value), &Measure::Mass.print(seen.coin_g))
         ))
 }
 
