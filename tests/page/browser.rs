@@ -14,10 +14,13 @@ pub(crate) trait Browser {
     fn run(&mut self, script: &str, arguments: &[Value]) -> Value;
 }
 
-/// What can be read on the page, and what stands in its fields.
+/// What can be read on the page, and what stands in its fields; not what is said to a screen
+/// reader alone, which may be of a moment ago.
 pub(crate) const SCREEN: &str = "
     const values = [...document.querySelectorAll('#screen input')].map((it) => it.value);
-    return [document.body.innerText, ...values].join('\\n').replaceAll('\\u00a0', ' ');";
+    const isSeen = (it) => it.id !== 'news' && it.getClientRects().length > 0;
+    const seen = [...document.body.children].filter(isSeen);
+    return [...seen.map((it) => it.innerText), ...values].join('\\n').replaceAll('\\u00a0', ' ');";
 
 /// The address of the page to test.
 pub(crate) fn page() -> String {

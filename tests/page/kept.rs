@@ -330,7 +330,7 @@ fn a_crafted_database_is_refused_in_words_before_it_is_queried() {
     chromium.run(script, &[]);
     wait_for(
         &mut chromium,
-        "it has 65 MiB, and carrom opens files of up to 64 MiB",
+        "its size is 65 MiB, and carrom opens files of up to 64 MiB",
     );
     assert_eq!(chromium.run("return window.read", &[]), json!(0));
     press(&mut chromium, &["Escape"]);
