@@ -211,8 +211,8 @@ fn write_choices(question: &Question, counts: &[u32], panel: &mut Panel<JoinActi
     panel.gap();
 }
 
-/// Whether the state of the vote appears above the question: a long text is cut at its end,
-/// and all pupils have to see that their votes are in.
+/// Whether the state of the vote appears above the question, and stays there: all pupils have
+/// to see that their votes are in, however long the text is.
 fn is_told_first(desk: &Desk, link: &Link) -> bool {
     link.is_sending() || desk.state.misfit || desk.has_voted()
 }
@@ -255,6 +255,7 @@ fn write_answer(
     let is_first = is_told_first(desk, link);
     if is_first {
         write_standing(panel);
+        panel.pin();
     }
     panel.paragraph(&question.text, Role::Text);
     panel.gap();

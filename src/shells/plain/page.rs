@@ -314,9 +314,10 @@ fn label(options: &mut [PlainOption], types: bool) {
 /// The letter or number that an entry begins with, and the rest.
 fn own_label(words: &str) -> (String, String) {
     let split = words.split_once(' ').unwrap_or((words, ""));
-    let first = split.0.trim_end_matches(['.', ':']);
+    let number = split.0.trim_end_matches('.');
+    let is_number = !number.is_empty() && number.chars().all(|c| c.is_ascii_digit());
+    let first = number.trim_end_matches(':');
     let rest = split.1.trim_start();
-    let is_number = !first.is_empty() && first.chars().all(|c| c.is_ascii_digit());
     let is_letter = first.len() == 1 && first.chars().all(|c| c.is_ascii_uppercase());
     match is_number || is_letter && !rest.is_empty() {
         true => (first.to_owned(), rest.to_owned()),

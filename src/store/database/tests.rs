@@ -490,7 +490,7 @@ fn what_is_no_database_of_ours_is_refused_and_left() {
     let refused = |scratch: &Scratch| {
         let mut database = scratch.database();
         let message = database.record(&attempt("Ada", 1)).unwrap_err();
-        assert!(message.contains("left as it is"), "{message}");
+        assert!(message.contains("left unchanged"), "{message}");
         assert!(database.attempts(None).is_err());
         assert_eq!(scratch.names(), ["progress.db"]);
     };
@@ -570,7 +570,7 @@ fn a_schema_that_is_not_ours_is_refused_before_it_is_queried() {
                 message.contains("carrom did not make its"),
                 "{sql}: {message}"
             );
-            assert!(message.contains("left as it is"), "{sql}: {message}");
+            assert!(message.contains("left unchanged"), "{sql}: {message}");
         }
         assert!(fs::read(scratch.path()).unwrap() == before, "{sql}");
         assert_eq!(scratch.names(), ["progress.db"]);
