@@ -58,6 +58,11 @@
 //!   numbers        how quantities are printed: figures, units, signs
 //! ```
 
+#![cfg_attr(
+    target_family = "wasm",
+    allow(dead_code, unused_imports, reason = "the command line and the terminal use the rest")
+)]
+
 pub mod app;
 pub mod beams;
 pub mod class;
