@@ -60,7 +60,11 @@
 
 #![cfg_attr(
     target_family = "wasm",
-    allow(dead_code, unused_imports, reason = "the command line and the terminal use the rest")
+    allow(
+        dead_code,
+        unused_imports,
+        reason = "the command line and the terminal use the rest"
+    )
 )]
 
 pub mod app;
