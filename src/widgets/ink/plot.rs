@@ -45,7 +45,7 @@ impl Canvas {
 
 impl Picture {
     /// Draws it into cells.
-    pub(crate) fn draw(&self, buf: &mut Buffer, look: &Look) {
+    pub fn draw(&self, buf: &mut Buffer, look: &Look) {
         let canvas = Canvas::of(self, look);
         let cells = Cells {
             canvas: &canvas,
