@@ -91,7 +91,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
 
 /// The list of guides, and how to read them.
 fn list() -> String {
-    let line = |guide: &Guide| format!("  carrom guide {:<12}{}\n", guide.name, guide.about);
+    let line = |guide: &Guide| format!("  carrom guide {:<14}{}\n", guide.name, guide.about);
     let lines: String = GUIDES.iter().map(line).collect();
     format!("{lines}\nAll of them for a browser: carrom guide --out DIR")
 }

@@ -481,7 +481,7 @@ fn a_game_is_left_and_resumed_where_it_was() {
     // Removed only when that is confirmed.
     game.press("<Escape>ysd");
     assert!(
-        game.screen().contains("Remove this game"),
+        game.screen().contains("Delete this game"),
         "{}",
         game.screen()
     );
