@@ -93,7 +93,7 @@ fn the_site_is_installed_and_plays_a_round_without_a_network() {
     wait_until_ready(&mut browser);
     for question in 1..=5 {
         let place = format!("question {question} of 5");
-        for _ in 0..8 {
+        for _ in 0..40 {
             let screen = browser.run(SCREEN, &[]);
             if !screen.as_str().unwrap().contains(&place) {
                 break;
