@@ -8,7 +8,7 @@
 //! A class votes in one of three ways ([`WayOfVoting`]): up to eight teams at one keyboard;
 //! hands or cards that are counted (a tally: counts for the choices of
 //! [`ClassRound::choices`], taken by [`ClassRound::count`]); or up to 250 people on devices of
-//! their own. What is asked of the votes ([`ClassRound::said`], [`ClassRound::grades`],
+//! their own. What is asked of the votes ([`ClassRound::said`], [`ClassRound::results`],
 //! [`ClassRound::clues`], [`ClassRound::voted`]) is the same for all three: a hand that was
 //! counted is a vote like any other. Only what belongs to a name (ballots, points, standings)
 //! is not there in a tally.

@@ -10,7 +10,7 @@ use super::FileError;
 pub(crate) const LARGEST: usize = 1 << 20;
 
 /// The bytes of a file, up to one more than the `most` that may be read: who takes them
-/// for text by [`Source::of_bytes`](super::Source::of_bytes) refuses that many.
+/// for text by `Source::of_bytes` refuses that many.
 ///
 /// # Errors
 /// If it cannot be read.

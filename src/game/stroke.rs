@@ -60,7 +60,7 @@ impl Stroke {
     /// coin `coins[i]`, as [`Game::discs`](super::Game::discs) lays them.
     ///
     /// # Errors
-    /// [`StrokeError::OtherDiscs`] if the shot has more or fewer discs.
+    /// `StrokeError::OtherDiscs` if the shot has more or fewer discs.
     pub fn from_shot(coins: &[Coin], shot: &Shot) -> Result<Self, StrokeError> {
         if shot.discs().len() != coins.len() + 1 {
             return Err(StrokeError::OtherDiscs {

@@ -218,7 +218,7 @@ impl Shot {
     }
 
     /// Where a disc is at a time in seconds. Times before 0 count as the start,
-    /// times after [`Shot::duration`] as the end; at the time of an event the disc
+    /// times after `Shot::duration` as the end; at the time of an event the disc
     /// is as the event left it.
     pub fn at(&self, disc: usize, time: f64) -> Sample {
         let time = time.min(self.duration);

@@ -3,9 +3,9 @@
 //! An [`Attempt`] is one answer with all that is known of it, whatever asked for it.
 //! Everything else here is worked out from the attempts of a player, in the order in
 //! which they were made, and never stored: a [`Tally`] of any of them, how each
-//! [`TopicStanding`] stands, how well [`Confidence`](crate::quiz::Confidence) and answers go
-//! together, which [`HeldBelief`]s were held and whether they fade, what is [`Due`] for
-//! [`review`](reviews), and what to do next.
+//! topic stands, how well [`Confidence`](crate::quiz::Confidence) and answers go
+//! together, which beliefs were held and whether they fade, what is [`Due`] for
+//! review, and what to do next.
 
 mod advice;
 mod attempt;

@@ -76,7 +76,7 @@ impl<'a> Summary<'a> {
     }
 
     /// Mean error of all angles, in radians; `None` where there were fewer than
-    /// [`ENOUGH_ANGLES`].
+    /// `ENOUGH_ANGLES`.
     pub fn mean_error(&self) -> Option<f64> {
         let count = self.angles();
         (count >= ENOUGH_ANGLES).then(|| self.errors().sum::<f64>() / count as f64)

@@ -9,13 +9,12 @@ const address = (() => {
   // Browsers allow some hundred changes of an address in half a minute.
   const PAUSE = 400;
   let entry = { index: 0, depths: [] };
-  let stays = [], told = { address: "", depth: 1 }, written = "", timer = 0;
+  let stays = [], told = { address: "", depth: 1 }, written = "", last = -PAUSE, timer = 0;
   let back = () => {}, reopen = () => {}, isMoving = false;
 
   function start(acts) {
     ({ back, reopen } = acts);
     addEventListener("popstate", moved);
-    for (const kind of ["pagehide", "beforeunload"]) addEventListener(kind, write);
   }
 
   // What the page opens with: what a link says, and what was answered before a reload.
@@ -36,7 +35,7 @@ const address = (() => {
     const was = entry.depths[entry.index];
     if (isMoving) return;
     if (was === undefined || told.depth === was) {
-      timer ||= setTimeout(write, was === undefined ? 0 : PAUSE);
+      timer ||= setTimeout(write, Math.max(0, last + PAUSE - performance.now()));
     } else if (told.depth > was) {
       write();
       entry = { index: entry.index + 1, depths: [...entry.depths.slice(0, entry.index + 1), told.depth] };
@@ -65,6 +64,7 @@ const address = (() => {
     const now = JSON.stringify([hash, said, told.depth]);
     if (way === "replaceState" && now === written) return;
     written = now;
+    last = performance.now();
     const depths = [...entry.depths.slice(0, entry.index), told.depth];
     entry = { index: entry.index, depths };
     const url = hash ? `#${hash}` : location.href.replace(/#.*/s, "");

@@ -9,7 +9,7 @@ use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 pub enum Response {
     /// Where the two will go.
     Rays(Rays),
-    /// A number, in the unit of its [`Measure`].
+    /// A number, in the unit of its [`Measure`](super::Measure).
     Number(f64),
     /// One of the choices, counted from 0.
     Choice(usize),

@@ -43,7 +43,7 @@ const STACK: usize = 192 * 1024;
 /// How a class is served.
 #[derive(Clone, Default)]
 pub struct HostOptions {
-    /// The port; without one the first free one from [`PORT`] on.
+    /// The port; without one the first free one from `PORT` on.
     pub port: Option<u16>,
     /// The page for browsers, or why there is none.
     pub page: Option<Result<Arc<ServedPage>, String>>,

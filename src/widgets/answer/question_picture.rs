@@ -42,7 +42,7 @@ pub(crate) fn question_picture(
     })
 }
 
-/// Draws the [`question_picture`], if there is one.
+/// Draws the `question_picture`, if there is one.
 pub fn draw_question(
     area: Rect,
     buf: &mut Buffer,
