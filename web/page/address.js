@@ -6,10 +6,11 @@ const address = (() => {
   const STAYS = /^(plain|player|charset|color|palette)(=|$)/;
   // What has been answered in a round stands in the entry, not in what others are given.
   const ANSWERS = "&said=";
-  // Browsers allow some hundred changes of an address in half a minute.
+  // Browsers allow some hundred changes of an address in half a minute, and none is made while a
+  // page is being opened or left.
   const PAUSE = 400;
   let entry = { index: 0, depths: [] };
-  let stays = [], told = { address: "", depth: 1 }, written = "", last = -PAUSE, timer = 0;
+  let stays = [], told = { address: "", depth: 1 }, written = "", timer = 0;
   let back = () => {}, reopen = () => {}, isMoving = false;
 
   function start(acts) {
@@ -35,7 +36,7 @@ const address = (() => {
     const was = entry.depths[entry.index];
     if (isMoving) return;
     if (was === undefined || told.depth === was) {
-      timer ||= setTimeout(write, Math.max(0, last + PAUSE - performance.now()));
+      timer ||= setTimeout(write, PAUSE);
     } else if (told.depth > was) {
       write();
       entry = { index: entry.index + 1, depths: [...entry.depths.slice(0, entry.index + 1), told.depth] };
@@ -64,7 +65,6 @@ const address = (() => {
     const now = JSON.stringify([hash, said, told.depth]);
     if (way === "replaceState" && now === written) return;
     written = now;
-    last = performance.now();
     const depths = [...entry.depths.slice(0, entry.index), told.depth];
     entry = { index: entry.index, depths };
     const url = hash ? `#${hash}` : location.href.replace(/#.*/s, "");
