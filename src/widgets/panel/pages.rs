@@ -49,11 +49,11 @@ impl Beside {
 /// A panel of [`LargeText`] and its picture, on pages.
 pub(crate) struct PlacedPages<'p> {
     /// What stands on pages of its own.
-    parts: Vec<Part<'p>>,
+    parts: Vec<PagedText<'p>>,
 }
 
 /// Texts that follow each other, with the numbers of their blocks.
-struct Part<'p> {
+struct PagedText<'p> {
     texts: Vec<(usize, &'p LargeText, bool)>,
     set: SetPages,
 }
@@ -63,12 +63,12 @@ struct SetPages {
     pages: BigPages,
     size: LetterSize,
     /// The picture and the words on the first page and on all others.
-    layouts: [Layout; 2],
+    layouts: [PageLayout; 2],
 }
 
 /// A picture, perhaps of no cell, and the words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Layout {
+struct PageLayout {
     picture: Rect,
     words: Rect,
 }
@@ -102,7 +102,7 @@ impl<'p> PlacedPages<'p> {
                 });
             let texts: Vec<_> = texts.collect();
             let set = SetPages::new(&texts, beside, many, room, screen_rows, look)?;
-            Some(Part { texts, set })
+            Some(PagedText { texts, set })
         };
         let parts = parts.into_iter().map(part).collect::<Option<_>>()?;
         Some(Self { parts })
@@ -117,7 +117,7 @@ impl<'p> PlacedPages<'p> {
     }
 
     /// What stands on a page, and its number among the pages of that part.
-    fn at(&self, page: u16) -> Option<(&Part<'p>, usize)> {
+    fn at(&self, page: u16) -> Option<(&PagedText<'p>, usize)> {
         let mut page = usize::from(page);
         self.parts.iter().find_map(|part| {
             if page < part.set.pages() {
@@ -151,7 +151,7 @@ impl<'p> PlacedPages<'p> {
     /// the first of them.
     #[cfg(test)]
     pub(crate) fn parts(&self) -> impl Iterator<Item = (LetterSize, usize, usize, Rect)> + '_ {
-        self.parts.iter().map(|Part { texts, set }| {
+        self.parts.iter().map(|PagedText { texts, set }| {
             let letters = { texts.iter() }.map(|(_, it, _)| it.text.chars().count());
             (set.size, letters.sum(), set.pages(), set.layouts[0].picture)
         })
@@ -188,7 +188,7 @@ impl<'p> PlacedPages<'p> {
     }
 }
 
-impl Part<'_> {
+impl PagedText<'_> {
     /// The blocks that do something when they are clicked, and where they stand on a page.
     fn places(&self, page: usize) -> impl Iterator<Item = (usize, Rect)> + '_ {
         let words = self.set.layout(page).words;
@@ -268,15 +268,15 @@ impl SetPages {
         let has_bar = |(_, it, _): &(usize, &LargeText, bool)| it.share.is_some();
         // A bar below the last text has its row too.
         let last = u16::from(large.last().is_some_and(has_bar));
-        let alone = Layout::new(room, Beside::Nothing, 0);
+        let alone = PageLayout::new(room, Beside::Nothing, 0);
         let all_layouts: Vec<_> = { beside.tenths().rev() }
-            .map(|tenths| Layout::new(room, beside, tenths))
+            .map(|tenths| PageLayout::new(room, beside, tenths))
             .flat_map(|with| [[with, with], [with, alone]])
             .collect();
         let has_bars = large.iter().any(has_bar);
-        let placed = |texts: &[_], gap, size, layouts: [Layout; 2]| {
+        let placed = |texts: &[_], gap, size, layouts: [PageLayout; 2]| {
             let set = |foot: u16| {
-                let rows = |it: Layout| it.words.height.saturating_sub(last + foot);
+                let rows = |it: PageLayout| it.words.height.saturating_sub(last + foot);
                 let rooms = layouts.map(|it| (it.words.width, rows(it)));
                 BigPages::set(texts, gap, size, rooms)
             };
@@ -314,12 +314,12 @@ impl SetPages {
         self.pages.count()
     }
 
-    fn layout(&self, page: usize) -> Layout {
+    fn layout(&self, page: usize) -> PageLayout {
         self.layouts[page.min(1)]
     }
 }
 
-impl Layout {
+impl PageLayout {
     /// A picture of so many tenths of the largest square one, and the words beside it, or
     /// below it where the area is upright.
     fn new(room: Room, beside: Beside, tenths: u16) -> Self {
