@@ -50,7 +50,10 @@ impl Chromium {
             port,
             session: String::new(),
         };
+        // chromedriver hangs now and then where a page writes its address while the driver waits for
+        // it to be loaded: so the driver does not wait, and `open` does.
         let wanted = json!({
+            "pageLoadStrategy": "none",
             "goog:chromeOptions": options, "goog:loggingPrefs": { "performance": "ALL" },
         });
         let body = json!({ "capabilities": { "alwaysMatch": wanted } });
@@ -114,6 +117,13 @@ impl Chromium {
     }
 
     fn ask(&mut self, method: &str, path: &str, body: Option<&Value>) -> Value {
+        let value = self.answer(method, path, body);
+        assert!(value.get("error").is_none(), "{path}: {value}");
+        value
+    }
+
+    /// What the driver answers, which may be an error.
+    fn answer(&mut self, method: &str, path: &str, body: Option<&Value>) -> Value {
         let body = body.map(Value::to_string).unwrap_or_default();
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
         write!(
@@ -139,15 +149,27 @@ impl Chromium {
         let mut answer = vec![0; length];
         reader.read_exact(&mut answer).unwrap();
         let mut answer: Value = serde_json::from_slice(&answer).unwrap();
-        let value = answer["value"].take();
-        assert!(value.get("error").is_none(), "{path}: {value}");
-        value
+        answer["value"].take()
     }
 }
 
 impl Browser for Chromium {
     fn open(&mut self, address: &str) {
+        let before = self.run("window.isLeft = true; return location.href", &[]);
+        let path = format!("/session/{}/execute/sync", self.session);
         self.in_session("url", &json!({ "url": address }));
+        // A link to another part of the same page loads none.
+        let opened = "return document.readyState === 'complete'
+            && (!window.isLeft || arguments[0].split('#')[0] === arguments[1].split('#')[0])";
+        let body = json!({ "script": opened, "args": [before, address] });
+        for _ in 0..400 {
+            // In the midst of it there may be no page to ask.
+            if self.answer("POST", &path, Some(&body)) == Value::Bool(true) {
+                return;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(25));
+        }
+        panic!("{address} is not opened");
     }
 
     fn run(&mut self, script: &str, arguments: &[Value]) -> Value {

@@ -113,6 +113,7 @@ fn a_reload_comes_back_to_the_same_question() {
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_round_that_was_opened_here_is_asked_about_before_it_is_left() {
     let mut browser = opened("");
+    expect(&mut browser, "return String(history.state?.index)", "0");
     browser.run("location.hash = 'quiz=quick-7'", &[]);
     let status = "return document.getElementById('status').textContent.split(' · ')[0]";
     expect(&mut browser, status, "question 1 of 5");

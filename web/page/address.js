@@ -23,22 +23,29 @@ const address = (() => {
     const given = location.hash.slice(1);
     const parts = given.split("&");
     stays = parts.filter((part) => STAYS.test(part));
-    if (history.state?.depths) entry = history.state;
+    const state = history.state;
+    // How many screens are open here is another matter after each opening.
+    if (state?.depths) entry = { index: state.index, depths: state.depths.slice(0, state.index) };
     else entry = { index: entry.depths.length, depths: entry.depths };
     written = "";
-    const said = history.state?.said;
+    const said = state?.said;
     return said ? `${given}${ANSWERS}${said}` : given;
   }
 
   // Takes what the program says after each call.
   function show(reply) {
+    const before = told;
     told = reply;
-    const was = entry.depths[entry.index];
     if (isMoving) return;
-    if (was === undefined || told.depth === was) {
+    // The first that is said of an entry.
+    entry.depths[entry.index] ??= told.depth;
+    const was = entry.depths[entry.index];
+    if (told.depth === was) {
       timer ||= setTimeout(write, PAUSE);
     } else if (told.depth > was) {
-      write();
+      if (timer) put("replaceState", before);
+      clearTimeout(timer);
+      timer = 0;
       entry = { index: entry.index + 1, depths: [...entry.depths.slice(0, entry.index + 1), told.depth] };
       put("pushState");
     } else {
@@ -54,18 +61,16 @@ const address = (() => {
   function write() {
     clearTimeout(timer);
     timer = 0;
-    const was = entry.depths[entry.index];
-    if (isMoving || (was !== undefined && was !== told.depth)) return;
-    put("replaceState");
+    if (!isMoving && entry.depths[entry.index] === told.depth) put("replaceState");
   }
 
-  function put(way) {
-    const [place, said] = told.address.split(ANSWERS);
+  function put(way, { address, depth } = told) {
+    const [place, said] = address.split(ANSWERS);
     const hash = [place, ...stays].filter(Boolean).join("&");
-    const now = JSON.stringify([hash, said, told.depth]);
+    const now = JSON.stringify([hash, said, depth]);
     if (way === "replaceState" && now === written) return;
     written = now;
-    const depths = [...entry.depths.slice(0, entry.index), told.depth];
+    const depths = [...entry.depths.slice(0, entry.index), depth];
     entry = { index: entry.index, depths };
     const url = hash ? `#${hash}` : location.href.replace(/#.*/s, "");
     try {
