@@ -139,7 +139,8 @@ fn times_told(chromium: &mut Chromium) -> usize {
         .chain(std::iter::repeat_n("Enter", 20))
     {
         press(chromium, &[key]);
-        wait(60);
+        // What fails is told after a moment, and the next key would put that away.
+        wait(150);
         let screen = chromium.run(SCREEN, &[]);
         let now = screen.as_str().unwrap().contains("cannot be kept");
         times += usize::from(now && !before);
