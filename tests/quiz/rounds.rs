@@ -199,7 +199,7 @@ fn every_text_can_be_read() {
         }
         for rays in answers {
             let explanation = explain(question, &sure(rays));
-            assert_readable(&explanation.text, 15);
+            assert_readable(&explanation.text, 12);
             assert!(explanation.title.len() <= 28);
             let sentences = explanation.text.matches(['.', ':']).count();
             assert!(sentences >= 2);

@@ -254,7 +254,7 @@ fn check_inverses(text: &str) -> Result<usize, String> {
             "Half the angle is ",
         ),
         ("sin α = ", f64::asin, "so α = "),
-        ("sin α = ", f64::asin, "line of impact, at α = "),
+        ("leaves along n: sin α = ", f64::asin, ", α = "),
     ];
     let mut checked = 0;
     for (mark, inverse, answer) in INVERSES {

@@ -243,8 +243,8 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -
         .says("You assumed 90° in the laboratory frame. But that rule requires one coin at rest.")
         .chooses(None, 2)
         .says(
-            "Did you assume that a fast collision makes the angle large? The speeds do change the \
-             angle. But whether it is more or less than 90° depends only on the angle before.",
+            "Did you assume that a fast collision makes the angle large? Whether it exceeds 90° \
+             depends only on the angle before.",
         )
         .why(format!(
             "For equal masses, with momentum and energy conserved, v₁·v₂ = u₁·u₂. {came} {}.",
@@ -266,18 +266,12 @@ fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Opt
         .ask("What is the angle between their paths in the laboratory frame?")
         .number(Measure::Angle, deg_from_rad(outcome.separation?))
         .wrong(SquareOnTheGround, 90.0)
-        .says(
-            "You answered 90°. In the laboratory frame that is guaranteed only if one coin was \
-               at rest.",
-        )
+        .says("You answered 90°. In the laboratory frame that requires one coin at rest.")
         .wrong(FramesMixed, 180.0)
-        .says(
-            "You answered 180°. That is the angle in the centre-of-mass frame, not in the \
-               laboratory frame.",
-        )
+        .says("You answered 180°. That is the angle in the centre-of-mass frame.")
         .why(format!(
-            "Along the line of impact they exchange velocities, perpendicular to it each keeps its \
-             own: the speeds become {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle \
+            "Along the line of impact n they exchange velocities, along t each keeps its own: the \
+             speeds become {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle \
              is {} / ({v1} × {v2}), and the angle is {separation}.",
             true_minus(&significant(dot))
         ))
@@ -320,18 +314,18 @@ fn speed(
         .says("You treated the coin as if it had been at rest. But here both discs move at first.")
         .wrong(SineCosine, (others * sin).hypot(own * cos))
         .says(
-            "You exchanged the components perpendicular to the line of impact. Those stay the \
-             same; the components along it are exchanged.",
+            "You exchanged the components along t. Those stay the same; the components along n are \
+             exchanged.",
         )
         .wrong(OneLineFormula, others)
         .says(
-            "You exchanged the whole velocities. That is right for a head-on collision; here only \
-             the components along the line of impact are exchanged.",
+            "You exchanged the whole velocities. Off-centre only the components along n are \
+             exchanged.",
         )
         .why(format!(
-            "Along the line of impact equal discs exchange velocities: the {name} gets {taken} m/s \
-             × cos {line}° = {along} m/s. Perpendicular to it the {name} keeps {kept} m/s × sin \
+            "Along the line of impact n the {name} gets the {other}'s {taken} m/s × cos {line}° = {along} m/s. Along t it keeps {kept} m/s × sin \
              {line}° = {across} m/s. Together: √({along}² + {across}²) = {all} m/s.",
             line = bare_degrees(line),
+            other = if of_target { "striker" } else { "coin" },
         ))
 }

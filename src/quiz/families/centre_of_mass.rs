@@ -46,8 +46,7 @@ fn shown(alpha: f64) -> Intermediate {
 /// Why Θ = 180° − 2α.
 fn why_turn(alpha: f64, turn: f64) -> String {
     format!(
-        "In the centre-of-mass frame the component along the line of impact is reversed; the \
-         perpendicular component is not. So Θ = 180° − 2 × {}° = {}.",
+        "In the centre-of-mass frame only the component along the line of impact is reversed. So Θ = 180° − 2 × {}° = {}.",
         shown(alpha),
         degrees(turn)
     )
@@ -71,15 +70,9 @@ fn turn(hit: &Hit, turn: f64) -> Outline {
             DoubleAngleForgotten,
             180.0 - deg_from_rad(hit.alpha().abs()),
         )
-        .says(
-            "You subtracted α from 180° only once. It counts twice: before the collision and \
-               after it.",
-        )
+        .says("You subtracted α from 180° only once. It counts twice.")
         .wrong(FramesMixed, on_board)
-        .says(
-            "That is the striker's deflection in the laboratory frame. In the centre-of-mass \
-             frame the angle is different.",
-        )
+        .says("That is the striker's deflection in the laboratory frame.")
 }
 
 /// Θ from α.
@@ -109,10 +102,7 @@ fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Question> {
     let angle = cm_scattering_angle(alpha, hit.restitution)?;
     turn(&hit, angle)
         .wrong(OffsetAsAngle, 180.0 * (1.0 - offset_mm / reach_mm))
-        .says(
-            "You assumed that the angle is proportional to the offset. It is the sine of α that \
-             is proportional to the offset.",
-        )
+        .says("You made the angle proportional to the offset, which is proportional to sin α.")
         .why(format!(
             "sin α = {} / {}, so α = {}°. {}",
             bare_millimetres(offset_mm),
@@ -177,10 +167,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         .wrong(HalfwayCentre, (u1 + u2).abs() / 2.0)
         .says("You used the mean of the two velocities. The heavier disc counts for more.")
         .wrong(UpsideDown, exchanged.abs())
-        .says(
-            "You swapped the two masses: the velocity of the centre of mass is closer to that \
-               of the heavier disc.",
-        )
+        .says("You swapped the two masses. The heavier disc counts for more.")
         .wrong(ScalarMomentum, (m1 * u1 + m2 * u2.abs()) / (m1 + m2))
         .says(
             "You added the momenta as plain numbers. They point in opposite directions, so one is \
@@ -207,9 +194,7 @@ fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) 
         .ask(text)
         .figure("turn_deg", turn_deg)
         .wrong(FramesMixed, turn_deg)
-        .says(format!(
-            "You used Θ for {mixed}. But Θ is an angle in the centre-of-mass frame."
-        ))
+        .says(format!("You used Θ for {mixed}."))
 }
 
 /// The angle by which the board sees the striker turned, in degrees.
@@ -228,14 +213,12 @@ fn striker_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Question> {
         .number(Measure::Angle, theta1_deg(hit, turn_deg)?)
         .wrong(HalfwayCentre, turn_deg / 2.0)
         .says(
-            "You used half of Θ. That is right for equal masses, where the centre of mass lies \
-             halfway.",
+            "You used half of Θ. That is right only for equal masses.",
         )
         .wrong(UpsideDown, theta1_deg(&hit.exchanged(), turn_deg))
         .says("You swapped the two masses: a heavier striker is deflected less.")
         .why(format!(
-            "In the centre-of-mass frame the striker's speed is m₂u / (m₁ + m₂); the centre of mass \
-             itself moves straight ahead at m₁u / (m₁ + m₂). So tan θ₁ = sin Θ / (cos Θ + m₁ / m₂) \
+            "In the centre-of-mass frame the striker's speed is m₂u / (m₁ + m₂); that frame moves at m₁u / (m₁ + m₂). So tan θ₁ = sin Θ / (cos Θ + m₁ / m₂) \
              = sin {theta}° / (cos {theta}° + {ratio}), and θ₁ = {}.",
             theta1(ratio.value),
             theta = bare_degrees(theta),

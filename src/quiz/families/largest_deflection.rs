@@ -152,35 +152,26 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     let of_k = |k: f64| arcsine(k / (2.0 - k));
     let (sine, most) = if hit.restitution < 1.0 {
         let k = Intermediate::new(k, of_k);
-        let sine = format!("k / (2 − k) = {k} / (2 − {k}), with k = (1 + e) m₂ / (m₁ + m₂)");
+        let sine = format!("k / (2 − k) = {k} / (2 − {k}) for k = (1 + e) m₂ / (m₁ + m₂)");
         (sine, of_k(k.value))
     } else {
         let ratio = Intermediate::new(hit.mass_ratio().recip(), arcsine);
         (format!("m₂ / m₁ = {ratio}"), arcsine(ratio.value))
     };
     let why = format!(
-        "For every offset, the tip of the final velocity vector lies on one circle. The greatest \
-         deflection is along the tangent to it, so sin θ₁ = {sine}. So θ₁ = {most}."
+        "The tips of all final velocity vectors lie on one circle. The greatest deflection is \
+         along its tangent: sin θ₁ = {sine}. So θ₁ = {most}."
     );
     Outline::told(&hit, setting(&hit), unmarked(&hit))
         .named("theta1", "largest-turn")
         .ask("What is the greatest angle by which the striker can be deflected?")
         .number(Measure::Angle, deg_from_rad(theta1))
         .wrong(BeyondLargest, 90.0)
-        .says(
-            "You assumed a deflection of 90°. But a light coin cannot take all of the striker's \
-             forward motion.",
-        )
+        .says("You assumed a deflection of 90°. But a light coin cannot stop the forward motion.")
         .wrong(HeavyUnmoved, 0.0)
-        .says(
-            "You assumed that the striker goes straight on. It is heavier, but every off-centre \
-               collision deflects it.",
-        )
+        .says("You assumed that the striker goes straight on. But off-centre it is deflected.")
         .wrong(SineCosine, 90.0 - deg_from_rad(theta1))
-        .says(
-            "You used a cosine. The lighter the coin, the smaller the deflection, so it must be a \
-             sine.",
-        )
+        .says("You used a cosine. But the lighter the coin, the smaller the deflection.")
         .wrong(Lossless, lossless.map(|(theta1, _)| deg_from_rad(theta1)))
         .says(here_e(
             "That is the greatest angle if no energy is lost.",
@@ -223,9 +214,8 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         .wrong(BeyondLargest, 0.0)
         .says(HEAD_ON)
         .why(format!(
-            "For every offset, the tip of the final velocity vector lies on one circle, at an \
-             angle of 2α around it. At the greatest deflection the vector is along the tangent, so \
-             2α + θ₁ = 90° and α = (90° − {}°) / 2 = {}.",
+            "The tip of the final velocity vector lies on one circle, 2α around it. At the greatest deflection the vector is a tangent, so 2α + θ₁ = 90° and α = \
+             (90° − {}°) / 2 = {}.",
             Intermediate::angle(theta1, |theta1| degrees((FRAC_PI_2 - theta1) / 2.0)),
             degrees(alpha)
         ))

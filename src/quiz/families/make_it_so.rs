@@ -110,9 +110,8 @@ impl ShotTask {
             let of_turn =
                 |ratio: f64| format!("{:.*}", turn.decimals(), deg_from_rad(turn_of(ratio)));
             format!(
-                "With m₁ / m₂ = {ratio}, the deflection Θ in the centre-of-mass frame follows \
-                 from sin(Θ − {theta}°) = {ratio} × sin {theta}°: Θ = {turn}°. So α = 90° − \
-                 {turn}° / 2 = {shown}°, and",
+                "In the centre-of-mass frame sin(Θ − {theta}°) = m₁ / m₂ × sin {theta}° = {ratio} × \
+                 sin {theta}°, so Θ = {turn}°. α = 90° − {turn}° / 2 = {shown}°, and",
                 ratio = Intermediate::new(ratio, of_turn),
                 theta = bare_degrees(wanted),
             )
@@ -125,33 +124,22 @@ impl ShotTask {
                 AlwaysSquare,
                 if_so(!equal && across, reach_mm * wanted.cos()),
             )
-            .says(
-                "You assumed 90° between the paths. That is right for equal masses; here the \
-                 angle is larger.",
-            )
+            .says("You assumed 90° between the paths. That is right only for equal masses.")
             .wrong(CopiedAngle, if_so(across, reach_mm * wanted.sin()))
-            .says(
-                "You used the line of impact as the striker's path. It is the path of the disc \
-                 that is hit.",
-            )
+            .says("You used the line of impact, the target's path, as the striker's.")
             .wrong(
                 OffsetAsAngle,
                 self.at(reach_mm * deg_from_rad(alpha) / 90.0),
             )
             .says(format!(
-                "You assumed that the offset is proportional to α = {}. But it is proportional to \
-                 sin α.",
+                "You made the offset proportional to α = {}, not to sin α.",
                 degrees(alpha)
             ))
             .wrong(SidesExchanged, self.at(-reach_mm * alpha.sin()))
-            .says(
-                "With this offset the striker leaves on the other side. It leaves on the side \
-                 away from the disc that it hits.",
-            )
+            .says("With this offset the striker leaves on the other side, away from the target.")
             .wrong(FramesMixed, if_so(!equal, reach_mm * (wanted / 2.0).cos()))
             .says(format!(
-                "You used {} as the deflection in the centre-of-mass frame. In the laboratory \
-                 frame it is smaller.",
+                "You used {} as Θ, but it is the angle in the laboratory frame.",
                 degrees(wanted)
             ))
             .why(self.why(&why, alpha))

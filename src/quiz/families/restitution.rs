@@ -36,8 +36,8 @@ fn of_any_striker(hit: &Hit) -> String {
 
 const NOT_HERE: &str = "For equal masses the angle is 90° only if no energy is lost.";
 
-const HEAVIER_CLOSES: &str = "You had it the wrong way round: a heavier striker makes the angle \
-                              smaller, and so does a loss.";
+const HEAVIER_CLOSES: &str =
+    "You had it the wrong way round: a heavier striker makes the angle smaller.";
 
 /// Whether, and with which striker, there is a right angle in spite of loss.
 fn square_again(dice: &mut Dice) -> Option<Question> {
@@ -64,8 +64,7 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
         .chooses(LossForbidsSquare, place(3))
         .says("You assumed that a loss rules out the right angle. It only requires other masses.")
         .why(format!(
-            "{COMPONENT} With a loss a striker of equal mass still goes on along it. For m₁ = e m₂ = \
-             {} × {} g = {} g the striker has none.",
+            "{COMPONENT} With a loss equal masses do not do that, but m₁ = e m₂ = {} × {} g = {} g does.",
             significant(e),
             significant(f64::from(coin_g)),
             significant(e * f64::from(coin_g))
@@ -193,17 +192,15 @@ fn corner(dice: &mut Dice) -> Option<Question> {
         .says(here_e(NOT_HERE, e))
         .wrong(LossOnEverything, 90.0 * e)
         .says(
-            "You multiplied the right angle itself by e. But e applies only along the line of \
-             impact.",
+            "You multiplied the right angle by e. But e applies only along the line of impact.",
         )
         .wrong(CopiedAngle, 2.0 * deg_from_rad(alpha))
         .says(twice_alpha(alpha, "coin"))
         .wrong(UpsideDown, 180.0 - deg_from_rad(separation))
         .says("You made the angle larger by as much as the loss makes it smaller.")
         .why(format!(
-            "Of its original speed the striker keeps sin {alpha}° = {across} perpendicular to the line \
-             of impact and (1 − {}) / 2 × cos {alpha}° = {along} along it, the coin's direction. \
-             The tangent of the angle is {across} / {along}, and the angle is {}.",
+            "Of its speed the striker keeps sin {alpha}° = {across} perpendicular to the line of \
+             impact and (1 − {}) / 2 × cos {alpha}° = {along} along it. The tangent of the angle is {across} / {along}, and the angle is {}.",
             significant(e),
             between(across.value, along.value),
             alpha = bare_degrees(alpha),
@@ -234,15 +231,14 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
         .number(Measure::Restitution, e)
         .wrong(EAsEnergy, outcome.energy_after / outcome.energy_before)
         .says(
-            "That is the share of the energy that is left. e compares speeds.",
+            "That is the share of the energy that is left.",
         )
         .wrong(UpsideDown, k * (m1 + m2) / m1 - 1.0)
         .says("You swapped the two masses.")
         .wrong(Lossless, 1.0)
-        .says("If no energy were lost, these masses would leave at another angle to each other.")
+        .says("You assumed e = 1: then the angle would be another.")
         .why(format!(
-            "The striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {shown} of its \
-             velocity along the line of impact. As k = (1 + e) m₂ / (m₁ + m₂), e = {shown} × {} / {} \
+            "Along the line of impact the striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {shown}. As k = (1 + e) m₂ / (m₁ + m₂), e = {shown} × {} / {} \
              − 1 = {}.",
             significant(m1 + m2),
             significant(m2),

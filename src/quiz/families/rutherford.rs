@@ -177,10 +177,7 @@ fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     wrong_ratios(draft, here_deg, there_deg, energy_ratio)
         .says("You inverted the ratio. Counts fall with the angle, and with the energy.")
         .wrong(EveryAngleAlike, energy_ratio)
-        .says(
-            "You considered the energy alone, as if all angles were equally likely. The larger \
-             angle is the rarer one.",
-        )
+        .says("You considered the energy alone. But larger angles are rarer.")
         .why(format!(
             "{} Counts are also proportional to 1 / E²: ({to} / {from})² = {by_energy}. Together: \
              {by_angle} × {by_energy} = {}.",

@@ -206,10 +206,7 @@ fn striker_speed(hit: &Hit) -> Option<Question> {
         )
         .number(Measure::Speed, speed(Rims::Slip))
         .wrong(GripStopsAll, speed(Rims::Stick))
-        .says(
-            "You assumed that they move on together. But smooth rims transfer nothing \
-             perpendicular to the line of impact.",
-        )
+        .says("You assumed that they move on together. But smooth rims do not grip.")
         .wrong(Lossless, speed(Rims::Lossless))
         .says(
             "That is the speed if no energy is lost. With e = 0 both have the same velocity along \
@@ -289,8 +286,7 @@ fn loss(hit: &Hit) -> Option<Question> {
         )
         .wrong(MomentumLost, 100.0 * at_stake)
         .says(
-            "You assumed that all energy of the motion along the line of impact is lost. But \
-             momentum is conserved, so some energy is left.",
+            "You assumed that all energy along the line of impact is lost. But momentum is conserved.",
         )
         .wrong(UpsideDown, 100.0 * share * at_stake)
         .says("You swapped the two masses: with a heavier target more is lost.")

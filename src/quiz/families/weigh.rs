@@ -140,25 +140,20 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
         ))
         .number(Measure::Mass, seen.coin_g)
         .wrong(ScalarMomentum, STRIKER * (u - v1) / v2)
-        .says(
-            "You added the momenta as plain numbers. They are vectors: their perpendicular \
-             components cancel.",
-        )
+        .says("You added the momenta as plain numbers, but they are vectors.")
         .wrong(UpsideDown, STRIKER * STRIKER / seen.coin_g)
         .says(RATIO_UPSIDE_DOWN)
         .wrong(
             SineCosine,
             (STRIKER * v1 * theta1.cos() / (v2 * theta2.cos())).abs(),
         )
-        .says(
-            "You used the components along the original direction. It is the perpendicular \
-             components that cancel.",
-        )
+        .says("You used the components along the original direction.")
         .why(format!(
-            "Perpendicular to the original direction the total momentum is zero: m₁v₁ sin θ₁ = \
-             m₂v₂ sin θ₂. Here m₁v₁ sin θ₁ is {momentum} g m/s and v₂ sin θ₂ is {speed} m/s, so m₂ = \
-             {momentum} / {speed} = {}.",
-            within_readings(&mass(momentum.value, speed.value), &Measure::Mass.print(seen.coin_g))
+            "Their perpendicular momenta cancel: m₁v₁ sin θ₁ = m₂v₂ sin θ₂. So m₂ = {momentum} g m/s / ({speed} m/s) = {}.",
+            within_readings(
+                &mass(momentum.value, speed.value),
+                &Measure::Mass.print(seen.coin_g)
+            )
         ))
 }
 
@@ -179,8 +174,8 @@ fn by_angles(seen: &SeenHit) -> Option<Question> {
         let mass = |k: f64| STRIKER * k / (1.0 + e - k);
         let k = Intermediate::new(k, |k| significant(mass(k)));
         let why = format!(
-            "The striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {k} of its velocity \
-             along the line of impact. As k = (1 + e) m₂ / (m₁ + m₂), m₂ = {} × {k} / (1 + {} − {k}) \
+            "Along the line of impact the striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + \
+             θ₂)) = {k}. As k = (1 + e) m₂ / (m₁ + m₂), m₂ = {} × {k} / (1 + {} − {k}) \
              = {}.",
             significant(STRIKER),
             significant(e),

@@ -97,30 +97,39 @@ fn rays_off(said: &Rays, truth: &Rays, target: &str) -> (&'static str, String) {
             "one is off",
             format!("The {target} is right; the striker {striker_off}."),
         ),
-        _ => (
-            "both are off",
-            format!("The striker {striker_off}; the {target} {target_off}."),
-        ),
+        _ => {
+            let sides = [&striker_off, &target_off].map(|off| off.strip_suffix(WRONG_SIDE));
+            let how = match sides {
+                [Some(striker), Some(other)] => {
+                    format!("The striker {striker}, the {target} {other}, both{WRONG_SIDE}.")
+                }
+                _ => format!("The striker {striker_off}; the {target} {target_off}."),
+            };
+            ("both are off", how)
+        }
     }
 }
 
-/// How a ray is off: "is 12.0° too wide", "does not stay at rest".
+/// What is said of a ray on the other side of the striker's original direction.
+const WRONG_SIDE: &str = " on the wrong side";
+
+/// How a ray is off: "is 12.0° too wide", "does move".
 fn off(said: &Rays, truth: &Rays, ray: Ray) -> String {
     match (said.get(ray), truth.get(ray), said.apart(truth, ray)) {
         (Some(said), Some(true_angle), Some(error)) => {
             // Straight ahead and straight back have no side.
             let has_side = tenths(true_angle.abs()) % 1800 != 0;
-            let how = if has_side && said * true_angle < 0.0 {
-                "off, on the wrong side"
+            let error = degrees(error);
+            if has_side && said * true_angle < 0.0 {
+                format!("is {error} off{WRONG_SIDE}")
             } else if said.abs() > true_angle.abs() {
-                "too wide"
+                format!("is {error} too wide")
             } else {
-                "too narrow"
-            };
-            format!("is {} {how}", degrees(error))
+                format!("is {error} too narrow")
+            }
         }
         (_, None, _) => "should be at rest".into(),
-        (None, ..) | (.., None) => "does not stay at rest".into(),
+        (None, ..) | (.., None) => "does move".into(),
     }
 }
 
@@ -154,16 +163,14 @@ mod tests {
         let equal = explained(Pieces::Equal, 30.0, Some(60.0), 30.0);
         assert_eq!(
             equal,
-            "[right] Right, and this is why. The coin leaves along the line of impact, at 30.0°. \
-             Along that line the striker stops; it keeps only the perpendicular component, at 90° − \
-             30.0° = 60.0°."
+            "[right] Right, and this is why. The coin leaves along the line of impact n, at 30.0°. \
+             Along n the striker stops; it keeps its component along t, at 90° − 30.0° = 60.0°."
         );
         let marbles = explained(Pieces::Marbles, 45.0, Some(63.4), 45.0);
         assert_eq!(
             marbles,
-            "[right] Right, and this is why. The marble leaves along the line of impact, at 45.0°. \
-             The striker keeps 2.12 m/s perpendicular to that line and rebounds at 0.707 m/s along \
-             it: the paths are 108.4° apart, so θ₁ = 108.4° − 45.0° = 63.4°."
+            "[right] Right, and this is why. The marble leaves along the line of impact n, at \
+             45.0°. With 2.12 m/s along t and −0.707 m/s along n the striker leaves at 108.4° to n: θ₁ = 108.4° − 45.0° = 63.4°."
         );
     }
 
@@ -182,14 +189,14 @@ mod tests {
                 30.0,
                 Some(60.0),
                 -20.0,
-                "[one is off] The striker is right; the coin is 50.0° off, on the wrong side.",
+                "[one is off] The striker is right; the coin is 50.0° off on the wrong side.",
             ),
             (
                 Pieces::Equal,
                 30.0,
                 None,
                 20.0,
-                "[both are off] The striker does not stay at rest; the coin is 10.0° too narrow.",
+                "[both are off] The striker does move; the coin is 10.0° too narrow.",
             ),
             (
                 Pieces::Equal,

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use crate::numbers::{bare_degrees, degrees, significant};
+use crate::numbers::{degrees, significant};
 use crate::physics::ImpactPoint;
 use crate::quiz::question::{Hit, Misconception, Ray, Rays};
 
@@ -71,19 +71,15 @@ impl Misconception {
         let alpha = hit.alpha().abs();
         match self {
             Self::CopiedAngle => format!(
-                "You used the impact angle, {}, for the striker. That is the {name}'s angle.",
+                "For the striker you used the impact angle, {}, which is the {name}'s.",
                 degrees(alpha)
             ),
-            Self::AlwaysSquare => format!(
-                "You assumed a right angle, {}° + {} = 90°. That does not hold {}.",
-                bare_degrees(FRAC_PI_2 - alpha),
-                degrees(alpha),
-                if hit.restitution < 1.0 {
-                    "if energy is lost"
-                } else {
-                    "for unequal masses"
-                }
-            ),
+            Self::AlwaysSquare if hit.restitution < 1.0 => {
+                "You assumed a right angle. That does not hold if energy is lost.".into()
+            }
+            Self::AlwaysSquare => {
+                "You assumed a right angle. That does not hold for unequal masses.".into()
+            }
             Self::HalfAndHalf => "You gave each disc 45°. But the two angles are equal only at \
                                   one offset."
                 .into(),
@@ -92,7 +88,7 @@ impl Misconception {
                     striker: Some(theta1),
                     target: Some(theta2),
                 } if !hit.head_on() => format!(
-                    "Your angles are right, but swapped: {} is the {name}'s, {} the striker's.",
+                    "Your angles are swapped: {} is the {name}'s, {} the striker's.",
                     degrees(theta2.abs()),
                     degrees(theta1.abs())
                 ),
@@ -102,41 +98,35 @@ impl Misconception {
                 ),
             },
             Self::HeavyUnmoved if hit.mass_ratio() > 1.0 => {
-                "You sent the heavy striker straight on. But the coin pushes back with an equal \
-                 force."
+                "You sent the heavy striker straight on. But the coin pushes back.".into()
+            }
+            Self::HeavyUnmoved => {
+                "You left the heavy marble at rest. But equal forces act on both \
+                                   discs."
                     .into()
             }
-            Self::HeavyUnmoved => "You left the heavy marble at rest. But the force on the marble \
-                                   is as large as the force on the striker."
-                .into(),
-            Self::StraightOn => format!(
-                "You sent the striker straight on. But the {name} pushes back with an equal force."
-            ),
+            Self::StraightOn => {
+                format!("You sent the striker straight on. But the {name} pushes back.")
+            }
             Self::PushedAhead => format!(
-                "You sent the {name} straight ahead. But smooth discs push only along their line \
-                 of centres."
+                "You sent the {name} straight ahead. But smooth rims push along the line of centres."
             ),
-            Self::SameSide => format!(
-                "You sent both to the {side}. But their sideways momenta must add up to zero, as \
-                 before."
-            ),
-            Self::SidesExchanged => format!(
-                "Your angles are right, but on the wrong sides: the {name} lies to the {side} and \
-                 leaves to the {side}."
-            ),
+            Self::SameSide => {
+                format!("You sent both to the {side}. But their sideways momenta add up to zero.")
+            }
+            Self::SidesExchanged => {
+                format!("Your angles are right, the sides are not: the {name} lies to the {side}.")
+            }
             Self::OffAWall => format!(
-                "You deflected the striker by {}, as if off a wall. But the {name} is free to \
-                 move.",
+                "You deflected the striker by {}, as off a wall. But the {name} can move.",
                 degrees(PI - 2.0 * alpha)
             ),
             Self::OffsetAsAngle => format!(
-                "You used the offset as a share of 90° and got {}. But that share is the sine of \
-                 the angle.",
+                "You used the offset as a share of 90°, {}. But that share is a sine.",
                 degrees(FRAC_PI_2 * hit.alpha().sin().abs())
             ),
             Self::Lossless => format!(
-                "Your angles are right for e = 1. With e = {} the two separate more slowly along \
-                 the line of impact.",
+                "Your angles are those for e = 1. With e = {} the discs separate more slowly.",
                 significant(hit.restitution)
             ),
             Self::AlwaysStops => {

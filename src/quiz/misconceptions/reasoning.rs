@@ -18,10 +18,10 @@ pub(crate) fn reasoning(hit: &Hit) -> String {
     let alpha = degrees(hit.alpha().abs());
     let target = match hit.given {
         ImpactPoint::Angle { .. } => {
-            format!("The {name} leaves along the line of impact, at {alpha}.")
+            format!("The {name} leaves along the line of impact n, at {alpha}.")
         }
         ImpactPoint::Offset { offset_mm } => format!(
-            "sin α = {} / {}: the {name} leaves along the line of impact, at α = {alpha}.",
+            "The {name} leaves along n: sin α = {} / {}, α = {alpha}.",
             bare_millimetres(offset_mm.abs()),
             bare_millimetres(hit.reach_mm())
         ),
@@ -44,8 +44,7 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     // Rounding noise against the speed of the striker.
     if along.abs() <= 1e-9 * hit.speed {
         return format!(
-            "Along that line the striker stops; it keeps only the perpendicular component, at 90° \
-             − {}° = {}.",
+            "Along n the striker stops; it keeps its component along t, at 90° − {}° = {}.",
             Intermediate::angle(alpha, |alpha| degrees(FRAC_PI_2 - alpha)),
             degrees(theta1)
         );
@@ -56,14 +55,11 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
         |along: f64, across: f64| fixed(across.atan2(along).to_degrees(), shown.decimals());
     let along = Intermediate::new(along, |along| between(along, across));
     let across = Intermediate::new(across, |across| between(along.value, across));
-    let rest = match along.value > 0.0 {
-        true => format!("{along} m/s along it"),
-        false => format!("rebounds at {} m/s along it", along.size()),
-    };
+    let sign = if along.value < 0.0 { "−" } else { "" };
     format!(
-        "The striker keeps {across} m/s perpendicular to that line and {rest}: the paths are \
-         {shown}° apart, so θ₁ = {shown}° − {alpha}° = {}.",
-        degrees(theta1)
+        "With {across} m/s along t and {sign}{along} m/s along n the striker leaves at {shown}° to n: θ₁ = {shown}° − {alpha}° = {}.",
+        degrees(theta1),
+        along = along.size()
     )
 }
 
