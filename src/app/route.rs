@@ -20,13 +20,14 @@ impl Data {
                     "the number or the name of a chapter, such as 2 or the-line-of-impact";
                 let (name, page) = value.split_once(':').unwrap_or((value, ""));
                 let number = self.book.library().find(name).ok_or(expected)?;
-                match page
-                    .parse()
-                    .ok()
-                    .and_then(|page: usize| page.checked_sub(1))
-                {
-                    Some(page) => Place::Page { number, page },
-                    None => Place::Chapter { number },
+                let pages = self.book.chapter(number).map_or(0, |it| it.pages.len());
+                match page.parse() {
+                    _ if page.is_empty() => Place::Chapter { number },
+                    Ok(page) if (1..=pages).contains(&page) => Place::Page {
+                        number,
+                        page: page - 1,
+                    },
+                    _ => return Err(format!("a page of that chapter, 1 to {pages}")),
                 }
             }
             "lab" if value.is_empty() => Place::Lab,
@@ -81,18 +82,18 @@ impl Data {
     }
 }
 
-/// What stands between the address of a round and the answers that were given in it.
+/// Separates the address of a round from the answers given in it.
 const ANSWERS: &str = "&said=";
 
-/// The name of a place, by which [`Data::place`] finds it again; with the answers behind
-/// [`ANSWERS`], where they can be given again.
+/// The address of a place, from which [`Data::place`] finds it again. Answers given in a round
+/// follow after [`ANSWERS`].
 pub(super) fn address(place: &Place, cx: &Context) -> String {
     let named = |name: &str, value: &str| match value {
         "" => name.to_owned(),
         value => format!("{name}={value}"),
     };
     let round = |name: &str, code: &Code| match code.course.kind {
-        // What is due is another matter at every review.
+        // A review has no code that another player, or the same one later, could use.
         CourseKind::Review(_) => name.to_owned(),
         _ => named(name, &code.to_string()),
     };
@@ -150,7 +151,7 @@ pub(super) fn address(place: &Place, cx: &Context) -> String {
 }
 
 impl Place {
-    /// A round with the answers that its address says were given in it.
+    /// A round with the answers in its address.
     ///
     /// # Errors
     /// What was expected instead.
@@ -249,6 +250,18 @@ mod tests {
                 }
             }
             assert!(app.address().0.contains(ANSWERS), "{code}");
+        }
+    }
+
+    #[test]
+    fn a_page_that_a_chapter_does_not_have_is_refused() {
+        for value in ["2:0", "2:99", "2:-1", "2:x"] {
+            let refused = Data::default().place("lesson", value);
+            let message = refused.expect_err(value);
+            assert!(
+                message.starts_with("a page of that chapter, 1 to "),
+                "{message}"
+            );
         }
     }
 
