@@ -156,8 +156,8 @@ impl App {
         app
     }
 
-    /// The name of where one is and how many screens are open, the first one among them. By the
-    /// name [`Data::place`] finds the same again, as far as it can be left and come back to.
+    /// The address of the current screen, and how many screens are open, including the first.
+    /// [`Data::place`] finds the same screen from the address.
     pub fn address(&self) -> (String, usize) {
         let cx = &self.context;
         let top = self.stack.last().map(|screen| screen.place(cx));
@@ -175,7 +175,7 @@ impl App {
         &mut self.context.settings
     }
 
-    /// What the player's system would have: it holds for what the player has not chosen.
+    /// Applies the preferences of the player's system to settings that the player has not changed.
     pub fn prefer(&mut self, palette: Palette, reduced_motion: bool) {
         let preferred = Settings {
             palette,

@@ -1,8 +1,8 @@
-//! A collision in one word, as links and addresses have it: `m1:15,m2:5.5,b:12,e:0.8`.
+//! A collision as part of a link: `m1:15,m2:5.5,b:12,e:0.8`.
 
 use super::{Bond, CollisionSpec, FieldRange, ImpactPoint};
 
-/// The direction of the striker, which no file gives: what is drawn turns with it.
+/// The direction of the striker; files do not have it.
 const AIM: FieldRange = FieldRange::new("aim", "a direction in degrees", -180.0, 180.0);
 
 /// What each short name stands for in files.
@@ -21,8 +21,8 @@ const SHORT: [(&str, &str); 11] = [
 ];
 
 impl CollisionSpec {
-    /// What differs from the worked shot, in one word; empty where nothing does. Each number has
-    /// all its digits, so that [`from_link`](Self::from_link) gives exactly the same collision.
+    /// The fields that differ from the worked shot; empty if none does. Each number has all its
+    /// digits, so that [`from_link`](Self::from_link) gives exactly the same collision.
     pub fn to_link(self) -> String {
         let usual = Self::default();
         let mut parts = Vec::new();
@@ -50,7 +50,7 @@ impl CollisionSpec {
         parts.join(",")
     }
 
-    /// The collision that such a word says.
+    /// The collision of such a text.
     ///
     /// # Errors
     /// What was expected instead.

@@ -48,7 +48,7 @@ pub trait Screen {
     /// Its name for the title line, in lower case.
     fn title(&self) -> String;
 
-    /// Where one comes back to what is shown here, as far as that has a name.
+    /// The route that leads back to what the screen shows now.
     fn place(&self, _cx: &Context) -> Place {
         Place::Home
     }

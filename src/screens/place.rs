@@ -35,11 +35,11 @@ pub enum Place {
         /// The code of the round to play; with `None` one is chosen there.
         code: Option<Code>,
     },
-    /// A round of the quiz that goes on where it was left.
+    /// A round of the quiz, resumed where it was left.
     OpenRound {
         /// The code of the round.
         code: Code,
-        /// What has been answered, in the order of its questions. It is noted already.
+        /// The answers so far, in the order of the questions. They are already saved.
         answers: Vec<Answer>,
         /// Whether the last of them is still being explained.
         is_explained: bool,

@@ -1,13 +1,13 @@
-// Where one is, in the page's address and the browser's history: each screen that is opened is
-// an entry, so Back goes back, a reload stays, and what the address says can be given to others.
+// Keeps the page's address and the browser's history in step with the program: each screen that is
+// opened is an entry, so Back goes back, a reload stays, and the address can be given to others.
 
 const address = (() => {
-  // What a link says beside where to go, and what stays while one goes elsewhere.
+  // The parts of a link that stay when another screen is opened.
   const STAYS = /^(plain|player|charset|color|palette)(=|$)/;
-  // What has been answered in a round stands in the entry, not in what others are given.
+  // The answers given in a round are kept in the history's entry, not in the address.
   const ANSWERS = "&said=";
-  // Browsers allow some hundred changes of an address in half a minute, and none is made while a
-  // page is being opened or left.
+  // Browsers limit how often an address changes: Safari to 100 times in 30 s. The pause also keeps
+  // the page from changing it while the page is being opened or left.
   const PAUSE = 400;
   let entry = { index: 0, depths: [] };
   let stays = [], told = { address: "", depth: 1 }, written = "", timer = 0;
@@ -18,13 +18,13 @@ const address = (() => {
     addEventListener("popstate", moved);
   }
 
-  // What the page opens with: what a link says, and what was answered before a reload.
+  // The link that the page opens, with the answers given before a reload.
   function fragment() {
     const given = location.hash.slice(1);
     const parts = given.split("&");
     stays = parts.filter((part) => STAYS.test(part));
     const state = history.state;
-    // How many screens are open here is another matter after each opening.
+    // The program may open another number of screens than before the reload.
     if (state?.depths) entry = { index: state.index, depths: state.depths.slice(0, state.index) };
     else entry = { index: entry.depths.length, depths: entry.depths };
     written = "";
@@ -32,12 +32,12 @@ const address = (() => {
     return said ? `${given}${ANSWERS}${said}` : given;
   }
 
-  // Takes what the program says after each call.
+  // Takes the address and the number of open screens that the program reports after each call.
   function show(reply) {
     const before = told;
     told = reply;
     if (isMoving) return;
-    // The first that is said of an entry.
+    // The first report for an entry.
     entry.depths[entry.index] ??= told.depth;
     const was = entry.depths[entry.index];
     if (told.depth === was) {
@@ -57,7 +57,7 @@ const address = (() => {
     }
   }
 
-  // Brings the entry up to date, if it is still of the same screen.
+  // Writes the entry, unless another screen has been opened since.
   function write() {
     clearTimeout(timer);
     timer = 0;
@@ -76,13 +76,13 @@ const address = (() => {
     try {
       history[way]({ ...entry, said }, "", url);
     } catch {
-      // A browser that allows no more for now: the next change brings it.
+      // The browser's limit is reached: the next change writes it.
       written = "";
     }
   }
 
   function moved({ state }) {
-    // An address that was typed, or a link in the page.
+    // The address was typed, or a link in the page was followed.
     if (!state?.depths) {
       entry = { index: entry.index + 1, depths: entry.depths.slice(0, entry.index + 1) };
       return reopen();
@@ -95,12 +95,12 @@ const address = (() => {
       return show(told);
     }
     if (state.index > before) return reopen();
-    // Not all can be left: a round asks first. Then its entry is made anew.
+    // A round asks before it is left. Then its entry is pushed again.
     back();
     show(told);
   }
 
-  // What others can be given, to see the same.
+  // The link to what is shown.
   const link = () => {
     write();
     return location.href;

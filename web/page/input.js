@@ -172,7 +172,7 @@ const input = (() => {
     panels.leaveOut(likely);
   }
 
-  // Fades the edge behind which there are more buttons.
+  // Fades the edge of the row while there are more buttons behind it.
   function markEdge() {
     const row = bar.querySelector(".row");
     if (!row) return;
@@ -193,7 +193,7 @@ const input = (() => {
     return node;
   }
 
-  // A button is called what is written on it, where that is words; the rest is its description.
+  // The accessible name of a button is its text, if that is words; the help is its description.
   function named(node, help, below = "") {
     const isWords = /\p{L}{2}/u.test(node.textContent);
     if (isWords && !below) node.title = help;

@@ -12,7 +12,7 @@ const page = (() => {
   // The most bytes of a file that is opened. A progress.db has about 200 for each answer.
   const LARGEST = 64 * 2 ** 20;
 
-  // What the player's system would have.
+  // The preferences of the player's system.
   const LIGHT = matchMedia("(prefers-color-scheme: light)");
   const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -29,6 +29,7 @@ const page = (() => {
     }
     ready = true;
     input.start(speak);
+    panels.start({ copy });
     classroom.start(speak);
     addEventListener("resize", fit);
     (self.visualViewport || self).addEventListener("resize", fit);
@@ -164,7 +165,7 @@ const page = (() => {
   }
 
   function kept(failed) {
-    // Without that a browser may drop what is kept when the disk is full.
+    // Without this a browser may delete the data when the disk is full.
     if (!failed && !isAsked) navigator.storage?.persist?.()?.catch?.(() => {});
     isAsked = true;
     speak({ do: "kept", failed });
@@ -271,7 +272,7 @@ const page = (() => {
     }
   }
 
-  // Copies a text, also where a page may not write to the clipboard by itself.
+  // Copies a text, also where the page has no access to the clipboard.
   async function copy(text) {
     try {
       await navigator.clipboard.writeText(text);
@@ -303,7 +304,7 @@ const page = (() => {
     draw();
   }
 
-  return { start, step, copy, isReady: () => ready, seen: () => ({ ...seen }) };
+  return { start, step, isReady: () => ready, seen: () => ({ ...seen }) };
 })();
 
 // For tests, which drive a carrom of their own with these.

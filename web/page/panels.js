@@ -5,7 +5,7 @@
 const panels = (() => {
   const screen = document.getElementById("screen");
   const layer = document.getElementById("layer");
-  const act = { key() {}, press() {} };
+  const act = { key() {}, press() {}, copy() {} };
   let sheets = [], wasAt = "", prompt = null;
 
   // A number with what stands behind it, as far as it has been typed.
@@ -18,7 +18,7 @@ const panels = (() => {
     return node;
   }
 
-  // A question of one's own may be written from the right to the left.
+  // A teacher's own question may run from right to left.
   const anyWay = (node) => Object.assign(node, { dir: "auto" });
   const write = (node, text) => node.textContent === text || (node.textContent = text);
   const mark = (node, kind, is) => node.classList.toggle(kind, Boolean(is));
@@ -256,7 +256,7 @@ const panels = (() => {
       const link = make("a");
       const copy = make("button", "", "Copy the link");
       copy.type = "button";
-      pressed(copy, () => page.copy(link.href));
+      pressed(copy, () => act.copy(link.href));
       return [make("p", "code", text, link, copy), ([item]) => {
         write(text, `${item.text}: `);
         link.href = `#${item.address}`;
@@ -292,7 +292,7 @@ const panels = (() => {
     },
   };
 
-  // "15.0 mm right", and not "15 g on 5.5 g", which is one of a few values.
+  // "15.0 mm right" is a number; "15 g on 5.5 g" is one of a few values.
   const isNumber = ({ value }) => /^[−-]?[\d.,]*_|^[−-]?\d[\d.,]*\D*$/.test(value);
 
   // Chooses a field, unless it is chosen, or was since the last frame.
@@ -470,7 +470,7 @@ const panels = (() => {
       mark(node, "tabbed", told.items.every(({ is }) => is === "tab"));
       drawItems(body, told.items);
       for (const canvas of body.querySelectorAll("canvas")) {
-        // Where a picture has no words of its own, those beside it say as much.
+        // A picture without a description of its own is described by the words beside it.
         const words = canvas.carromShows || `Picture: ${title.textContent}. The words beside it say what it shows.`;
         canvas.setAttribute("aria-label", words);
       }
@@ -504,7 +504,7 @@ const panels = (() => {
     if (isNew) for (const node of [screen, left, right]) node.scrollTop = 0;
     wasAt = at;
     const chosen = screen.querySelector(".field.chosen, .choice.chosen");
-    // What is new is read from its top; a list shows what is marked in it.
+    // A new screen is read from its top; a list scrolls to its selected item.
     const isSought = chosen && chosen !== lastChosen && !(isNew && chosen.matches(".field"));
     if (isSought && !isSeen(chosen)) chosen.scrollIntoView({ block: "nearest" });
     lastChosen = chosen;
@@ -515,8 +515,8 @@ const panels = (() => {
   }
   let lastChosen = null;
 
-  // Says what is new to whoever does not see it: another screen by its name, and sentences that
-  // were not there before; not that a number in them has changed, as a clock's does.
+  // Announces what is new to screen readers: the name of another screen, and sentences that were
+  // not there before. A number that changes in a sentence, such as a countdown's, is not announced.
   const news = document.getElementById("news");
   let known = new Set(), fresh = [], called = "", timer = 0;
   function announce({ title, sections }) {

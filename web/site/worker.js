@@ -1,6 +1,5 @@
-// Keeps the whole site in the browser, so that it opens without a network. A version of the site
-// is kept whole or not at all, and the next one takes its place when no page of the old one is
-// open any more.
+// Keeps the whole site in the browser, so that it opens without a network. A version of the site is
+// kept as a whole or not at all, and the next one replaces it when no page of the old one is open.
 "use strict";
 
 const VERSION = "{{version}}";
@@ -8,7 +7,7 @@ const FILES = {{files}};
 
 self.addEventListener("install", (event) => {
   event.waitUntil(caches.open(VERSION).then((cache) => {
-    // Not what an older version has left in the browser's own cache.
+    // From the server, not from the browser's own cache.
     return cache.addAll(FILES.map((file) => new Request(file, { cache: "reload" })));
   }));
 });

@@ -57,11 +57,11 @@ pub enum Command {
         /// "none", "16", "256" or "truecolor".
         color: Option<String>,
     },
-    /// The player's system would have it light, or still.
+    /// The preferences of the player's system have changed.
     Prefer {
-        /// Whether the player likes it light.
+        /// Whether it prefers a light theme.
         light: bool,
-        /// Whether the player does not like things to move.
+        /// Whether it prefers reduced motion.
         still: bool,
     },
     /// Draw the screen.
@@ -221,7 +221,7 @@ pub struct Reply {
     pub gone: Vec<String>,
     /// What is said in plain lines, or how a glyph is drawn.
     pub lines: Vec<String>,
-    /// The name of where one is, as a link has it; behind `&said=` the answers given there.
+    /// The address of the current screen, as in a link; after `&said=` the answers given there.
     pub address: String,
     /// How many screens are open.
     pub depth: usize,

@@ -57,7 +57,7 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
     app
 }
 
-/// The colours of a player who likes it light or dark.
+/// The palette for a light or a dark theme.
 pub(crate) const fn palette(light: bool) -> Palette {
     match light {
         true => Palette::Light,

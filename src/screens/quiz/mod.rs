@@ -127,9 +127,9 @@ impl Quiz {
         quiz
     }
 
-    /// The round of a code that goes on after these answers, which are noted already.
-    /// `is_explained` if the last of them is still being explained. Answers that do not fit
-    /// their questions are left out, with all behind them.
+    /// The round of a code, resumed after these answers, which are already saved.
+    /// `is_explained` says whether the last of them is still being explained. The first answer
+    /// that does not fit its question is dropped, with all that follow.
     pub(crate) fn left_at(
         code: Code,
         answers: &[Answer],

@@ -75,8 +75,7 @@ enum Content {
     Line(String, Role),
     /// A text.
     Paragraph(String, Role),
-    /// Something to be given to others: what it is, the command that opens it, and its
-    /// address for a link.
+    /// Something to share: what it is, the command that opens it, and its address.
     Code {
         text: String,
         command: String,
@@ -402,8 +401,8 @@ impl<A> Panel<A> {
         self.push(Content::Paragraph(text.into(), role));
     }
 
-    /// Something to be given to others: what it is, the command that opens it, and its address,
-    /// which a page makes a link of.
+    /// Something to share: what it is, the command that opens it, and its address, which the page
+    /// shows as a link.
     pub(crate) fn code(
         &mut self,
         text: impl Into<String>,

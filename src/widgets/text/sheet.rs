@@ -154,7 +154,7 @@ pub enum Words {
         /// Its colour.
         role: Role,
     },
-    /// Something to be given to others.
+    /// Something to share.
     Code {
         /// What it is.
         text: String,
