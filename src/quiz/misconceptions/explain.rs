@@ -170,7 +170,7 @@ mod tests {
         assert_eq!(
             marbles,
             "[right] Right, and this is why. The marble leaves along the line of impact n, at \
-             45.0°. With 2.12 m/s along t and −0.707 m/s along n the striker leaves at 108.4° to n: θ₁ = 108.4° − 45.0° = 63.4°."
+             45.0°. The striker has 2.12 m/s along t and −0.707 m/s along n, at 108.4° to n: θ₁ = 108.4° − 45.0° = 63.4°."
         );
     }
 

@@ -57,7 +57,7 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     let across = Intermediate::new(across, |across| between(along.value, across));
     let sign = if along.value < 0.0 { "−" } else { "" };
     format!(
-        "With {across} m/s along t and {sign}{along} m/s along n the striker leaves at {shown}° to n: θ₁ = {shown}° − {alpha}° = {}.",
+        "The striker has {across} m/s along t and {sign}{along} m/s along n, at {shown}° to n: θ₁ = {shown}° − {alpha}° = {}.",
         degrees(theta1),
         along = along.size()
     )
