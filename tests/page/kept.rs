@@ -254,11 +254,62 @@ fn a_database_of_the_program_is_opened_in_the_page() {
 
 /// Drops a `progress.db` with these bytes on the page.
 fn drop_file(chromium: &mut Chromium, bytes: &[u8]) {
+    drop_named(chromium, "progress.db", bytes);
+}
+
+/// Drops a file on the page.
+fn drop_named(chromium: &mut Chromium, name: &str, bytes: &[u8]) {
     let script = "
         const dropped = new DataTransfer();
-        dropped.items.add(new File([new Uint8Array(arguments[0])], 'progress.db'));
+        dropped.items.add(new File([new Uint8Array(arguments[1])], arguments[0]));
         dispatchEvent(new DragEvent('drop', { dataTransfer: dropped }));";
-    chromium.run(script, &[json!(bytes)]);
+    chromium.run(script, &[json!(name), json!(bytes)]);
+}
+
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn an_opened_file_shows_at_once_in_the_lists_it_belongs_to() {
+    let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
+    chromium.open(&format!("{page}#quiz"));
+    wait_until_ready(&mut chromium);
+    let questions = include_bytes!("../../assets/examples/questions/our-coins.toml");
+    drop_named(&mut chromium, "our-coins.toml", questions);
+    wait_for(&mut chromium, "our-coins.toml is saved");
+    press(&mut chromium, &["Enter"]);
+    wait_for(&mut chromium, "your own questions");
+    chromium.open(&format!("{page}#quiz=separation-5"));
+    wait_until_ready(&mut chromium);
+    press(&mut chromium, &["a", "Enter", "2"]);
+    wait(300);
+    let answered = progress(&mut chromium);
+    let mut another = Chromium::start((1000, 700), false);
+    another.open(&format!("{page}#progress"));
+    wait_until_ready(&mut another);
+    let before = another.run(SCREEN, &[]);
+    drop_file(&mut another, &answered);
+    wait_for(&mut another, "has been added to your progress here");
+    press(&mut another, &["Enter"]);
+    wait(300);
+    assert_ne!(another.run(SCREEN, &[]), before);
+}
+
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn a_tab_shows_what_another_has_saved_when_it_gets_the_focus() {
+    let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
+    chromium.open(&format!("{page}#progress"));
+    wait_until_ready(&mut chromium);
+    let none = chromium.run(SCREEN, &[]);
+    let first = chromium.window();
+    chromium.another_window();
+    chromium.open(&format!("{page}#quiz=separation-5"));
+    wait_until_ready(&mut chromium);
+    press(&mut chromium, &["a", "Enter", "2"]);
+    wait(300);
+    chromium.go_to(&first);
+    chromium.run("dispatchEvent(new Event('focus'))", &[]);
+    wait(600);
+    assert_ne!(chromium.run(SCREEN, &[]), none);
 }
 
 /// Waits until the page shows these words.

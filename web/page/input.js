@@ -46,6 +46,24 @@ const input = (() => {
 
   const key = (name) => say({ do: "key", key: name });
 
+  // Keys of one character can be turned off: software that types what is spoken would press them.
+  const SINGLE_KEYS = "carrom-single-keys";
+  let hasSingleKeys = true;
+  try {
+    hasSingleKeys = localStorage.getItem(SINGLE_KEYS) !== "off";
+  } catch {
+    // A browser that keeps nothing.
+  }
+
+  function switchSingleKeys() {
+    hasSingleKeys = !hasSingleKeys;
+    try {
+      localStorage.setItem(SINGLE_KEYS, hasSingleKeys ? "on" : "off");
+    } catch {
+      // It holds until the page is left.
+    }
+  }
+
   // Does what a key in a field does that goes on or elsewhere, and follows it there.
   function leave(name) {
     panels.follow();
@@ -79,6 +97,7 @@ const input = (() => {
     });
     document.getElementById("choices").replaceChildren(...choices);
     document.querySelector("[data-does=share]").hidden = !navigator.share;
+    document.querySelector("[data-does=single-keys]").textContent = `Turn single-letter keys ${hasSingleKeys ? "off" : "on"}`;
     document.getElementById("menu").showModal();
   }
 
@@ -109,7 +128,7 @@ const input = (() => {
     }
     const onButton = event.target.closest?.("button, a, summary");
     if (onButton && ["Enter", " "].includes(event.key)) return;
-    if (event.target === typing && letter) return;
+    if (letter && (event.target === typing || !hasSingleKeys)) return;
     if (!name && !letter) return;
     event.preventDefault();
     key(name || letter);
@@ -296,5 +315,5 @@ const input = (() => {
     key(row ? row.keys[0] : "Escape");
   }
 
-  return { start, show, key, back };
+  return { start, show, key, back, switchSingleKeys };
 })();

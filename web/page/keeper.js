@@ -81,6 +81,21 @@ const keeper = (() => {
     }
   }
 
+  // Whether another tab has saved something since this one read or wrote.
+  async function isBehind() {
+    try {
+      if (busy) return false;
+      const number = base.transaction("files", "readonly").objectStore("files").get("");
+      await new Promise((resolve, reject) => {
+        number.onsuccess = resolve;
+        number.onerror = reject;
+      });
+      return !busy && (number.result || 0) !== known;
+    } catch {
+      return false;
+    }
+  }
+
   // Saves the changes in the browser's database; calls `slow` if that takes long, and `done`
   // with the reason if it failed. The program decides when to try again.
   async function keep(done, slow = () => {}) {
@@ -156,5 +171,5 @@ const keeper = (() => {
     return `the browser cannot save it (${name || "no reason given"})`;
   }
 
-  return { opened, files, keep, packed, kept: () => safe };
+  return { opened, files, isBehind, keep, packed, kept: () => safe };
 })();

@@ -47,6 +47,10 @@ const page = (() => {
     for (const query of [LIGHT, STILL]) {
       query.addEventListener("change", () => speak({ do: "prefer", light: LIGHT.matches, still: STILL.matches }));
     }
+    addEventListener("focus", async () => {
+      isBehind ||= await keeper.isBehind();
+      catchUp();
+    });
     // What could not be kept is lost with the page.
     addEventListener("beforeunload", (event) => {
       if (!last.owed) return;
@@ -140,6 +144,7 @@ const page = (() => {
       heed(reply);
       outdated = true;
       schedule();
+      catchUp();
       return reply;
     } catch (error) {
       fail(error);
@@ -148,6 +153,18 @@ const page = (() => {
   }
 
   let last = { wake_ms: null };
+
+  // Screens that show what is saved, and on which nothing is lost if they are opened again.
+  const SHOWS_SAVED = /^(|learn|levels|progress|quiz)$/;
+
+  // Whether something was saved, by another tab or from a file, that this one does not show yet.
+  let isBehind = false;
+
+  async function catchUp() {
+    if (!isBehind || isPlain || menu.open || last.owed || !SHOWS_SAVED.test(last.address)) return;
+    isBehind = false;
+    await reopen();
+  }
 
   function heed(reply) {
     if (reply.fault) throw new Error(reply.fault);
@@ -243,7 +260,11 @@ const page = (() => {
     } catch {
       return tell(`${file.name} cannot be read.`);
     }
-    speak({ do: "file", name: file.name }, content);
+    const renewed = speak({ do: "file", name: file.name }, content)?.renewed;
+    if (!renewed) return;
+    isBehind = true;
+    await catchUp();
+    tell(renewed);
   }
 
   function give(name, content) {
@@ -261,6 +282,7 @@ const page = (() => {
     if (key) input.key(key);
     if (does === "open") chooser.click();
     if (does === "type") typing.focus();
+    if (does === "single-keys") input.switchSingleKeys();
     if (does === "plain") location.hash = "plain";
     if (does === "copy") copy(address.link());
     if (does === "share") navigator.share({ title: document.title, url: address.link() }).catch(() => {});

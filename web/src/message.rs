@@ -225,6 +225,9 @@ pub struct Reply {
     pub address: String,
     /// How many screens are open.
     pub depth: usize,
+    /// What to tell the player once the page has opened again, which shows what a file has
+    /// changed.
+    pub renewed: Option<String>,
     /// Something that is wrong, in words.
     pub fault: Option<String>,
     /// The bytes of the files.

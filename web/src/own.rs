@@ -76,7 +76,8 @@ pub(crate) fn path(name: &str, bytes: &[u8]) -> Option<String> {
     })
 }
 
-/// Takes in a file that the player has opened, and says what has come of it.
+/// Takes in a file that the player has opened. Gives what has come of it in words, and whether
+/// carrom has to be opened again to show it.
 ///
 /// # Errors
 /// What is wrong with it, in words.
@@ -84,14 +85,13 @@ pub(crate) fn take_in(
     keeping: &mut PageStorage,
     name: &str,
     bytes: &[u8],
-) -> Result<String, String> {
+) -> Result<(String, bool), String> {
     let wrong = |error: String| format!("{name} cannot be opened: {error}");
     if bytes.starts_with(DATABASE) || name.ends_with(".db") {
         let progress = Change::Progress(bytes.to_vec());
         keeping.take_in(progress).map_err(wrong)?;
-        return Ok(format!(
-            "The progress in {name} has been added to your progress here."
-        ));
+        let words = format!("The progress in {name} has been added to your progress here.");
+        return Ok((words, true));
     }
     if let Some(path) = path(name, bytes) {
         let data = data(&[(path.clone(), bytes.to_vec())]);
@@ -105,9 +105,12 @@ pub(crate) fn take_in(
         }
         let file = (format!("{OWN}{path}"), bytes.to_vec());
         keeping.take_in(Change::Own(file)).map_err(wrong)?;
-        return Ok(format!(
-            "{name} is saved. It will be here when you open this page again."
-        ));
+        let found = match path.split('/').next() {
+            Some("levels") => "Its level is under Levels, in the pack \u{201c}own\u{201d}",
+            Some("lessons") => "Its chapter is under Learn",
+            _ => "Its questions are under Quiz, in the round \u{201c}your own questions\u{201d}",
+        };
+        return Ok((format!("{name} is saved. {found}."), true));
     }
     if name.ends_with(".toml") {
         let is_class = String::from_utf8_lossy(bytes).contains("\nteams");
@@ -117,7 +120,7 @@ pub(crate) fn take_in(
             false => (Change::Game(file), "the saved games"),
         };
         let taken = keeping.take_in(change).map_err(wrong);
-        return taken.map(|()| format!("{name} has been added to {place}."));
+        return taken.map(|()| (format!("{name} has been added to {place}."), false));
     }
     Err(format!(
         "carrom cannot open {name}. It opens progress.db, a saved game, a round of a class, a level, a \

@@ -180,8 +180,8 @@ impl Shell {
                 }
             }
             Command::File { name } => match own::take_in(&mut self.keeping, &name, bytes) {
-                Ok(words) => self.app.tell(words),
-                Err(words) => self.app.tell(words),
+                Ok((words, true)) => told.renewed = Some(words),
+                Ok((words, false)) | Err(words) => self.app.tell(words),
             },
             Command::Progress => match self.keeping.store().files() {
                 Ok(files) => {
@@ -217,6 +217,7 @@ impl Shell {
             bytes: told.bytes,
             gone: told.gone,
             lines: told.lines,
+            renewed: told.renewed,
             fault: told.fault,
             ..self.reply()
         }
@@ -323,8 +324,7 @@ impl Shell {
     /// What the screen says, without the sections that are as they were told last; `None` if
     /// all are.
     fn changed_sheets(&mut self, sheets: Vec<Sheet>) -> Option<Vec<message::SheetMessage>> {
-        // Who compares cells has no use for it.
-        if self.opening.simulated || sheets == self.told_sheets {
+        if sheets == self.told_sheets {
             return None;
         }
         let before = mem::take(&mut self.told_sheets);
