@@ -191,12 +191,18 @@ const panels = (() => {
     }],
     columns: () => {
       const body = make("tbody");
-      return [make("table", "columns", body), (items) => {
+      const table = make("table", "columns", body);
+      // The roles stay where a narrow screen lays a row out as lines.
+      table.setAttribute("role", "table");
+      return [table, (items) => {
         sync(body, items, (row) => `${row.chosen !== null}/${row.values.length}`, (row) => {
           const name = make("th");
           name.scope = "row";
+          name.setAttribute("role", "rowheader");
           const values = row.values.map(() => make("td"));
+          for (const cell of values) cell.setAttribute("role", "cell");
           const node = make("tr", "", name, ...values);
+          node.setAttribute("role", "row");
           const pick = row.chosen !== null && button("choice", () => does(node.item));
           if (pick) {
             name.append(pick);
@@ -211,6 +217,14 @@ const panels = (() => {
           };
           return node;
         });
+        // On a narrow screen each value of a long row has the name of its column beside it.
+        const head = items.find((row) => !row.name.text && row.chosen === null);
+        const isWide = Boolean(head) && head.values.length > 4;
+        mark(table, "wide", isWide);
+        for (const row of isWide ? body.rows : []) {
+          [...row.cells].slice(1).forEach((cell, i) => (cell.dataset.name = head.values[i]?.text || ""));
+          mark(row, "head", row === body.rows[items.indexOf(head)]);
+        }
       }];
     },
     choices: () => [make("div", "choices"), function (items) {
@@ -346,6 +360,8 @@ const panels = (() => {
         choose(item);
         input.select();
       });
+      // A tap on a field that has the focus already would put the caret into the number.
+      input.addEventListener("click", () => isTyped || input.select());
       input.addEventListener("input", () => {
         const wanted = input.value.replace(/[^\d.,−-]/g, "");
         choose(item);
