@@ -19,6 +19,7 @@ mod site;
 mod soft_keyboard;
 mod tapes;
 mod touch;
+mod visit;
 
 #[allow(dead_code, reason = "other programs use the rest")]
 #[path = "../common/folder.rs"]

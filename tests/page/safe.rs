@@ -1,9 +1,9 @@
 //! The page asks nothing of any network, says so in its policy, and has its words for those
 //! who do not see.
 
-use std::fs;
 use std::thread;
 use std::time::Duration;
+use std::{env, fs};
 
 use serde_json::{Value, json};
 
@@ -170,4 +170,60 @@ fn an_old_browser_is_told_within_a_second() {
         "=>", "const ", "let ", "`", "?.", "??", "||=", "class ", "...",
     ];
     assert!(newer.iter().all(|it| !early.contains(it)), "{early}");
+}
+
+/// Every screen, by axe-core, which `CARROM_TEST_AXE` names: `axe.min.js` of the npm package.
+#[test]
+#[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
+fn axe_finds_nothing_on_any_screen() {
+    let path = env::var("CARROM_TEST_AXE").expect("CARROM_TEST_AXE: .ci/run fetches axe-core");
+    let axe = fs::read_to_string(path).unwrap();
+    let (page, mut chromium) = (page(), Chromium::start((390, 664), true));
+    let mut found = Vec::new();
+    for scheme in ["dark", "light"] {
+        let media = json!({ "features": [{ "name": "prefers-color-scheme", "value": scheme }] });
+        chromium.debug("Emulation.setEmulatedMedia", &media);
+        for (place, keys) in [
+            ("", "? Escape s"),
+            ("lab", "? Escape Enter Enter Enter"),
+            ("learn", ""),
+            ("lesson=1", "Enter Enter"),
+            ("quiz", "? Escape"),
+            ("quiz=quick-7", "a Enter 2 Enter"),
+            ("quiz=exam-3", ""),
+            ("class", ""),
+            ("join", ""),
+            ("foil", ""),
+            ("foil=2", ""),
+            ("foil=3", ""),
+            ("table&seed=3", "Enter Space"),
+            ("levels", ""),
+            ("level=dead-stop", "Enter"),
+            ("progress", ""),
+            ("settings", ""),
+            ("plain", ""),
+        ] {
+            chromium.open("about:blank");
+            chromium.open(&format!("{page}#{place}"));
+            wait_until_ready(&mut chromium);
+            chromium.run(&axe, &[]);
+            let mut before = String::new();
+            for key in [""].into_iter().chain(keys.split_whitespace()) {
+                if !key.is_empty() {
+                    press(&mut chromium, &[key]);
+                }
+                thread::sleep(Duration::from_millis(400));
+                let run = "
+                    const only = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
+                    return axe.run(document, { runOnly: only }).then(({ violations }) =>
+                      violations.map((it) => `${it.impact} ${it.id}: ${it.nodes[0].html}`));";
+                let faults = chromium.run(run, &[]);
+                before = format!("{before} {key}");
+                if faults != json!([]) {
+                    found.push(format!("{scheme} {place}{before}: {faults}"));
+                }
+            }
+        }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }

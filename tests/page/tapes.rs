@@ -1,5 +1,6 @@
 //! Every tape of the project plays in the page as it plays here: the same letters in the
-//! same cells wherever it takes a screenshot, expects or refuses something.
+//! same cells, and the same words in the page's elements, wherever it takes a screenshot,
+//! expects or refuses something.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,9 +15,16 @@ use crate::browser::{Browser, page, wait_until_ready};
 use crate::chromium::Chromium;
 use crate::firefox::Firefox;
 
-/// Says the commands one after the other, and gives the letters of each screen painted.
+/// Gives the commands one after the other. For each screen painted it returns the letters of
+/// its cells, its blocks, and the text of the elements that the page makes of them.
 const PLAY: &str = "
     const screens = [];
+    const shown = ['title', 'status', 'screen', 'layer'].map((id) => document.getElementById(id));
+    const words = (node) => {
+      if (node.nodeType === Node.TEXT_NODE) return node.data;
+      const own = node.localName === 'canvas' ? node.getAttribute('aria-label') : node.value || '';
+      return own + [...node.childNodes].map(words).join('');
+    };
     for (const command of arguments[0]) {
       const reply = window.carrom.call(command);
       if (reply.fault) throw new Error(reply.fault + ': ' + JSON.stringify(command));
@@ -31,7 +39,12 @@ const PLAY: &str = "
         }
         lines.push(line);
       }
-      screens.push(lines.join('\\n'));
+      panels.show(reply.painted.sheets);
+      screens.push({
+        cells: lines.join('\\n'),
+        sheets: reply.painted.sheets,
+        elements: shown.map(words).join(' '),
+      });
     }
     return screens;";
 
@@ -67,8 +80,14 @@ fn tape(path: &Path, charset: &str, size: &str) -> Tape {
     Tape::parse(&lines.join("\n")).unwrap_or_else(|error| panic!("{path:?}:{error}"))
 }
 
-/// The screens of a tape as they are here: the letter of each cell.
-fn here(tape: &Tape) -> Vec<String> {
+/// What a screen shows: the letter of each cell, and the texts of its blocks.
+struct Shown {
+    cells: String,
+    texts: Vec<String>,
+}
+
+/// The screens of a tape as they are here.
+fn here(tape: &Tape) -> Vec<Shown> {
     let screens = play(tape, cli::open).unwrap_or_else(|error| panic!("{error}"));
     let lines = |cells: &ratatui::buffer::Buffer| {
         let rows = cells.content().chunks(cells.area.width.into());
@@ -76,7 +95,38 @@ fn here(tape: &Tape) -> Vec<String> {
         let rows: Vec<String> = rows.map(|row| row.iter().map(letter).collect()).collect();
         rows.join("\n")
     };
-    screens.iter().map(|screen| lines(&screen.cells)).collect()
+    let shown = screens.iter().map(|screen| Shown {
+        cells: lines(&screen.cells),
+        texts: texts(&json!(screen.sheets)),
+    });
+    shown.collect()
+}
+
+/// The texts of blocks, each in one piece whatever its colours.
+fn texts(blocks: &Value) -> Vec<String> {
+    match blocks {
+        Value::String(text) => vec![text.clone()],
+        Value::Array(all) if all.iter().any(|it| it.get("role").is_some()) => {
+            let runs = all.iter().filter_map(|run| run["text"].as_str());
+            vec![runs.collect()]
+        }
+        Value::Array(all) => all.iter().flat_map(texts).collect(),
+        Value::Object(fields) => {
+            // The page shows a link in the place of a command.
+            let hidden = ["is", "kind", "role", "key", "command", "address"];
+            let fields = fields
+                .iter()
+                .filter(|(name, _)| !hidden.contains(&name.as_str()));
+            fields.flat_map(|(_, value)| texts(value)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Letters and digits alone: the page capitalises its buttons and spaces its parts in its own way.
+fn letters(text: &str) -> String {
+    let letters = text.chars().filter(|letter| letter.is_alphanumeric());
+    letters.flat_map(char::to_lowercase).collect()
 }
 
 /// The same as a page is told it.
@@ -187,7 +237,7 @@ fn fragment(arguments: &str) -> String {
     parts.join("&")
 }
 
-/// Plays a tape here and there, and tells the first picture that differs.
+/// Plays a tape here and there, and says where the first screen differs.
 fn compare(
     browser: &mut dyn Browser,
     path: &Path,
@@ -200,19 +250,31 @@ fn compare(
     let found = found.as_array().unwrap();
     assert_eq!(found.len(), wanted.len(), "{path:?}");
     let name = path.file_stem().unwrap().display();
-    let differs =
-        |(found, wanted): (&Value, &String)| !is_alike(found.as_str().unwrap_or_default(), wanted);
-    match found.iter().zip(&wanted).position(differs) {
-        None => {
-            println!("{name}: {} pictures", wanted.len());
-            Ok(())
+    for (number, (found, wanted)) in found.iter().zip(&wanted).enumerate() {
+        let screen = format!("{name} in {charset} at {size}, screen {number}");
+        let cells = found["cells"].as_str().unwrap_or_default();
+        if !is_alike(cells, &wanted.cells) {
+            return Err(format!(
+                "{screen}: here\n{}\n\nin the page\n{cells}\n",
+                wanted.cells
+            ));
         }
-        Some(number) => Err(format!(
-            "{name} in {charset} at {size}, picture {number}: here\n{}\n\nin the page\n{}\n",
-            wanted[number],
-            found[number].as_str().unwrap_or_default()
-        )),
+        let there = texts(&found["sheets"]);
+        if there != wanted.texts {
+            return Err(format!(
+                "{screen}: here\n{:?}\n\nin the page\n{there:?}\n",
+                wanted.texts
+            ));
+        }
+        let elements = letters(found["elements"].as_str().unwrap_or_default());
+        if let Some(lost) = there.iter().find(|text| !elements.contains(&letters(text))) {
+            return Err(format!(
+                "{screen}: no element says {lost:?}, but {elements}"
+            ));
+        }
     }
+    println!("{name}: {} screens", wanted.len());
+    Ok(())
 }
 
 /// Whether two screens are the same, but for one cell of dots at most: the library of each

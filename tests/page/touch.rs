@@ -33,7 +33,7 @@ impl Phone {
     }
 
     /// Opens the page anew at a place.
-    fn go_to(&mut self, page: &str, fragment: &str) {
+    pub(crate) fn go_to(&mut self, page: &str, fragment: &str) {
         self.0.open("about:blank");
         self.0.open(&format!("{page}#{fragment}"));
         wait_until_ready(&mut self.0);
@@ -94,17 +94,23 @@ impl Phone {
             const over = document.querySelector('dialog[open]') || document.getElementById('game');
             const found = (() => {{ {script} }})();
             if (!found) return null;
+            const before = found.getBoundingClientRect().top;
             found.scrollIntoView({{ block: 'nearest', inline: 'nearest' }});
             const box = found.getBoundingClientRect();
-            return [box.left + box.width / 2, box.top + box.height / 2];"
+            return [box.left + box.width / 2, box.top + box.height / 2, box.top - before];"
         );
         let place = self.0.run(&script, &[Value::from(words)]);
-        let place = place.as_array()?;
-        Some([0, 1].map(|i| place[i].as_f64().unwrap()))
+        let [x, y, scrolled] = [0, 1, 2].map(|i| place[i].as_f64());
+        if scrolled != Some(0.0) {
+            // A finger would find what it sees, which has not moved yet.
+            self.wait();
+            self.wait();
+        }
+        Some([x?, y?])
     }
 
     /// Taps a button by what is written on it or by its key; says whether it is there.
-    fn button(&mut self, label: &str) -> bool {
+    pub(crate) fn button(&mut self, label: &str) -> bool {
         let script = "
             const all = [...over.querySelectorAll('button')].filter(seen);
             return all.find((it) => text(it).replace(/!$/, '') === words)
@@ -147,7 +153,7 @@ impl Phone {
     }
 
     /// Taps the first of what can be chosen on which these words stand; says whether it is there.
-    fn choose(&mut self, words: &str) -> bool {
+    pub(crate) fn choose(&mut self, words: &str) -> bool {
         let script = "
             const all = [...over.querySelectorAll('.choice')].filter(seen);
             return all.find((it) => text(it).includes(words));";
@@ -169,6 +175,16 @@ impl Phone {
         self.0.debug("Input.insertText", &inserted);
         self.wait();
         true
+    }
+
+    /// Taps the field of this number and types there.
+    pub(crate) fn type_into(&mut self, number: usize, text: &str) {
+        let script = "return [...over.querySelectorAll('.field input')].filter(seen)[words]";
+        let place = self.middle(script, &number.to_string()).expect("a field");
+        self.tap(place);
+        let inserted = json!({ "text": text });
+        self.0.debug("Input.insertText", &inserted);
+        self.wait();
     }
 
     /// Taps the field of this name.
@@ -193,7 +209,7 @@ impl Phone {
     }
 
     /// Drags over the picture, from one share of its width and height to another.
-    fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
+    pub(crate) fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
         let [from, to] = [from, to].map(|it| self.place(it));
         self.touch("touchStart", &[from]);
         for step in 1..=5 {
@@ -201,12 +217,16 @@ impl Phone {
             let at = [0, 1].map(|i| from[i] + share * (to[i] - from[i]));
             self.touch("touchMove", &[at]);
         }
+        // The finger comes to rest. Lifted in the midst of the movement it would be a fling to the
+        // browser, which takes the next tap for the end of that.
+        self.wait();
+        self.touch("touchMove", &[to]);
         self.touch("touchEnd", &[]);
         self.wait();
     }
 
     /// No part of the page is cut off at a side, no button among them.
-    fn assert_fits(&mut self) {
+    pub(crate) fn assert_fits(&mut self) {
         let script = "
             const screen = document.getElementById('screen');
             return [document.documentElement.scrollWidth - innerWidth,
@@ -221,7 +241,7 @@ impl Phone {
     }
 
     /// No letter is smaller than can be read.
-    fn assert_legible(&mut self) {
+    pub(crate) fn assert_legible(&mut self) {
         let script = "
             const small = [...document.querySelectorAll('#game *, dialog[open] *')].filter((it) =>
               it.getClientRects().length > 0
@@ -292,7 +312,7 @@ fn a_mixed_round_is_played_by_touch_alone() {
 
 /// Gives some answer to the question on the screen: what can be dragged is dragged, and what
 /// is left open then is typed.
-fn answer(phone: &mut Phone) {
+pub(crate) fn answer(phone: &mut Phone) {
     let has_choices = phone.choose("A ");
     for step in 0..6 {
         if phone.shows("How sure") {

@@ -10,6 +10,7 @@ use crate::messages::{Key, MouseKind};
 use crate::screens::{Place, Settings};
 use crate::shells::classroom::Who;
 use crate::shells::{Classroom, Headless};
+use crate::widgets::recorded;
 
 /// Why a tape did not play to its end.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -118,10 +119,14 @@ pub fn play<G: Into<Headless>>(
                 (0..*notches).for_each(|_| game.mouse(*way, at));
             }
             Instruction::Sleep(time) => class.pass(*time),
-            Instruction::Screenshot(name) => screenshots.push(Screenshot {
-                name: name.clone(),
-                cells: game.buffer().clone(),
-            }),
+            Instruction::Screenshot(name) => {
+                let (cells, sheets) = recorded(|| game.buffer().clone());
+                screenshots.push(Screenshot {
+                    name: name.clone(),
+                    cells,
+                    sheets,
+                });
+            }
             Instruction::Expect(text) => judge(*line, game, text, true)?,
             Instruction::Refuse(text) => judge(*line, game, text, false)?,
         }

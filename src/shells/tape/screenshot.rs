@@ -2,15 +2,17 @@
 
 use ratatui::buffer::Buffer;
 
-use crate::widgets::{cells, svg};
+use crate::widgets::{Sheet, cells, svg};
 
 /// A screen, kept under a name.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Screenshot {
     /// Its name: letters, digits, `-` and `_`.
     pub name: String,
     /// What every cell showed.
     pub cells: Buffer,
+    /// What the screen said in words.
+    pub sheets: Vec<Sheet>,
 }
 
 impl Screenshot {
