@@ -5,16 +5,38 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-use crate::quiz::question::{Misconception, Passage};
+use crate::quiz::question::{Misconception, Passage, Topic};
 
 /// What is said of a misconception.
 #[derive(Default, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 struct Description {
     name: String,
     advice: String,
     chapter: String,
     page: String,
+    source: String,
+    elsewhere: Vec<Elsewhere>,
+}
+
+/// The page that settles a misconception in questions about these topics.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Elsewhere {
+    topics: Vec<String>,
+    chapter: String,
+    page: String,
+}
+
+/// Where a misconception is from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Origin {
+    /// A study describes it: "Hestenes et al. 1992: greater mass implies greater force".
+    Study(&'static str),
+    /// A slip of algebra or of reading: nobody believes it.
+    Slip,
+    /// The answer of a plausible wrong step, of which we know no study.
+    Ours,
 }
 
 impl Misconception {
@@ -28,10 +50,29 @@ impl Misconception {
         &self.description().advice
     }
 
+    /// Where it is from.
+    pub fn origin(self) -> Origin {
+        match self.description().source.as_str() {
+            "slip" => Origin::Slip,
+            "ours" => Origin::Ours,
+            study => Origin::Study(study),
+        }
+    }
+
     /// The page of a chapter that settles it.
     pub(crate) fn settled_by(self) -> Passage {
         let Description { chapter, page, .. } = self.description();
         Passage { chapter, page }
+    }
+
+    /// The page that settles it in questions about this topic.
+    pub(crate) fn settled_in(self, topic: &Topic) -> Passage {
+        let mut elsewhere = self.description().elsewhere.iter();
+        let found = elsewhere.find(|it| it.topics.iter().any(|id| id == topic.id()));
+        found.map_or_else(
+            || self.settled_by(),
+            |Elsewhere { chapter, page, .. }| Passage { chapter, page },
+        )
     }
 
     fn description(self) -> &'static Description {
@@ -62,9 +103,17 @@ mod tests {
                 advice,
                 chapter,
                 page,
+                source,
+                elsewhere,
             } = it.description();
+            for topic in elsewhere.iter().flat_map(|it| &it.topics) {
+                assert!(
+                    Topic::with_id(topic.clone()).taught_on().is_some(),
+                    "{topic}"
+                );
+            }
             assert!(
-                [name, advice, chapter, page]
+                [name, advice, chapter, page, source]
                     .iter()
                     .all(|text| !text.is_empty()),
                 "{name}"

@@ -56,6 +56,17 @@ pub struct WrongAnswer {
     pub says: String,
 }
 
+impl WrongAnswer {
+    /// As which misconception existing codes count it: see [`Misconception::in_codes`]. `None`
+    /// also of a choice that they know as one that follows no misconception.
+    pub fn in_codes(&self) -> Option<Misconception> {
+        match (self.misconception, self.said) {
+            (Misconception::LossOpensAngle, Response::Choice(_)) => None,
+            (misconception, _) => misconception.in_codes(),
+        }
+    }
+}
+
 /// The misconception that an answer fits best.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Diagnosis {
