@@ -211,7 +211,8 @@ impl<'a> Summary<'a> {
         if let Some((misconception, _)) = self.most_held() {
             let mut shown = self.attempts.iter().rev();
             let shown = shown.find(|it| it.shows() == Some(misconception))?;
-            return Some(misconception.settled_in(&Topic::with_id(shown.topic.clone())));
+            let asked = shown.question.get("asked").and_then(|it| it.as_str());
+            return Some(misconception.settled_in(&Topic::with_id(shown.topic.clone()), asked));
         }
         let missed = self.attempts.iter().filter(|it| !it.right);
         let missed = missed.min_by_key(|it| !it.is_surely_wrong());

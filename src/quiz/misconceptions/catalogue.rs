@@ -5,6 +5,8 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
+#[cfg(doc)]
+use crate::quiz::question::Question;
 use crate::quiz::question::{Misconception, Passage, Topic};
 
 /// What is said of a misconception.
@@ -19,7 +21,8 @@ struct Description {
     elsewhere: Vec<Elsewhere>,
 }
 
-/// The page that settles a misconception in questions about these topics.
+/// The page that settles a misconception in questions about these topics; "centre-of-mass/turn" is
+/// one of which the turn is asked.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Elsewhere {
@@ -65,10 +68,14 @@ impl Misconception {
         Passage { chapter, page }
     }
 
-    /// The page that settles it in questions about this topic.
-    pub(crate) fn settled_in(self, topic: &Topic) -> Passage {
-        let mut elsewhere = self.description().elsewhere.iter();
-        let found = elsewhere.find(|it| it.topics.iter().any(|id| id == topic.id()));
+    /// The page that settles it in questions about this topic, of which this is asked
+    /// ([`Question::asked`]).
+    pub(crate) fn settled_in(self, topic: &Topic, asked: Option<&str>) -> Passage {
+        let case = format!("{}/{}", topic.id(), asked.unwrap_or_default());
+        let elsewhere = &self.description().elsewhere;
+        let is_for = |it: &&Elsewhere, name: &str| it.topics.iter().any(|topic| topic == name);
+        let of_case = elsewhere.iter().find(|it| is_for(it, &case));
+        let found = of_case.or_else(|| elsewhere.iter().find(|it| is_for(it, topic.id())));
         found.map_or_else(
             || self.settled_by(),
             |Elsewhere { chapter, page, .. }| Passage { chapter, page },
@@ -107,10 +114,8 @@ mod tests {
                 elsewhere,
             } = it.description();
             for topic in elsewhere.iter().flat_map(|it| &it.topics) {
-                assert!(
-                    Topic::with_id(topic.clone()).taught_on().is_some(),
-                    "{topic}"
-                );
+                let id = topic.split('/').next().unwrap_or_default().to_owned();
+                assert!(Topic::with_id(id).taught_on().is_some(), "{topic}");
             }
             assert!(
                 [name, advice, chapter, page, source]

@@ -29,7 +29,7 @@ pub fn explain(question: &Question, answer: &Answer) -> Explanation {
             (
                 it.name(),
                 belief.says.clone(),
-                Some(it.settled_in(&question.topic)),
+                Some(it.settled_in(&question.topic, question.asked())),
             )
         }
         None if question.form.is_right(&answer.said) => {
