@@ -191,7 +191,7 @@ impl<'a> Summary<'a> {
     pub fn checked(&self, misconception: Misconception) -> String {
         let name = misconception.name();
         let is_it = |it: Misconception| {
-            // A check of one that was split asks for all of it, as its code always did.
+            // The code of a misconception that was split still tests for all of its parts.
             it == misconception || it.in_codes() == Some(misconception)
         };
         let shown = |it: &&Attempt| it.shows().is_some_and(is_it);

@@ -116,7 +116,7 @@ impl Topic {
         families
     }
 
-    /// Those that existing codes know.
+    /// Those that codes such as `read-abd-7` draw from.
     pub(in crate::quiz) fn families_in_codes(&self) -> Vec<Family> {
         let mut families = self.families();
         families.retain(|family| *family != Family::Ideas);
@@ -127,7 +127,7 @@ impl Topic {
 /// All concept questions, read once for the whole process.
 ///
 /// Their order is fixed, for it is part of what the code of a round stands for: new
-/// questions go to the end, into a family that no existing code draws from.
+/// questions go to the end, into a family that no older code draws from.
 pub fn all() -> &'static [Concept] {
     // A test holds that nothing is wrong with the files in the program.
     static READ: LazyLock<Vec<Concept>> = LazyLock::new(|| embedded().unwrap_or_default());

@@ -73,7 +73,7 @@ fn the_guide_lists_every_misconception_with_its_source() {
                 .trim_end_matches(" et al.");
             let year = format!("({year})");
             let is_it = |entry: &&str| entry.contains(first) && entry.contains(&year);
-            assert!(listed.iter().any(|entry| is_it(&entry)), "{study}");
+            assert!(listed.iter().any(is_it), "{study}");
             assert!(!found.is_empty(), "{study}");
         }
     }

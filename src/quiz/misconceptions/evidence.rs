@@ -42,7 +42,7 @@ impl Clue {
         Self::of(question, answer, |belief| Some(belief.misconception))
     }
 
-    /// The same as existing codes count it: see [`WrongAnswer::in_codes`].
+    /// The same, with misconceptions as codes count them: see [`WrongAnswer::in_codes`].
     pub(in crate::quiz) fn in_codes(question: &Question, answer: &Answer) -> Self {
         Self::of(question, answer, WrongAnswer::in_codes)
     }

@@ -71,9 +71,9 @@ pub enum Misconception {
     UpsideDown,
     /// The heavier striker is taken to rebound and the lighter one to go on.
     HeavyRebounds,
-    /// More taken to be counted at the larger angle.
+    /// The larger angle taken to have the larger count.
     CountsReversed,
-    /// What is inversely proportional taken to be proportional.
+    /// An inverse proportion taken for a direct one.
     DirectForInverse,
     /// No limit to how far a heavier striker can be turned.
     BeyondLargest,
@@ -91,8 +91,7 @@ pub enum Misconception {
     GripStopsAll,
     /// An angle of one frame read in another.
     FramesMixed,
-    /// The change of frame made the wrong way: the frame's velocity subtracted where it is
-    /// to be added.
+    /// The frame's velocity subtracted where it must be added.
     FrameReversed,
     /// The centre of mass taken halfway, whatever the masses.
     HalfwayCentre,
@@ -126,9 +125,8 @@ impl Misconception {
         Self::FramesMixed,
     ];
 
-    /// As what existing codes count it, for they were made before `upside-down` was split and
-    /// before others were known: which questions a code brings must not hang on either. `None`
-    /// of those that were added later.
+    /// Which misconception the codes of rounds count this one as, so that a code still brings the
+    /// same questions although `upside-down` was split; `None` for those added later.
     pub fn in_codes(self) -> Option<Self> {
         match self {
             Self::HeavyRebounds

@@ -57,8 +57,8 @@ pub struct WrongAnswer {
 }
 
 impl WrongAnswer {
-    /// As which misconception existing codes count it: see [`Misconception::in_codes`]. `None`
-    /// also of a choice that they know as one that follows no misconception.
+    /// Which misconception the codes of rounds count it as: see [`Misconception::in_codes`].
+    /// `None` also for a choice that followed no known misconception when they were fixed.
     pub fn in_codes(&self) -> Option<Misconception> {
         match (self.misconception, self.said) {
             (Misconception::LossOpensAngle, Response::Choice(_)) => None,

@@ -127,7 +127,7 @@ fn bits(p: f64) -> f64 {
 }
 
 /// Whether these answers settle what is believed: one misconception is named and stands
-/// clear, or none is left. `in_codes` are the same answers as existing codes count them.
+/// clear, or none is left. `in_codes` are the same answers with misconceptions as codes count them.
 pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
     if clues.len() < FEWEST {
         return false;
@@ -139,8 +139,8 @@ pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
         || posterior.none >= NONE_LEFT
 }
 
-/// The question that tells most after these answers, as existing codes count them, of those
-/// that the dice bring; none of `asked` again.
+/// The question that tells most after these answers, with misconceptions as codes count them, of
+/// those that the dice bring; none of `asked` again.
 pub(super) fn ask(asked: &[Question], in_codes: &[Clue], dice: &mut Dice) -> Option<Question> {
     let posterior = Posterior::new(&evidence(in_codes));
     let hardest = match asked.len() < BEFORE_HARD {

@@ -207,7 +207,7 @@ fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
 /// there are such.
 fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Question> {
     let mut dice = Dice::new(salted(course.kind.id(), seed));
-    // A code of a misconception that was split still asks what it asked before.
+    // The code of a misconception that was split later still asks the same questions.
     let shows = |question: &Question| {
         let mut beliefs = question.beliefs.iter();
         beliefs.any(|it| it.misconception == misconception || it.in_codes() == Some(misconception))
@@ -228,7 +228,7 @@ fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Ques
         questions.extend(fresh.or_else(|| {
             let mut written = concepts::of(Family::Concept);
             dice.shuffle(&mut written);
-            // What was written later comes last, for the codes that did not know it.
+            // Questions written later come last, so that older codes do not change.
             written.extend(concepts::of(Family::Ideas));
             let written = written.into_iter();
             let mut asked = written.filter_map(|it| concept::question(it, &mut dice));
