@@ -188,6 +188,16 @@ fn the_page_against_a_misconception_treats_what_was_asked() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     let met: BTreeSet<_> = cases.iter().map(|(id, ..)| *id).collect();
     assert_eq!(met.len(), Misconception::ALL.len());
+    // Every other page that is named is led to.
+    for misconception in Misconception::ALL {
+        for name in misconception.settled_elsewhere() {
+            let led_to = cases.iter().any(|(id, topic, asked)| {
+                let case = format!("{}/{}", topic.id(), asked.as_deref().unwrap_or_default());
+                *id == misconception.id() && (name == topic.id() || name == case)
+            });
+            assert!(led_to, "{}: {name}", misconception.id());
+        }
+    }
 }
 
 /// Symbols and the chapters that use them, from the table in `docs/notation.md`.

@@ -103,6 +103,24 @@ fn who_answers_by_one_belief_is_told_it_and_who_is_right_of_none() {
     }
 }
 
+/// A slip of algebra is called one: nobody believes it.
+#[test]
+fn a_slip_is_not_reported_as_a_belief() {
+    let finding = |misconception| {
+        let played = play("even20-7", holding(misconception));
+        let finding = look_back(&played).finding();
+        assert!(finding[0].contains(misconception.name()), "{finding:?}");
+        finding.join(" ")
+    };
+    let slip = finding(Misconception::SineCosine);
+    assert!(slip.contains("slip") && !slip.contains("believe"), "{slip}");
+    let belief = finding(Misconception::CopiedAngle);
+    assert!(
+        belief.contains("believe") && !belief.contains("slip"),
+        "{belief}"
+    );
+}
+
 #[test]
 fn a_shorter_round_to_find_out_is_no_longer_than_its_code_says() {
     let (round, answers) = play("find-out4-7", right);

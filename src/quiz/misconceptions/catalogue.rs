@@ -82,6 +82,13 @@ impl Misconception {
         )
     }
 
+    /// The topics, or `topic/asked`, for which another page is named.
+    #[cfg(test)]
+    pub(crate) fn settled_elsewhere(self) -> impl Iterator<Item = &'static str> {
+        let elsewhere = self.description().elsewhere.iter();
+        elsewhere.flat_map(|it| it.topics.iter().map(String::as_str))
+    }
+
     fn description(self) -> &'static Description {
         static ALL: LazyLock<BTreeMap<String, Description>> = LazyLock::new(|| {
             let text = include_str!("../../../assets/misconceptions.toml");
