@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use super::{Failure, GlobalOptions, print_text};
-use crate::quiz::Misconception;
+use crate::quiz::{Misconception, Origin};
 
-/// Print all misconceptions, with a remedy for each
+/// Print all misconceptions, with a remedy and the source of each
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 The first word is the misconception's name in your own question files and in the code of a round:
@@ -18,6 +18,14 @@ pub(super) fn run(_args: &Args, options: &GlobalOptions) -> Result<(), Failure> 
         let (id, name) = (misconception.id(), misconception.name());
         writeln!(text, "{id}: {name}")?;
         writeln!(text, "    {}", misconception.advice())?;
+        match misconception.origin() {
+            Origin::Study(study) => writeln!(text, "    Study: {study}.")?,
+            Origin::Slip => writeln!(text, "    A slip of algebra or reading, not a belief.")?,
+            Origin::Ours => writeln!(
+                text,
+                "    We know of no study: a plausible wrong step leads to it."
+            )?,
+        }
     }
     Ok(print_text(text.trim_end(), options)?)
 }

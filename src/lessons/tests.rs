@@ -1,9 +1,9 @@
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::*;
 use crate::files::FileLibrary;
 use crate::quiz::concepts;
-use crate::quiz::{Misconception, Topic};
+use crate::quiz::{Dice, Difficulty, Family, Misconception, Topic};
 
 #[test]
 fn the_chapters_in_the_program_are_whole() {
@@ -23,6 +23,180 @@ fn each_misconception_and_each_topic_leads_to_a_page_that_exists() {
     for topic in Topic::all().chain(written) {
         let named = topic.taught_on().and_then(|page| book.named(page));
         assert!(named.is_some(), "{topic}: {:?}", topic.taught_on());
+    }
+}
+
+/// The chapters as they are written, by their ids.
+fn chapters() -> BTreeMap<String, String> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/lessons");
+    let files = std::fs::read_dir(folder).unwrap().map(|it| it.unwrap());
+    let chapter = |file: std::fs::DirEntry| {
+        let name = file.file_name().into_string().unwrap();
+        let id = name.split_once('-').unwrap().1.trim_end_matches(".md");
+        (id.to_owned(), std::fs::read_to_string(file.path()).unwrap())
+    };
+    files.map(chapter).collect()
+}
+
+/// A table `words | ids` in lines: the words of which a page must contain one, by the ids.
+fn words_by_id(table: &'static str) -> BTreeMap<&'static str, Vec<&'static str>> {
+    let mut all = BTreeMap::new();
+    for line in table.lines().map(str::trim).filter(|line| !line.is_empty()) {
+        let (words, ids) = line.split_once('|').unwrap();
+        let words: Vec<&str> = words.split(',').map(str::trim).collect();
+        for id in ids.split_whitespace() {
+            assert!(all.insert(id, words.clone()).is_none(), "{id} twice");
+        }
+    }
+    all
+}
+
+/// What a page must speak of to treat a misconception: one of these words, as they are written
+/// in the chapters.
+const OF_MISCONCEPTIONS: &str = "
+    impact angle, at α =, 180 deg - 2 alpha, 90 deg - alpha | copied-angle
+    90°, right angle, with equal masses | always-square square-on-the-ground
+    45°, 90 deg - alpha, half, dead centre, 63.4, 71.6, tan(Theta/2), rebounds, greatest | half-and-half
+    leaves along n, halves, halfway | swapped
+    heavy puck, heavy striker, heavier | heavy-unmoved
+    leaves at | straight-on
+    along n, line of centres | pushed-ahead
+    opposite directions | same-side
+    higher up, the other side | sides-exchanged
+    wall, loses all its speed, goes on, reversed, with equal masses, rebounds from | off-a-wall
+    not a fraction of 90°, is the sine of α | offset-as-angle
+    e = 0.8, e = 0, coefficient of restitution, e = 1, with a loss, is lost | lossless
+    rebounds, the striker stops | always-stops
+    components along x, arrow | scalar-momentum
+    speeds do not | speeds-add
+    momentum is conserved for any e, all the momentum, total momentum. a collision does not change | momentum-lost
+    each momentum changes | each-keeps-momentum
+    the total may be zero | gone-at-rest
+    energy is not momentum | momentum-as-energy
+    no components | energy-components
+    with a full rebound it is twice as large | sticking-hits-harder
+    equally hard, impulses are equal | heavier-pushes-harder
+    head-on formulas, for a head-on collision they were | one-line-formula
+    sin alpha, cos alpha, cos^2 alpha, sin theta_1, cos theta_1, u_1n, along t | sine-cosine
+    speed only sets the scale, (4 - 197)/201 | speed-opens-angle
+    square of the speed | energy-as-speed
+    share of the mass | heavy-takes-energy
+    equally likely, small angles are common | every-angle-alike
+    m_1 - m_2, m_1 + m_2, m_1/m_2, m_1 / m_2, e m_2, three times the mass | upside-down
+    rebounds, heavier, heavy striker | heavy-rebounds
+    small angles are common | counts-reversed
+    b/(r_1 + r_2), twice the energy: half of d | direct-for-inverse
+    greatest angle | beyond-largest
+    along t, coefficient of restitution, common motion, e m_2 | loss-on-everything
+    relative velocities, 1 - e^2 | e-as-energy
+    less than 90° | loss-opens-angle
+    90° | loss-forbids-square
+    hold together | grip-ignored
+    slip past each other | grip-stops-all
+    in the frame of the centre of mass, laboratory frame, adding V | frames-mixed
+    add V to both | frame-reversed
+    nearer to the heavier one | halfway-centre
+    half of Θ, halve both angles, half the angles | half-angle-forgotten
+    fourth power | too-gentle
+    came back | never-back
+    at rest | coin-at-rest
+    2 alpha, 2α, 2 theta_2 | double-angle-forgotten
+";
+
+/// What a page must speak of to treat what questions about a topic ask for, written in the same
+/// way.
+const OF_TOPICS: &str = "
+    angle, deflect, direction, leaves, rebound | equal-masses equal-masses-by-offset equal-masses-lossy
+    angle, deflect, direction, leaves, rebound | heavier-striker heavier-striker-by-offset from-the-picture
+    angle, deflect, direction, leaves, rebound | heavier-target heavier-target-by-offset heavier-target-lossy
+    rebound, head-on, dead centre, along n | equal-masses-head-on heavier-striker-head-on heavier-target-head-on
+    angle, deflect, direction, leaves, rebound | unequal-masses
+    along n, line of, right angles to n | line-of-impact
+    angle, deflect, direction, leaves, speed | angles-and-speeds
+    angle between the paths, right angle, along n, 90° | corner-without-loss right-angle
+    angle between the paths, right angle, along n | corner-heavier-striker corner-lighter-striker
+    loss, lost | corner-with-loss
+    loss, restitution | square-in-spite-of-loss e-for-square e-from-angles
+    relative velocities, e = | e-head-on
+    e = 0, restitution, loss, lost | smooth-no-spring smooth-no-loss loss-and-grip
+    together, centre of mass, restitution | sticking
+    energy | energy-of-striker energy-of-target
+    energy, momentum | energy
+    loss, lost | energy-lost
+    speed, m/s | target-speed striker-speed
+    mass, heavier | which-is-heavier mass-from-angles
+    momentum, momenta | mass-from-momentum
+    mass, angle, speed, direction | measuring
+    count, screen | counts-at-two-angles counts-angle-and-energy angle-of-count
+    particle, deflect, count | scattering
+    greatest, offset, limit | largest-turn limit-of-turn aim-for-largest-turn
+    offset, direction, deflect, angle | send-coin send-striker
+    offset, off-centre | offset
+    both, frame, along n, along t | both-moving
+    frame, centre of mass, offset | centre-of-mass frames
+    momentum, impulse | momentum
+";
+
+/// What may be shown in which question: a misconception, a topic and what is asked about it.
+fn cases() -> BTreeSet<(&'static str, Topic, Option<String>)> {
+    let mut cases = BTreeSet::new();
+    let all = Family::ALL
+        .iter()
+        .flat_map(|family| Difficulty::ALL.map(|it| (*family, it)));
+    for ((family, difficulty), seed) in all.flat_map(|it| (0..300).map(move |seed| (it, seed))) {
+        let asked = family.ask(difficulty, &mut Dice::new(seed));
+        if let Some((question, _)) = asked {
+            for belief in &question.beliefs {
+                let id = belief.misconception.id();
+                let asked = question.asked().map(String::from);
+                cases.insert((id, question.topic.clone(), asked));
+            }
+        }
+    }
+    cases
+}
+
+/// Wherever an answer shows a misconception, the page that it leads to treats that case: it
+/// speaks of the misconception, and of what the question asks for.
+#[test]
+fn the_page_against_a_misconception_treats_what_was_asked() {
+    let chapters = chapters();
+    let (misconceptions, topics) = (words_by_id(OF_MISCONCEPTIONS), words_by_id(OF_TOPICS));
+    let cases = cases();
+    let mut faults = Vec::new();
+    for (id, topic, asked) in &cases {
+        let misconception = Misconception::with_id(id).unwrap();
+        let passage = misconception.settled_in(topic, asked.as_deref());
+        let heading = format!("\n# {}\n", passage.page);
+        let text = chapters[passage.chapter].split_once(&heading).unwrap().1;
+        let text = text
+            .split("\n# ")
+            .next()
+            .unwrap()
+            .replace('\n', " ")
+            .to_lowercase();
+        for words in [&misconceptions[id], &topics[topic.id()]] {
+            if !words.iter().any(|word| text.contains(&word.to_lowercase())) {
+                let page = passage.page;
+                faults.push(format!(
+                    "{id}, {}, {asked:?}: {page}: no {words:?}",
+                    topic.id()
+                ));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    let met: BTreeSet<_> = cases.iter().map(|(id, ..)| *id).collect();
+    assert_eq!(met.len(), Misconception::ALL.len());
+    // Every other page that is named is led to.
+    for misconception in Misconception::ALL {
+        for name in misconception.settled_elsewhere() {
+            let led_to = cases.iter().any(|(id, topic, asked)| {
+                let case = format!("{}/{}", topic.id(), asked.as_deref().unwrap_or_default());
+                *id == misconception.id() && (name == topic.id() || name == case)
+            });
+            assert!(led_to, "{}: {name}", misconception.id());
+        }
     }
 }
 

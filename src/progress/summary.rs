@@ -4,7 +4,8 @@ use super::{Attempt, Calibrated, ENOUGH_ANGLES, Tally, calibration};
 use crate::numbers;
 use crate::physics::units::rad_from_deg;
 use crate::quiz::{
-    Clue, Confidence, Evidence, Grade, Misconception, Passage, Rays, RaysGrade, Topic, named,
+    Clue, Confidence, Evidence, Grade, Misconception, Origin, Passage, Rays, RaysGrade, Topic,
+    named,
 };
 
 /// Fewest answers that say how well somebody judges what they know.
@@ -152,11 +153,15 @@ impl<'a> Summary<'a> {
         let numbers = (1..).zip(self.attempts).filter(shows);
         let numbers: Vec<String> = numbers.map(|(number, _)| number.to_string()).collect();
         let (last, others) = numbers.split_last().map_or(("", &[][..]), |(a, b)| (a, b));
+        let (found, somebody) = match misconception.origin() {
+            Origin::Slip => ("It seems that this slip often happens to you", "makes it"),
+            _ => ("It seems that you believe this", "believes it"),
+        };
         vec![
-            format!("It seems that you believe this: {}.", misconception.name()),
+            format!("{found}: {}.", misconception.name()),
             format!(
                 "Your answers to questions {} and {last} say so: {first} that could show it. They \
-                 are {} as likely from somebody who believes it as from somebody who guesses.",
+                 are {} as likely from somebody who {somebody} as from somebody who guesses.",
                 others.join(", "),
                 times_as(first.weight),
             ),
@@ -185,7 +190,11 @@ impl<'a> Summary<'a> {
     /// Whether a misconception that was to be checked still shows, in words.
     pub fn checked(&self, misconception: Misconception) -> String {
         let name = misconception.name();
-        let shown = |it: &&Attempt| it.shows() == Some(misconception);
+        let is_it = |it: Misconception| {
+            // The code of a misconception that was split still tests for all of its parts.
+            it == misconception || it.in_codes() == Some(misconception)
+        };
+        let shown = |it: &&Attempt| it.shows().is_some_and(is_it);
         match self.attempts.iter().filter(shown).count() {
             0 if self.right() == self.attempts.len() => {
                 format!("Settled, as far as a check can tell: {name}. It does not show any more.")
@@ -200,7 +209,10 @@ impl<'a> Summary<'a> {
     /// before the others; `None` if nothing was.
     pub(crate) fn passage(&self) -> Option<Passage> {
         if let Some((misconception, _)) = self.most_held() {
-            return Some(misconception.settled_by());
+            let mut shown = self.attempts.iter().rev();
+            let shown = shown.find(|it| it.shows() == Some(misconception))?;
+            let asked = shown.question.get("asked").and_then(|it| it.as_str());
+            return Some(misconception.settled_in(&Topic::with_id(shown.topic.clone()), asked));
         }
         let missed = self.attempts.iter().filter(|it| !it.right);
         let missed = missed.min_by_key(|it| !it.is_surely_wrong());

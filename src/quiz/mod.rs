@@ -30,7 +30,7 @@ mod question;
 mod rounds;
 
 pub use families::where_to::hits;
-pub use misconceptions::{Clue, explain, named, why};
+pub use misconceptions::{Clue, Origin, explain, named, why};
 pub(crate) use misconceptions::{Evidence, NAMED_ODDS, evidence, why_of_hit};
 pub(crate) use question::figures;
 pub(crate) use question::{AimTask, Diagnosis, Markings, Passage, RayGrade, RaysGrade};

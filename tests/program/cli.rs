@@ -338,7 +338,7 @@ fn written_questions_of_ones_own_are_checked() {
     // What is in the program is good, too.
     let output = carrom(&["concept", "check"]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
-    assert_eq!(out(&output).lines().count(), 97);
+    assert_eq!(out(&output).lines().count(), 110);
 }
 
 #[test]

@@ -14,7 +14,10 @@ fn all() -> Vec<Question> {
         .iter()
         .flat_map(|it| Difficulty::ALL.map(|d| (it, d)))
     {
-        let many = if *family == Family::Concept { 400 } else { 12 };
+        let many = match family {
+            Family::Concept | Family::Ideas => 400,
+            _ => 12,
+        };
         for seed in 0..many {
             let asked = family.ask(difficulty, &mut Dice::new(seed));
             all.extend(asked.map(|(question, _)| question));

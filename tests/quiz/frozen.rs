@@ -2,7 +2,8 @@
 //!
 //! The draws are a format: a code must bring the same round in every version. One hash a family
 //! holds all of them but the words: figures, truth, the order of the choices, what misconceptions
-//! answer. None of these hashes may ever change. With `CARROM_QUESTIONS` set to a folder, what is
+//! answer. None of these hashes may ever change. A misconception counts as existing codes count it,
+//! for one that was split keeps its draws. With `CARROM_QUESTIONS` set to a folder, what is
 //! hashed is written there, one JSON object a line and one file a family, so that two versions can
 //! be compared.
 //!
@@ -94,17 +95,21 @@ fn form(form: &Form) -> Value {
 
 /// All of a question but its words.
 fn drawn(question: &Question) -> Value {
-    let beliefs: Vec<Value> = question
-        .beliefs
-        .iter()
-        .map(|it| {
-            json!({
-                "id": it.misconception.id(),
+    let mut replies: BTreeSet<usize> = question.replies.keys().copied().collect();
+    let mut beliefs: Vec<Value> = Vec::new();
+    for it in &question.beliefs {
+        match (it.in_codes(), it.said) {
+            (Some(misconception), _) => beliefs.push(json!({
+                "id": misconception.id(),
                 "said": said(&it.said),
                 "telltale": it.telltale.map(|ray| format!("{ray:?}")),
-            })
-        })
-        .collect();
+            })),
+            (None, Response::Choice(choice)) => {
+                replies.insert(choice);
+            }
+            (None, _) => panic!("{}: codes do not know it", it.misconception.id()),
+        }
+    }
     json!({
         "family": question.family.id(),
         "difficulty": question.difficulty.id(),
@@ -112,7 +117,7 @@ fn drawn(question: &Question) -> Value {
         "picture": picture(&question.picture),
         "form": form(&question.form),
         "beliefs": beliefs,
-        "replies": question.replies.keys().collect::<Vec<_>>(),
+        "replies": replies,
         "figures": question.figures,
     })
 }
@@ -154,9 +159,13 @@ fn kept(name: &str, text: &str) -> String {
     format!("{name} {:016x}", hash(text))
 }
 
+/// The families whose codes are about. One that is added later is frozen once it is published,
+/// in a snapshot of its own.
+const FROZEN: usize = 17;
+
 /// The hash of every family with so many seeds at each difficulty.
 fn families(seeds: u64) -> String {
-    let (first, second): (Vec<_>, Vec<_>) = Family::ALL
+    let (first, second): (Vec<_>, Vec<_>) = Family::ALL[..FROZEN]
         .iter()
         .copied()
         .enumerate()
@@ -272,7 +281,8 @@ fn without_figures(text: &str) -> String {
 #[test]
 fn the_words_of_each_family() {
     let mut text = String::new();
-    let families = Family::ALL.iter().filter(|it| **it != Family::Concept);
+    let written = [Family::Concept, Family::Ideas];
+    let families = Family::ALL.iter().filter(|it| !written.contains(it));
     for family in families {
         let mut all = BTreeSet::new();
         for difficulty in Difficulty::ALL {

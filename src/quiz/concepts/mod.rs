@@ -35,6 +35,8 @@ const ORDER: &str = "order.txt";
 pub struct Concept {
     /// Name that stays the same for good: lower-case letters, digits and hyphens.
     pub id: String,
+    /// Which family asks it: see [`of`].
+    pub family: Family,
     /// What it is about: the name of its file, as "right-angle".
     pub subject: String,
     /// How hard it is.
@@ -108,9 +110,16 @@ impl Topic {
     /// The families that ask about it; none where nothing in the program does.
     pub fn families(&self) -> Vec<Family> {
         let mut families = self.families_of_figures();
-        if all().iter().any(|it| it.topic() == *self) {
-            families.push(Family::Concept);
-        }
+        let written = [Family::Concept, Family::Ideas];
+        let asks = |family: &Family| of(*family).iter().any(|it| it.topic() == *self);
+        families.extend(written.iter().filter(|family| asks(family)));
+        families
+    }
+
+    /// Those that codes such as `read-abd-7` draw from.
+    pub(in crate::quiz) fn families_in_codes(&self) -> Vec<Family> {
+        let mut families = self.families();
+        families.retain(|family| *family != Family::Ideas);
         families
     }
 }
@@ -118,11 +127,18 @@ impl Topic {
 /// All concept questions, read once for the whole process.
 ///
 /// Their order is fixed, for it is part of what the code of a round stands for: new
-/// questions go to the end.
+/// questions go to the end, into a family that no older code draws from.
 pub fn all() -> &'static [Concept] {
     // A test holds that nothing is wrong with the files in the program.
     static READ: LazyLock<Vec<Concept>> = LazyLock::new(|| embedded().unwrap_or_default());
     &READ
+}
+
+/// The questions that a family asks, in their order: those before the empty line of
+/// `order.txt` are [`Family::Concept`], those behind it [`Family::Ideas`].
+pub fn of(family: Family) -> Vec<&'static Concept> {
+    let all = all().iter();
+    all.filter(|concept| concept.family == family).collect()
 }
 
 /// The question of an `id`.
@@ -156,7 +172,12 @@ fn embedded() -> Result<Vec<Concept>, FileErrors> {
 /// If it names one that is not there, or leaves one out.
 fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, FileError> {
     let mut ordered = Vec::with_capacity(concepts.len());
+    let mut family = Family::Concept;
     for (line, id) in (1..).zip(order.lines()) {
+        if id.is_empty() {
+            family = Family::Ideas;
+            continue;
+        }
         let fault = || FileError {
             line: Some(line),
             ..FileError::of_file(
@@ -165,7 +186,8 @@ fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, Fil
             )
         };
         let at = concepts.iter().position(|concept| concept.id == id);
-        ordered.push(concepts.remove(at.ok_or_else(fault)?));
+        let concept = concepts.remove(at.ok_or_else(fault)?);
+        ordered.push(Concept { family, ..concept });
     }
     match concepts.first() {
         None => Ok(ordered),

@@ -4,7 +4,7 @@ use super::figures::fill;
 use super::{Concept, Wrong};
 use crate::files::{self, Fields, FileErrors, Source, all, escape_control, one_line};
 use crate::physics::CollisionSpec;
-use crate::quiz::question::{Difficulty, Misconception};
+use crate::quiz::question::{Difficulty, Family, Misconception};
 
 /// The format that this program reads.
 const FORMAT: u32 = 1;
@@ -86,6 +86,7 @@ fn concept(subject: &str, file: &str, item: &Fields) -> Option<Concept> {
     });
     let concept = Concept {
         id: id?.into(),
+        family: Family::Concept,
         subject: subject.into(),
         difficulty: difficulty?,
         ask: ask?,

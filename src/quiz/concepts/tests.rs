@@ -6,6 +6,7 @@ use super::*;
 use crate::physics::named::Constant;
 use crate::physics::units::deg_from_rad;
 use crate::physics::{RestingTarget, resting_target::LargestDeflection};
+use crate::quiz::misconceptions::Origin;
 use crate::quiz::question::Misconception;
 
 #[test]
@@ -41,12 +42,44 @@ fn the_order_laid_down_stays() {
     }
 }
 
+/// The table of the guide says of each misconception what the program says, in the same order, and
+/// below it stands every study.
 #[test]
-fn the_guide_lists_every_misconception() {
+fn the_guide_lists_every_misconception_with_its_source() {
     let guide = include_str!("../../../docs/concepts.md");
+    let (_, table) = guide
+        .split_once("| name | in words | source |\n|---|---|---|\n")
+        .unwrap();
+    let (table, below) = table.split_once("\n\n").unwrap();
+    let source = |it: &Misconception| match it.origin() {
+        Origin::Study(study) => study,
+        Origin::Slip => "slip",
+        Origin::Ours => "ours",
+    };
+    let rows = Misconception::ALL.iter();
+    let rows = rows.map(|it| format!("| `{}` | {} | {} |", it.id(), it.name(), source(it)));
+    let rows: Vec<String> = rows.collect();
+    assert_eq!(table, rows.join("\n"));
+
+    let listed: Vec<&str> = below.split("\n- ").collect();
     for misconception in Misconception::ALL {
-        let row = format!("| `{}` | {} |", misconception.id(), misconception.name());
-        assert!(guide.contains(&row), "{row}");
+        if let Origin::Study(study) = misconception.origin() {
+            let (cited, found) = study.split_once(": ").unwrap();
+            let (authors, year) = cited.rsplit_once(' ').unwrap_or((cited, ""));
+            let first = authors
+                .split(" &")
+                .next()
+                .unwrap()
+                .trim_end_matches(" et al.");
+            // A review on the web has no year.
+            let year = match year {
+                "" => String::new(),
+                year => format!("({year})"),
+            };
+            let is_it = |entry: &&str| entry.contains(first) && entry.contains(&year);
+            assert!(listed.iter().any(is_it), "{study}");
+            assert!(!found.is_empty(), "{study}");
+        }
     }
 }
 

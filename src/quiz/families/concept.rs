@@ -2,11 +2,19 @@
 
 use super::outline::Outline;
 use crate::quiz::concepts::{self, Concept};
-use crate::quiz::question::{Dice, Difficulty, Illustration, Markings, Question};
+use crate::quiz::question::{Dice, Difficulty, Family, Illustration, Markings, Question};
 
 pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
-    let concepts = concepts::all().iter();
-    let concepts: Vec<&Concept> = concepts.filter(|it| it.difficulty == difficulty).collect();
+    any(Family::Concept, difficulty, dice)
+}
+
+pub(super) fn ask_more(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    any(Family::Ideas, difficulty, dice)
+}
+
+fn any(family: Family, difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
+    let mut concepts = concepts::of(family);
+    concepts.retain(|it| it.difficulty == difficulty);
     question(dice.pick(&concepts)?, dice)
 }
 
@@ -31,7 +39,7 @@ pub(in crate::quiz) fn question(concept: &Concept, dice: &mut Dice) -> Option<Qu
         draft = draft.shuffled(dice);
     }
     Some(Question {
-        family: super::Family::Concept,
+        family: concept.family,
         difficulty: concept.difficulty,
         ..draft.why(&concept.why)?
     })

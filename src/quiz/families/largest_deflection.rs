@@ -133,8 +133,11 @@ fn limit(dice: &mut Dice) -> Option<Question> {
                 "You used 90° − α, which is right for equal masses. A lighter striker is \
                    deflected further.",
             )
-            .chooses(UpsideDown, BELOW)
-            .says("You swapped the two masses: it is a heavier striker that has such a limit.")
+            .chooses(HeavyRebounds, BELOW)
+            .says(
+                "You gave the lighter striker the limit of a heavier one. A lighter striker can \
+                   rebound.",
+            )
             .why(
                 "Head-on a lighter striker bounces straight back: 180°. By choosing the offset \
                  you can get any deflection from 180° down to 0° at a graze.",

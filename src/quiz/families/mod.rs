@@ -53,6 +53,7 @@ static TABLE: [(&str, Draw); Family::ALL.len()] = [
     ("Rutherford's counts", rutherford::ask),
     ("make it so", make_it_so::ask),
     ("ideas in words", concept::ask),
+    ("more ideas in words", concept::ask_more),
 ];
 
 impl Family {
@@ -101,7 +102,9 @@ mod tests {
                 met.extend(asked.map(|(question, _)| question.topic));
             }
             let listed: BTreeSet<Topic> = match family {
-                Family::Concept => concepts::all().iter().map(|it| it.topic()).collect(),
+                Family::Concept | Family::Ideas => {
+                    concepts::of(family).iter().map(|it| it.topic()).collect()
+                }
                 family => Topic::all()
                     .filter(|it| it.families_of_figures().contains(&family))
                     .collect(),

@@ -36,9 +36,6 @@ fn of_any_striker(hit: &Hit) -> String {
 
 const NOT_HERE: &str = "For equal masses the angle is 90° only if no energy is lost.";
 
-const HEAVIER_CLOSES: &str =
-    "You had it the wrong way round: a heavier striker makes the angle smaller.";
-
 /// Whether, and with which striker, there is a right angle in spite of loss.
 fn square_again(dice: &mut Dice) -> Option<Question> {
     const STRIKERS: [&str; 4] = [
@@ -59,8 +56,11 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
         .options(order.map(|i| STRIKERS[i]), place(0))
         .chooses(AlwaysSquare, place(1))
         .says(here_e(NOT_HERE, e))
-        .chooses(UpsideDown, place(2))
-        .says(HEAVIER_CLOSES)
+        .chooses(HeavyRebounds, place(2))
+        .says(
+            "You made the striker heavier. But a loss already lets it go on along the line of \
+             impact, and a heavier striker goes on even more.",
+        )
         .chooses(LossForbidsSquare, place(3))
         .says("You assumed that a loss rules out the right angle. It only requires other masses.")
         .why(format!(
@@ -138,7 +138,7 @@ fn striker_for_square(dice: &mut Dice) -> Option<Question> {
             e,
         ))
         .wrong(UpsideDown, m2 / e)
-        .says(HEAVIER_CLOSES)
+        .says("You inverted the ratio: m₁ / m₂ is e, not 1 / e.")
         .wrong(EAsEnergy, e.sqrt() * m2)
         .says("You used √e, as if e were a share of energy. e compares speeds.")
         .why(format!(
@@ -196,7 +196,7 @@ fn corner(dice: &mut Dice) -> Option<Question> {
         )
         .wrong(CopiedAngle, 2.0 * deg_from_rad(alpha))
         .says(twice_alpha(alpha, "coin"))
-        .wrong(UpsideDown, 180.0 - deg_from_rad(separation))
+        .wrong(LossOpensAngle, 180.0 - deg_from_rad(separation))
         .says("You made the angle larger by as much as the loss makes it smaller.")
         .why(format!(
             "Of its speed the striker keeps sin {alpha}° = {across} perpendicular to the line of \

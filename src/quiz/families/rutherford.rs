@@ -91,7 +91,7 @@ fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let many = |n: u32| format!("{n} times as many");
     let few = |n: u32| format!("1/{n} as many");
     let root = times.isqrt();
-    let (here, there, [right, gentle, upside_down]) = if more_here {
+    let (here, there, [right, gentle, reversed]) = if more_here {
         (near_deg, far_deg, [many(times), many(root), few(times)])
     } else {
         (far_deg, near_deg, [few(times), few(root), many(times)])
@@ -103,13 +103,13 @@ fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
             in_degrees(there),
             in_degrees(here)
         ))
-        .options([right, gentle, upside_down, "Just as many".into()], 0)
+        .options([right, gentle, reversed, "Just as many".into()], 0)
         .chooses(TooGentle, 1)
         .says("You used the square of the sine. The law contains the fourth power.")
-        .chooses(UpsideDown, 2)
+        .chooses(CountsReversed, 2)
         .says(
-            "You had it the wrong way round. Small angles are the common ones: most particles \
-             pass far from a nucleus.",
+            "You gave the larger angle the larger count. But small angles are common: most \
+             particles pass far from a nucleus.",
         )
         .chooses(EveryAngleAlike, 3)
         .says(
@@ -134,7 +134,7 @@ fn wrong_ratios(draft: Outline, from_deg: f64, to_deg: f64, by_energy: f64) -> O
             by_energy * times_as_many(from_deg, to_deg).sqrt(),
         )
         .says("You used the square of the sines. The law contains the fourth power.")
-        .wrong(UpsideDown, truth.recip())
+        .wrong(CountsReversed, truth.recip())
 }
 
 /// A ratio as a number.
@@ -228,7 +228,7 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         .says("You used the sine of the whole angle. The law contains half of the angle.")
         .wrong(TooGentle, at(half_sine * fewer.sqrt()))
         .says("You used the square of the sine. The law contains the fourth power.")
-        .wrong(UpsideDown, at(half_sine / root))
+        .wrong(CountsReversed, at(half_sine / root))
         .says("You chose a smaller angle. There more particles are counted, not fewer.")
         .why(format!(
             "Counts are proportional to 1 / sin⁴ of half the angle. So the sine of half the angle \

@@ -96,7 +96,10 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
              exert a force only along the line of impact.",
         )
         .chooses(
-            (m1_g != m2_g).then_some(UpsideDown),
+            match m1_g == m2_g {
+                true => LossOpensAngle,
+                false => HeavyRebounds,
+            },
             (!square).then(|| LESS - right),
         )
         .says(if m1_g == m2_g {
@@ -115,8 +118,8 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
 const CLOSES: &str = "You assumed that the loss makes the angle larger. But the two separate more \
                       slowly, so the striker follows the coin.";
 
-/// Of whoever has the masses upside down.
-pub(super) const FOLLOWS_OR_BOUNCES: &str = "You had it the wrong way round: a heavier striker \
+/// Of whoever lets the heavier striker rebound, or the lighter one follow.
+pub(super) const FOLLOWS_OR_BOUNCES: &str = "You exchanged the two cases: a heavier striker \
                                              follows the coin, a lighter one rebounds.";
 
 const fn lossless_corner(right: usize) -> &'static str {
@@ -178,7 +181,7 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
         .wrong(HeavyUnmoved, heavy.then_some(deg_from_rad(alpha)))
         .says("You assumed that the striker goes straight on. It is heavier, but it is deflected.")
         .wrong(UpsideDown, wide(&hit.exchanged()))
-        .says("That is right with the two masses swapped.")
+        .says("You swapped the two masses in the formula.")
         .wrong(Lossless, wide(&hit.with_restitution(1.0)))
         .says(here_e(
             "That is the angle if no energy is lost.",

@@ -109,7 +109,7 @@ fn which(dice: &mut Dice) -> Option<Question> {
             "You assumed that the disc with the smaller angle is the heavier one. But both angles \
              also depend on the offset.",
         )
-        .chooses(UpsideDown, HEAVIER - right)
+        .chooses(HeavyRebounds, HEAVIER - right)
         .says(FOLLOWS_OR_BOUNCES)
         .why(format!(
             "The angle between the paths is {} + {} = {:.1}°{why}",

@@ -5,16 +5,41 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-use crate::quiz::question::{Misconception, Passage};
+#[cfg(doc)]
+use crate::quiz::question::Question;
+use crate::quiz::question::{Misconception, Passage, Topic};
 
 /// What is said of a misconception.
 #[derive(Default, Deserialize)]
-#[serde(default)]
+#[serde(default, deny_unknown_fields)]
 struct Description {
     name: String,
     advice: String,
     chapter: String,
     page: String,
+    source: String,
+    elsewhere: Vec<Elsewhere>,
+}
+
+/// The page that settles a misconception in questions about these topics; "centre-of-mass/turn" is
+/// one of which the turn is asked.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Elsewhere {
+    topics: Vec<String>,
+    chapter: String,
+    page: String,
+}
+
+/// Where a misconception is from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Origin {
+    /// A study describes it: "Hestenes et al. 1992: greater mass implies greater force".
+    Study(&'static str),
+    /// A slip of algebra or of reading: nobody believes it.
+    Slip,
+    /// The answer of a plausible wrong step, of which we know no study.
+    Ours,
 }
 
 impl Misconception {
@@ -28,10 +53,40 @@ impl Misconception {
         &self.description().advice
     }
 
+    /// Where it is from.
+    pub fn origin(self) -> Origin {
+        match self.description().source.as_str() {
+            "slip" => Origin::Slip,
+            "ours" => Origin::Ours,
+            study => Origin::Study(study),
+        }
+    }
+
     /// The page of a chapter that settles it.
     pub(crate) fn settled_by(self) -> Passage {
         let Description { chapter, page, .. } = self.description();
         Passage { chapter, page }
+    }
+
+    /// The page that settles it in questions about this topic, of which this is asked
+    /// ([`Question::asked`]).
+    pub(crate) fn settled_in(self, topic: &Topic, asked: Option<&str>) -> Passage {
+        let case = format!("{}/{}", topic.id(), asked.unwrap_or_default());
+        let elsewhere = &self.description().elsewhere;
+        let is_for = |it: &&Elsewhere, name: &str| it.topics.iter().any(|topic| topic == name);
+        let of_case = elsewhere.iter().find(|it| is_for(it, &case));
+        let found = of_case.or_else(|| elsewhere.iter().find(|it| is_for(it, topic.id())));
+        found.map_or_else(
+            || self.settled_by(),
+            |Elsewhere { chapter, page, .. }| Passage { chapter, page },
+        )
+    }
+
+    /// The topics, or `topic/asked`, for which another page is named.
+    #[cfg(test)]
+    pub(crate) fn settled_elsewhere(self) -> impl Iterator<Item = &'static str> {
+        let elsewhere = self.description().elsewhere.iter();
+        elsewhere.flat_map(|it| it.topics.iter().map(String::as_str))
     }
 
     fn description(self) -> &'static Description {
@@ -62,9 +117,15 @@ mod tests {
                 advice,
                 chapter,
                 page,
+                source,
+                elsewhere,
             } = it.description();
+            for topic in elsewhere.iter().flat_map(|it| &it.topics) {
+                let id = topic.split('/').next().unwrap_or_default().to_owned();
+                assert!(Topic::with_id(id).taught_on().is_some(), "{topic}");
+            }
             assert!(
-                [name, advice, chapter, page]
+                [name, advice, chapter, page, source]
                     .iter()
                     .all(|text| !text.is_empty()),
                 "{name}"

@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::fmt;
 
-use crate::quiz::question::{Answer, Fit, Misconception, Question};
+use crate::quiz::question::{Answer, Fit, Misconception, Question, WrongAnswer};
 
 /// The chance that somebody who holds a misconception answers a question that could show
 /// it in another way: by a slip, by doubt, or because this once another thought came first.
@@ -39,12 +39,25 @@ pub struct Clue {
 impl Clue {
     /// What an answer to a question says.
     pub fn new(question: &Question, answer: &Answer) -> Self {
-        let diagnosis = question.diagnose(answer);
+        Self::of(question, answer, |belief| Some(belief.misconception))
+    }
+
+    /// The same, with misconceptions as codes count them: see [`WrongAnswer::in_codes`].
+    pub(in crate::quiz) fn in_codes(question: &Question, answer: &Answer) -> Self {
+        Self::of(question, answer, WrongAnswer::in_codes)
+    }
+
+    fn of(
+        question: &Question,
+        answer: &Answer,
+        counted: fn(&WrongAnswer) -> Option<Misconception>,
+    ) -> Self {
+        let found = question.belief_of(answer);
         Self {
             question: question.text.clone(),
-            could_show: question.could_show().collect(),
-            shows: diagnosis.map(|it| it.misconception),
-            by_chance: question.by_chance(diagnosis.map_or(Fit::Whole, |it| it.fit)),
+            could_show: question.beliefs.iter().filter_map(counted).collect(),
+            shows: found.and_then(|(belief, _)| counted(belief)),
+            by_chance: question.by_chance(found.map_or(Fit::Whole, |(_, fit)| fit)),
         }
     }
 

@@ -26,7 +26,11 @@ pub fn explain(question: &Question, answer: &Answer) -> Explanation {
     let (title, opening, passage) = match question.belief_of(answer) {
         Some((belief, _)) => {
             let it = belief.misconception;
-            (it.name(), belief.says.clone(), Some(it.settled_by()))
+            (
+                it.name(),
+                belief.says.clone(),
+                Some(it.settled_in(&question.topic, question.asked())),
+            )
         }
         None if question.form.is_right(&answer.said) => {
             ("right", "Right, and this is why.".into(), None)

@@ -13,6 +13,7 @@ mod of_rays;
 mod reasoning;
 mod why;
 
+pub use catalogue::Origin;
 pub use evidence::{Clue, named};
 pub(crate) use evidence::{Evidence, NAMED_ODDS, SLIP, evidence};
 pub use explain::explain;

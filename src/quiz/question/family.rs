@@ -40,6 +40,8 @@ pub enum Family {
     MakeItSo,
     /// The written questions, one idea each.
     Concept,
+    /// Those that were written after the codes of [`Concept`](Self::Concept) were fixed.
+    Ideas,
 }
 
 impl Family {

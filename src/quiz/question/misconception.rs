@@ -43,6 +43,16 @@ pub enum Misconception {
     SpeedsAdd,
     /// Momentum taken to be lost with the energy.
     MomentumLost,
+    /// Momentum taken to be conserved for each body by itself.
+    EachKeepsMomentum,
+    /// Momentum taken to be conserved only if something still moves afterwards.
+    GoneAtRest,
+    /// Momentum and kinetic energy taken for one quantity.
+    MomentumAsEnergy,
+    /// Kinetic energy given a direction and components.
+    EnergyComponents,
+    /// Bodies that stay together taken to exert the larger impulse.
+    StickingHitsHarder,
     /// The two forces of a hit taken to differ.
     HeavierPushesHarder,
     /// The formula for a head-on hit used on the whole velocity.
@@ -57,14 +67,22 @@ pub enum Misconception {
     HeavyTakesEnergy,
     /// All angles, or all offsets, taken to do alike.
     EveryAngleAlike,
-    /// A ratio turned upside down.
+    /// A ratio inverted, or the two masses swapped in a formula.
     UpsideDown,
+    /// The heavier striker is taken to rebound and the lighter one to go on.
+    HeavyRebounds,
+    /// The larger angle taken to have the larger count.
+    CountsReversed,
+    /// An inverse proportion taken for a direct one.
+    DirectForInverse,
     /// No limit to how far a heavier striker can be turned.
     BeyondLargest,
     /// e taken off the whole velocity.
     LossOnEverything,
     /// e taken as the share of energy that is kept.
     EAsEnergy,
+    /// A loss taken to make the angle between the paths larger.
+    LossOpensAngle,
     /// A right angle taken to be impossible with loss.
     LossForbidsSquare,
     /// Grip at the contact taken to do nothing.
@@ -73,6 +91,8 @@ pub enum Misconception {
     GripStopsAll,
     /// An angle of one frame read in another.
     FramesMixed,
+    /// The frame's velocity subtracted where it must be added.
+    FrameReversed,
     /// The centre of mass taken halfway, whatever the masses.
     HalfwayCentre,
     /// The right angle looked for on the ground although both move.
@@ -104,6 +124,24 @@ impl Misconception {
         Self::OneLineFormula,
         Self::FramesMixed,
     ];
+
+    /// Which misconception the codes of rounds count this one as, so that a code still brings the
+    /// same questions although `upside-down` was split; `None` for those added later.
+    pub fn in_codes(self) -> Option<Self> {
+        match self {
+            Self::HeavyRebounds
+            | Self::CountsReversed
+            | Self::DirectForInverse
+            | Self::LossOpensAngle
+            | Self::FrameReversed => Some(Self::UpsideDown),
+            Self::EachKeepsMomentum
+            | Self::GoneAtRest
+            | Self::MomentumAsEnergy
+            | Self::EnergyComponents
+            | Self::StickingHitsHarder => None,
+            _ => Some(self),
+        }
+    }
 
     /// Its name in files.
     pub fn id(self) -> &'static str {

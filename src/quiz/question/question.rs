@@ -56,6 +56,17 @@ pub struct WrongAnswer {
     pub says: String,
 }
 
+impl WrongAnswer {
+    /// Which misconception the codes of rounds count it as: see [`Misconception::in_codes`].
+    /// `None` also for a choice that followed no known misconception when they were fixed.
+    pub fn in_codes(&self) -> Option<Misconception> {
+        match (self.misconception, self.said) {
+            (Misconception::LossOpensAngle, Response::Choice(_)) => None,
+            (misconception, _) => misconception.in_codes(),
+        }
+    }
+}
+
 /// The misconception that an answer fits best.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Diagnosis {
@@ -138,6 +149,11 @@ impl Question {
         });
         fits.min_by_key(|(_, fit, distance)| (*fit != Fit::Whole, (40.0 * distance).round() as i64))
             .map(|(belief, fit, _)| (belief, fit))
+    }
+
+    /// Which of its topic's questions it is, where there are several.
+    pub(crate) fn asked(&self) -> Option<&str> {
+        self.figures.get("asked")?.as_str()
     }
 
     /// The misconceptions that an answer could show.

@@ -69,7 +69,7 @@ impl ChaptersRead {
         }
         order.truncate(count);
         let mut asked = BTreeSet::new();
-        let mut questions = review::questions(&order, dice);
+        let mut questions = review::questions(&order, Topic::families_in_codes, dice);
         questions.retain(|question| asked.insert(question.text.clone()));
         questions
     }

@@ -31,7 +31,7 @@ fn shown(question: &Question) -> impl Iterator<Item = (Misconception, u32)> {
         .beliefs
         .iter()
         .filter(|it| question.width(it) > 0.5);
-    wide.map(move |belief| (belief.misconception, strength))
+    wide.filter_map(move |belief| Some((belief.in_codes()?, strength)))
 }
 
 /// How much each misconception has been met.

@@ -64,7 +64,7 @@ impl Posterior {
             found.map_or(0.0, |found| found.weight)
         };
         let sought = Misconception::ALL.iter().copied();
-        let sought = sought.filter(|it| !NOT_SOUGHT.contains(it));
+        let sought = sought.filter(|it| it.in_codes() == Some(*it) && !NOT_SOUGHT.contains(it));
         let before = |it| match Misconception::COMMON.contains(&it) {
             true => COMMON,
             false => 1.0,
@@ -94,12 +94,16 @@ impl Posterior {
     /// information of what is held and of what the answer shows.
     fn information(&self, question: &Question) -> f64 {
         let by_chance = question.by_chance(Fit::Whole);
-        let others = (1.0 - by_chance * question.beliefs.len() as f64).max(0.0);
+        let known = question.beliefs.iter();
+        let known: Vec<_> = known
+            .filter_map(|belief| Some((belief, belief.in_codes()?)))
+            .collect();
+        let others = (1.0 - by_chance * known.len() as f64).max(0.0);
         // How likely each is held that can show, and shows then: what is reckoned to few
         // degrees is the sooner missed by an unsteady hand.
-        let held = question.beliefs.iter().map(|belief| {
+        let held = known.iter().map(|(belief, misconception)| {
             let shows = (1.0 - SLIP) * question.width(belief);
-            (self.of(belief.misconception), shows)
+            (self.of(*misconception), shows)
         });
         let elsewhere = 1.0 - held.clone().map(|(likely, _)| likely).sum::<f64>();
         let hidden: f64 = held
@@ -112,7 +116,7 @@ impl Posterior {
             .map(|(likely, shows)| likely * shows + elsewhere * by_chance);
         let of_answers: f64 = each.map(bits).sum::<f64>() + bits(hidden + elsewhere * others);
         let of_holders = held.map(|(likely, shows)| likely * (bits(shows) + bits(1.0 - shows)));
-        let of_guesses = question.beliefs.len() as f64 * bits(by_chance) + bits(others);
+        let of_guesses = known.len() as f64 * bits(by_chance) + bits(others);
         of_answers - of_holders.sum::<f64>() - elsewhere * of_guesses
     }
 }
@@ -123,22 +127,22 @@ fn bits(p: f64) -> f64 {
 }
 
 /// Whether these answers settle what is believed: one misconception is named and stands
-/// clear, or none is left.
-pub(super) fn is_settled(clues: &[Clue]) -> bool {
+/// clear, or none is left. `in_codes` are the same answers with misconceptions as codes count them.
+pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
     if clues.len() < FEWEST {
         return false;
     }
-    let evidence = evidence(clues);
-    let posterior = Posterior::new(&evidence);
-    let first = evidence.first();
-    first.is_some_and(|it| it.names() && posterior.of(it.misconception) >= CLEAR)
+    let posterior = Posterior::new(&evidence(in_codes));
+    let first = evidence(clues).into_iter().next();
+    let likely = |it: Misconception| it.in_codes().map_or(0.0, |it| posterior.of(it));
+    first.is_some_and(|it| it.names() && likely(it.misconception) >= CLEAR)
         || posterior.none >= NONE_LEFT
 }
 
-/// The question that tells most after these answers, of those that the dice bring; none of
-/// `asked` again.
-pub(super) fn ask(asked: &[Question], clues: &[Clue], dice: &mut Dice) -> Option<Question> {
-    let posterior = Posterior::new(&evidence(clues));
+/// The question that tells most after these answers, with misconceptions as codes count them, of
+/// those that the dice bring; none of `asked` again.
+pub(super) fn ask(asked: &[Question], in_codes: &[Clue], dice: &mut Dice) -> Option<Question> {
+    let posterior = Posterior::new(&evidence(in_codes));
     let hardest = match asked.len() < BEFORE_HARD {
         true => Difficulty::Middle,
         false => Difficulty::Hard,

@@ -7,7 +7,7 @@ use crate::numbers::{FNV_START, fnv1a};
 use crate::quiz::concepts::{self, Concept};
 use crate::quiz::families::{concept, where_to};
 use crate::quiz::misconceptions::Clue;
-use crate::quiz::question::{Answer, Dice, Difficulty, Family, Misconception, Question};
+use crate::quiz::question::{Answer, Dice, Difficulty, Family, Misconception, Question, Topic};
 
 /// The questions of a round.
 ///
@@ -65,7 +65,8 @@ impl Round {
             CourseKind::Own(library) => own(&library.concepts, &course, seed),
             CourseKind::Review(due) => {
                 let topics = &due[..due.len().min(course.count)];
-                review::questions(topics, &mut Dice::new(salted(course.kind.id(), seed)))
+                let mut dice = Dice::new(salted(course.kind.id(), seed));
+                review::questions(topics, Topic::families, &mut dice)
             }
         };
         let mut round = Self {
@@ -84,13 +85,17 @@ impl Round {
         if !course.follows_answers() || answers.len() < asked || asked >= course.count {
             return;
         }
-        let clues: Vec<Clue> = (self.questions.iter().zip(answers))
-            .map(|(question, answer)| Clue::new(question, answer))
-            .collect();
-        if !find_out::is_settled(&clues) {
+        let answered = self.questions.iter().zip(answers);
+        let [clues, in_codes] = [Clue::new, Clue::in_codes].map(|clue: fn(&_, &_) -> Clue| {
+            let clues = answered
+                .clone()
+                .map(|(question, answer)| clue(question, answer));
+            clues.collect::<Vec<_>>()
+        });
+        if !find_out::is_settled(&clues, &in_codes) {
             // Whatever the questions before took from the dice.
             let seed = salted(course.kind.id(), *seed).wrapping_add(asked as u64);
-            let next = find_out::ask(&self.questions, &clues, &mut Dice::new(seed));
+            let next = find_out::ask(&self.questions, &in_codes, &mut Dice::new(seed));
             self.questions.extend(next);
         }
     }
@@ -202,6 +207,11 @@ fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
 /// there are such.
 fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Question> {
     let mut dice = Dice::new(salted(course.kind.id(), seed));
+    // The code of a misconception that was split later still asks the same questions.
+    let shows = |question: &Question| {
+        let mut beliefs = question.beliefs.iter();
+        beliefs.any(|it| it.misconception == misconception || it.in_codes() == Some(misconception))
+    };
     let mut questions: Vec<Question> = Vec::with_capacity(course.count);
     for i in 0..course.count {
         let first = Difficulty::rising(i, course.count);
@@ -212,19 +222,17 @@ fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Ques
                 false => *dice.pick(&Difficulty::ALL)?,
             };
             let (question, _) = dice.pick(MIXED)?.ask(difficulty, &mut dice)?;
-            let shows = question.could_show().any(|it| it == misconception);
             let old = questions.iter().any(|it| it.text == question.text);
-            (shows && !old).then_some(question)
+            (shows(&question) && !old).then_some(question)
         });
         questions.extend(fresh.or_else(|| {
-            let mut written: Vec<&Concept> = concepts::all().iter().collect();
+            let mut written = concepts::of(Family::Concept);
             dice.shuffle(&mut written);
+            // Questions written later come last, so that older codes do not change.
+            written.extend(concepts::of(Family::Ideas));
             let written = written.into_iter();
             let mut asked = written.filter_map(|it| concept::question(it, &mut dice));
-            asked.find(|it| {
-                let shows = it.could_show().any(|it| it == misconception);
-                shows && !questions.iter().any(|old| old.text == it.text)
-            })
+            asked.find(|it| shows(it) && !questions.iter().any(|old| old.text == it.text))
         }));
     }
     questions

@@ -3,7 +3,7 @@
 use super::ProgressAction;
 use crate::messages::History;
 use crate::progress::{HeldBelief, Trend, beliefs};
-use crate::quiz::NAMED_ODDS;
+use crate::quiz::{NAMED_ODDS, Origin};
 use crate::widgets::Role;
 use crate::widgets::panel::{Panel, TableColumn, TableRow};
 
@@ -61,6 +61,21 @@ pub(super) fn held(history: &History) -> Option<HeldBelief> {
     { beliefs(&history.attempts).into_iter() }.find(|belief| belief.trend() != Trend::Gone)
 }
 
+/// What helps against a misconception from such a source.
+const fn how_it_fades(origin: Origin) -> &'static str {
+    match origin {
+        Origin::Study(_) => {
+            "Many people believe this at first. Predicting, and seeing that the collision disagrees, is how it fades."
+        }
+        Origin::Slip => {
+            "This is a slip, not a belief. Checking the result in an extreme case shows it."
+        }
+        Origin::Ours => {
+            "Predicting, and seeing that the collision disagrees, is how such an idea fades."
+        }
+    }
+}
+
 /// Advice on the strongest belief, or a note that all are gone.
 pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
     let beliefs = beliefs(&history.attempts);
@@ -77,10 +92,7 @@ pub(super) fn panel(history: &History, panel: &mut Panel<ProgressAction>) {
             panel.paragraph(belief.misconception.name(), Role::Title);
             panel.paragraph(belief.misconception.advice(), Role::Text);
             panel.gap();
-            panel.paragraph(
-                "Many people believe this at first. Predicting, and seeing that the collision disagrees, is how it fades.",
-                Role::Dim,
-            );
+            panel.paragraph(how_it_fades(belief.misconception.origin()), Role::Dim);
         }
         None if beliefs.is_empty() => {}
         None => panel.paragraph(

@@ -4,7 +4,7 @@ use super::{Quiz, QuizAction};
 use crate::lessons::Book;
 use crate::numbers;
 use crate::progress::{Attempt, Summary};
-use crate::quiz::{Answer, Code, CourseKind, Form, Question, explain};
+use crate::quiz::{Answer, Code, CourseKind, Form, Origin, Question, explain};
 use crate::screens::leads;
 use crate::widgets::Role;
 use crate::widgets::input::ListAction;
@@ -37,8 +37,11 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
         panel.paragraph(text, Role::Text);
     }
     leads::write(summary.passage(), book, QuizAction::ReadUp, &mut panel);
-    if quiz.found().is_some() {
-        let check = "check with two questions whether you still believe it";
+    if let Some(found) = quiz.found() {
+        let check = match found.origin() {
+            Origin::Slip => "check with two questions whether it still happens",
+            _ => "check with two questions whether you still believe it",
+        };
         panel.prompt(check, QuizAction::Check);
     }
     if let Some((text, command)) = for_a_friend(quiz.round.code()) {

@@ -3,20 +3,23 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use carrom::quiz::{
-    Answer, Confidence, Course, CourseKind, Difficulty, Family, Form, Response, Round,
+    Answer, Code, Confidence, Course, CourseKind, Difficulty, Family, Form, Response, Round,
 };
 use carrom::quiz::{concepts, explain};
 
 use super::owed::{all, assert_family, questions, right_choice, word};
 
+/// Both families of written questions.
+const WRITTEN: [Family; 2] = [Family::Concept, Family::Ideas];
+
 #[test]
 fn owes_what_all_owe() {
-    assert_family(Family::Concept);
+    WRITTEN.into_iter().for_each(assert_family);
 }
 
 #[test]
 fn each_is_asked_as_it_is_written() {
-    for question in all(Family::Concept) {
+    for question in WRITTEN.into_iter().flat_map(all) {
         let written = concepts::with_id(word(&question, "id")).unwrap();
         assert_eq!(question.difficulty, written.difficulty);
         assert_eq!(question.text, written.ask);
@@ -45,7 +48,7 @@ fn every_one_is_asked_and_its_right_choice_stands_anywhere() {
     let mut asked = BTreeSet::new();
     // By the number of choices: how often the right one has each letter.
     let mut letters: BTreeMap<usize, BTreeMap<usize, f64>> = BTreeMap::new();
-    for question in all(Family::Concept) {
+    for question in WRITTEN.into_iter().flat_map(all) {
         let id = word(&question, "id").to_owned();
         if let Form::Choice { options, right } = &question.form
             && !concepts::with_id(&id).unwrap().ordered
@@ -71,6 +74,41 @@ fn every_one_is_asked_and_its_right_choice_stands_anywhere() {
     }
 }
 
+/// What was written later is in no round of an existing code, but in those of its own.
+#[test]
+fn later_questions_are_asked_by_codes_of_their_own() {
+    let later: BTreeSet<String> = all(Family::Ideas)
+        .map(|it| word(&it, "id").to_owned())
+        .collect();
+    let first: BTreeSet<String> = all(Family::Concept)
+        .map(|it| word(&it, "id").to_owned())
+        .collect();
+    assert!(first.is_disjoint(&later));
+    let later: BTreeSet<&str> = later.iter().map(String::as_str).collect();
+    let asks_later = |code: &str| {
+        let round = Round::of(Code::parse(code).unwrap());
+        let mut ids = round
+            .questions()
+            .iter()
+            .filter_map(|it| it.figures.get("id"));
+        ids.any(|id| later.contains(id.as_str().unwrap()))
+    };
+    for seed in 0..40 {
+        for kind in [
+            "mixed20",
+            "even20",
+            "exam20",
+            "concept20",
+            "upside-down",
+            "read-abl",
+        ] {
+            assert!(!asks_later(&format!("{kind}-{seed}")), "{kind}-{seed}");
+        }
+        assert!(asks_later(&format!("ideas-{seed}")));
+    }
+    assert!((0..40).any(|seed| asks_later(&format!("sticking-hits-harder-{seed}"))));
+}
+
 #[test]
 fn none_comes_twice_in_a_round() {
     let fewest = Difficulty::ALL.map(|difficulty| {
@@ -86,5 +124,10 @@ fn none_comes_twice_in_a_round() {
             let texts: BTreeSet<_> = round.questions().iter().map(|it| &it.text).collect();
             assert_eq!(texts.len(), count, "{seed}");
         }
+    }
+    for seed in 0..300 {
+        let round = Round::new(Course::new(CourseKind::Topic(Family::Ideas)), seed);
+        let texts: BTreeSet<_> = round.questions().iter().map(|it| &it.text).collect();
+        assert_eq!(texts.len(), round.questions().len(), "{seed}");
     }
 }

@@ -270,10 +270,9 @@ fn assert_words(question: &Question) {
         Form::Rays { .. } | Form::Shot(_) => {}
     }
     // Written questions speak in whole thoughts; the panel scrolls where it is small.
-    let longest = if question.family == Family::Concept {
-        14
-    } else {
-        12
+    let longest = match question.family {
+        Family::Concept | Family::Ideas => 14,
+        _ => 12,
     };
     for said in answers(question) {
         let explanation = explain(question, &Answer::new(said, Confidence::Guess));
