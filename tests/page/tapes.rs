@@ -39,7 +39,7 @@ const PLAY: &str = "
         }
         lines.push(line);
       }
-      panels.show(reply.painted.sheets);
+      window.carrom.show(reply.painted.sheets);
       screens.push({
         cells: lines.join('\\n'),
         sheets: reply.painted.sheets,

@@ -112,6 +112,9 @@ const panels = (() => {
     node.addEventListener("click", (event) => event.detail === 0 && step());
   }
 
+  // On a button, what is chosen has its colour by being chosen.
+  const plain = (run) => (run.role === "selected" ? { ...run, role: "text" } : run);
+
   // What follows belongs together: values, rows of a table, choices.
   const isChoice = (item) => item.chosen !== null && ["text", "pair", "large"].includes(item.is);
   function kindOf(item) {
@@ -212,7 +215,7 @@ const panels = (() => {
             node.item = item;
             mark(node, "chosen", item.chosen);
             if (pick) pick.setAttribute("aria-pressed", Boolean(item.chosen));
-            runs(pick || name, [item.name]);
+            runs(pick || name, [pick ? plain(item.name) : item.name]);
             values.forEach((cell, i) => runs(cell, [item.values[i]]));
           };
           return node;
@@ -238,8 +241,6 @@ const panels = (() => {
           mark(node, "large", item.is === "large");
           node.setAttribute("aria-pressed", Boolean(item.chosen));
           const list = item.is === "pair" ? [item.name] : item.runs;
-          // A chosen one has its colour by being chosen.
-          const plain = (run) => (run.role === "selected" ? { ...run, role: "text" } : run);
           const sign = item.mark ? [{ text: `${item.mark} `, role: "title" }] : [];
           runs(name, [...sign, ...list.map(plain)]);
           runs(side, item.is === "pair" ? [plain(item.value)] : []);
@@ -361,7 +362,7 @@ const panels = (() => {
         input.select();
       });
       // A tap on a field that has the focus already would put the caret into the number.
-      input.addEventListener("click", () => isTyped || input.select());
+      input.addEventListener("click", () => typed || input.select());
       input.addEventListener("input", () => {
         const wanted = input.value.replace(/[^\d.,−-]/g, "");
         choose(item);

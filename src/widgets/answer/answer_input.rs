@@ -243,7 +243,7 @@ impl AnswerInput {
             (Self::Shot(_), _) => {
                 "The offset: millimetres from the striker's path to the coin's centre, a minus for the left.".into()
             }
-            _ => "Choose with the arrows, or with the letter.".into(),
+            _ => "Choose one answer.".into(),
         }
     }
 }

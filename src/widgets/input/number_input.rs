@@ -136,10 +136,9 @@ impl NumberInput {
     /// How it is given.
     pub(crate) fn about(&self) -> String {
         match self.quantity.unit() {
-            _ if steps(&self.quantity).is_none() => "Type a number.".into(),
-            "" => "Type a number, or dial it with the arrows.".into(),
-            "times" => "Type how many times, or dial it with the arrows.".into(),
-            unit => format!("Type a number in {unit}, or dial it with the arrows."),
+            "" => "Type a number.".into(),
+            "times" => "Type how many times.".into(),
+            unit => format!("Type a number in {unit}."),
         }
     }
 

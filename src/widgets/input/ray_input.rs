@@ -10,7 +10,7 @@ use crate::quiz::{Ray, Rays};
 use crate::widgets::{Role, panel::Panel};
 
 /// What to do while nothing has been said of a ray.
-const UNSAID: &str = "Turn the ray with the arrows, or type its angle.";
+const UNSAID: &str = "Turn the ray, or type its angle.";
 
 /// A prediction in the making.
 ///
