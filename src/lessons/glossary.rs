@@ -58,6 +58,7 @@ mod tests {
     use std::path::Path;
 
     use super::*;
+    use crate::files::FileLibrary;
     use crate::lessons::{Book, ChapterLibrary};
 
     /// A page of a chapter as it is written.
@@ -119,7 +120,10 @@ mod tests {
                     faults.push(format!("{term}: bold on {}, {}?", it.chapter, it.title));
                 }
                 if i < at && uses(&it.text, term) {
-                    faults.push(format!("{term}: used before, on {}, {}", it.chapter, it.title));
+                    faults.push(format!(
+                        "{term}: used before, on {}, {}",
+                        it.chapter, it.title
+                    ));
                 }
             }
         }
@@ -137,7 +141,10 @@ mod tests {
         let different: BTreeSet<&str> = topics.iter().copied().collect();
         assert_eq!(topics.len(), different.len(), "{topics:?}");
         for it in all {
-            assert!(it.meaning.ends_with('.') && !it.meaning.contains(". "), "{it:?}");
+            assert!(
+                it.meaning.ends_with('.') && !it.meaning.contains(". "),
+                "{it:?}"
+            );
             assert!(it.symbol.as_deref() != Some("") && it.unit.as_deref() != Some(""));
         }
     }
@@ -153,8 +160,18 @@ mod tests {
         });
         let guide = include_str!("../../docs/glossary.md");
         let listed = guide.lines().filter_map(|line| {
-            let cells: Vec<&str> = line.strip_prefix('|')?.strip_suffix('|')?.split('|').collect();
-            Some(cells.into_iter().map(str::trim).collect::<Vec<_>>().join(" | "))
+            let cells: Vec<&str> = line
+                .strip_prefix('|')?
+                .strip_suffix('|')?
+                .split('|')
+                .collect();
+            Some(
+                cells
+                    .into_iter()
+                    .map(str::trim)
+                    .collect::<Vec<_>>()
+                    .join(" | "),
+            )
         });
         let is_head = |row: &String| row.starts_with("Term |") || row.starts_with("---");
         let listed: Vec<String> = listed.filter(|row| !is_head(row)).collect();

@@ -38,7 +38,9 @@ fn syllables(word: &str) -> usize {
         let is_silent = ends(&["e"]) && !ends(&["le", "ee", "ie", "oe"])
             || ends(&["ed"]) && !ends(&["ted", "ded", "eed", "ied"])
             || ends(&["es"])
-                && !ends(&["ses", "xes", "zes", "ches", "shes", "ces", "ges", "ies", "les"]);
+                && !ends(&[
+                    "ses", "xes", "zes", "ches", "shes", "ces", "ges", "ies", "les",
+                ]);
         let apart = APART.iter().filter(|it| part.contains(*it)).count();
         (groups + apart).saturating_sub(is_silent.into()).max(1)
     };
@@ -158,7 +160,12 @@ fn a_long_sentence_of_long_words_has_a_high_grade() {
          participants' velocities are unambiguously determined by the geometrical configuration.",
     ]);
     assert!(easy < 3.0 && hard > 15.0, "{easy} {hard}");
-    for (word, count) in [("velocity", 4), ("impulse", 2), ("moves", 1), ("collided", 3)] {
+    for (word, count) in [
+        ("velocity", 4),
+        ("impulse", 2),
+        ("moves", 1),
+        ("collided", 3),
+    ] {
         assert_eq!(syllables(word), count, "{word}");
     }
 }
