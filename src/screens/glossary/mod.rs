@@ -13,7 +13,9 @@ use crate::widgets::input::{KeyTable, ListAction, ListView};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum GlossaryAction {
-    /// choose a term, or read the page that introduces it
+    /// read the page that introduces the term
+    Read,
+    /// choose a term
     List(ListAction),
     /// go back
     Leave,
@@ -32,6 +34,12 @@ impl Glossary {
         let at = self.list.chosen(all.len());
         (at, all.get(at))
     }
+
+    /// Opens the page that introduces the chosen term.
+    fn read(&self, cx: &Context) -> Next {
+        let (_, entry) = self.chosen();
+        leads::open(entry.map(GlossaryEntry::introduced_by), cx)
+    }
 }
 
 impl Screen for Glossary {
@@ -46,7 +54,10 @@ impl Screen for Glossary {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<GlossaryAction> {
+        // Its own name for Enter: in plain lines, choosing a term must not open the page at once.
         KeyTable::new("glossary")
+            .on(Key::Enter, GlossaryAction::Read, "read")
+            .or([(Key::Char(' '), GlossaryAction::Read)])
             .with(ListView::keys("read"), GlossaryAction::List)
             .on(Key::Escape, GlossaryAction::Leave, "back")
     }
@@ -59,11 +70,9 @@ impl Screen for Glossary {
         match action {
             GlossaryAction::List(action) => {
                 let outcome = self.list.act(action, GlossaryEntry::all().len());
-                Next::of(outcome, |_| {
-                    let (_, entry) = self.chosen();
-                    leads::open(entry.map(GlossaryEntry::introduced_by), cx)
-                })
+                Next::of(outcome, |_| self.read(cx))
             }
+            GlossaryAction::Read => self.read(cx),
             GlossaryAction::Leave => Next::Back,
         }
     }

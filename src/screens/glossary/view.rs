@@ -37,8 +37,8 @@ pub(super) fn view<'s>(glossary: &Glossary, cx: &Context) -> View<'s, GlossaryAc
             about.fact("unit", unit);
         }
         about.gap();
-        let open = GlossaryAction::List(ListAction::Open);
-        leads::write(Some(entry.introduced_by()), &cx.book, open, &mut about);
+        let page = Some(entry.introduced_by());
+        leads::write(page, &cx.book, GlossaryAction::Read, &mut about);
     }
     View::panels(list, about)
 }
