@@ -227,7 +227,7 @@ impl App {
             }
             Input::Kept(answer) => {
                 self.note(answer);
-                return self.pass_on(input);
+                return self.pass_down(input);
             }
             // Too small to see what a key would do.
             _ if self.too_small() => {}
@@ -471,11 +471,15 @@ impl App {
         self.with_screen(|screen, cx| screen.input(input, cx))
     }
 
-    /// Passes an input to the topmost screen that has a use for it. If that is not the screen on
-    /// top and something follows from it, what covers that screen is closed first.
+    /// Passes an input to the screen on top, or else to a class that it covers, which goes on for
+    /// the others. If something follows from that, what covers the class is closed first.
     fn pass_down(&mut self, input: &Input) -> Vec<Effect> {
-        let mut covered = self.stack.iter_mut().enumerate().rev();
-        let found = covered.find_map(|(at, screen)| {
+        let top = self.stack.len().saturating_sub(1);
+        let mut screens = self.stack.iter_mut().enumerate().rev();
+        let found = screens.find_map(|(at, screen)| {
+            if at < top && !screen.shares_time() {
+                return None;
+            }
             let next = screen.input(input, &mut self.context);
             (next != Next::Ignored).then_some((at, next))
         });
