@@ -156,7 +156,7 @@ mod tests {
             let symbol = it.symbol.as_deref().unwrap_or_default();
             let unit = it.unit.as_deref().unwrap_or_default();
             let page = book.named(it.introduced_by()).unwrap();
-            vec![it.term.as_str(), symbol, unit, &it.meaning, &page].join(" | ")
+            [it.term.as_str(), symbol, unit, &it.meaning, &page].join(" | ")
         });
         let guide = include_str!("../../docs/glossary.md");
         let listed = guide.lines().filter_map(|line| {
