@@ -23,8 +23,8 @@
 //!   app/           App: the stack of screens, and what all screens share
 //!   ─────────────────────────────────────────────────────────────
 //!   screens/       one folder per screen: its state and actions, its view beside it
-//!                  home · learn · lab · foil · quiz · class · join · table · levels ·
-//!                  progress · settings
+//!                  home · learn · glossary · lab · foil · quiz · class · join · table ·
+//!                  levels · progress · settings
 //!   paper/         documents for paper: HTML that prints well, Markdown, vector pictures
 //!   ─────────────────────────────────────────────────────────────
 //!   widgets/       the drawn things: pictures as lists of marks (picture) with two

@@ -29,22 +29,36 @@ pub(super) enum AppLayer {
 pub(super) enum LayerAction {
     /// scroll
     Scroll(i16),
+    /// look up a term in the glossary
+    Glossary,
     /// agree
     Agree,
     /// decline
     Decline,
 }
 
+/// How a layer was closed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum LayerDone {
+    /// Without an answer, or with a no.
+    Closed,
+    /// The player agreed.
+    Agreed,
+    /// The player looks up a term.
+    Glossary,
+}
+
 impl AppLayer {
     /// Its keys. Where nothing is asked, any other key closes it.
     pub(super) fn keys(&self, rebound: &Rebound) -> KeyTable<LayerAction> {
-        use LayerAction::{Agree, Decline, Scroll};
+        use LayerAction::{Agree, Decline, Glossary, Scroll};
         let table = KeyTable::new("layer");
         let table = match self {
             Self::Notice(_) => table,
             Self::Help { .. } => table
                 .each([(Key::Up, Scroll(-1)), (Key::Down, Scroll(1))], "scroll")
-                .or([(Key::PageUp, Scroll(-10)), (Key::PageDown, Scroll(10))]),
+                .or([(Key::PageUp, Scroll(-10)), (Key::PageDown, Scroll(10))])
+                .on(Key::Char('g'), Glossary, "glossary"),
             Self::Confirm(question) | Self::Leave(question) => table
                 .on(Key::Char('y'), Agree, question.yes)
                 .or([(Key::Enter, Agree)])
@@ -59,18 +73,20 @@ impl AppLayer {
         matches!(self.keys(rebound).find(key), Some(LayerAction::Scroll(_)))
     }
 
-    /// Takes a key; done when the layer goes, with whether the player agreed. `most` is how
-    /// far a help page can be scrolled.
-    pub(super) fn press(&mut self, key: Key, most: u16, rebound: &Rebound) -> Outcome<bool> {
+    /// Takes a key; done when the layer is closed. `most` is how far a help page can be scrolled.
+    pub(super) fn press(&mut self, key: Key, most: u16, rebound: &Rebound) -> Outcome<LayerDone> {
         let action = self.keys(rebound).find(key);
         match (self, action) {
             (Self::Help { scrolled }, Some(LayerAction::Scroll(by))) => {
                 *scrolled = scrolled.saturating_add_signed(by).min(most);
                 Outcome::Used
             }
-            (Self::Confirm(_) | Self::Leave(_), Some(LayerAction::Agree)) => Outcome::Done(true),
+            (Self::Help { .. }, Some(LayerAction::Glossary)) => Outcome::Done(LayerDone::Glossary),
+            (Self::Confirm(_) | Self::Leave(_), Some(LayerAction::Agree)) => {
+                Outcome::Done(LayerDone::Agreed)
+            }
             (Self::Confirm(_) | Self::Leave(_), None) => Outcome::Ignored,
-            _ => Outcome::Done(false),
+            _ => Outcome::Done(LayerDone::Closed),
         }
     }
 }

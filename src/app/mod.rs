@@ -26,6 +26,7 @@ use crate::screens::{
     SharedAction,
     class::Class,
     foil::FoilScreen,
+    glossary::Glossary,
     home::Home,
     join::Join,
     lab::Lab,
@@ -39,7 +40,7 @@ use crate::screens::{
 use crate::widgets::input::KeyTable;
 use crate::widgets::{Outcome, Palette, PictureSizes};
 
-use layer::AppLayer;
+use layer::{AppLayer, LayerDone};
 
 /// The size below which nothing but a line of advice is drawn.
 pub(crate) const SMALLEST: (u16, u16) = (60, 20);
@@ -219,14 +220,14 @@ impl App {
             Input::Key(Key::Ctrl('c')) => return self.leave(),
             // Waited for by the screen that asked, whatever lies over it.
             Input::Exported(_) | Input::Hosted(_) | Input::Joined(_) => {
-                return self.pass_on(input);
+                return self.pass_down(input);
             }
             Input::Saving(ticket) => {
                 self.saving.insert(*ticket);
             }
             Input::Kept(answer) => {
                 self.note(answer);
-                return self.pass_on(input);
+                return self.pass_down(input);
             }
             // Too small to see what a key would do.
             _ if self.too_small() => {}
@@ -449,16 +450,46 @@ impl App {
         };
         match layer.press(key, most, &self.context.settings.keys) {
             Outcome::Ignored | Outcome::Used => vec![],
-            Outcome::Done(agreed) => match (self.layers.pop(), agreed) {
-                (_, false) => vec![],
-                (Some(AppLayer::Leave(_)), true) => vec![Effect::Quit],
-                (_, true) => self.with_screen(|screen, cx| screen.confirmed(cx)),
+            Outcome::Done(done) => match (self.layers.pop(), done) {
+                (_, LayerDone::Closed) => vec![],
+                (_, LayerDone::Glossary) => self.look_up(),
+                (Some(AppLayer::Leave(_)), LayerDone::Agreed) => vec![Effect::Quit],
+                (_, LayerDone::Agreed) => self.with_screen(|screen, cx| screen.confirmed(cx)),
             },
         }
     }
 
+    /// Opens the glossary over the screen, unless it is open.
+    fn look_up(&mut self) -> Vec<Effect> {
+        self.with_screen(|screen, cx| match screen.place(cx) {
+            Place::Glossary => Next::Stay,
+            _ => Next::Open(Place::Glossary),
+        })
+    }
+
     fn pass_on(&mut self, input: &Input) -> Vec<Effect> {
         self.with_screen(|screen, cx| screen.input(input, cx))
+    }
+
+    /// Passes an input to the screen on top, or else to a class that it covers, which goes on for
+    /// the others. If something follows from that, what covers the class is closed first.
+    fn pass_down(&mut self, input: &Input) -> Vec<Effect> {
+        let top = self.stack.len().saturating_sub(1);
+        let mut screens = self.stack.iter_mut().enumerate().rev();
+        let found = screens.find_map(|(at, screen)| {
+            if at < top && !screen.shares_time() {
+                return None;
+            }
+            let next = screen.input(input, &mut self.context);
+            (next != Next::Ignored).then_some((at, next))
+        });
+        let Some((at, next)) = found else {
+            return vec![];
+        };
+        if next != Next::Stay {
+            self.stack.truncate(at + 1);
+        }
+        self.with_screen(|_, _| next)
     }
 
     /// Lets the screen on top do something, and does what follows from it.
@@ -531,6 +562,7 @@ impl App {
             Place::Lab => hosted(Lab::resume(cx)),
             Place::LabOf { setup } => hosted(Lab::of(setup)),
             Place::Learn => hosted(Contents::new(cx)),
+            Place::Glossary => hosted(Glossary::default()),
             Place::Chapter { number } => match Reading::new(number, cx) {
                 Some(reading) => hosted(reading),
                 None => return,

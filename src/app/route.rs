@@ -44,6 +44,7 @@ impl Data {
                 let page = *page.ok_or("a page of the foil, 1 to 3")?;
                 Place::FoilAt { page }
             }
+            "glossary" => Place::Glossary,
             "table" => Place::Table,
             "quiz" => Place::Quiz {
                 code: self.round(value)?,
@@ -103,6 +104,7 @@ pub(super) fn address(place: &Place, cx: &Context) -> String {
         Place::Lab => "lab".into(),
         Place::LabOf { setup } => named("lab", &setup.to_link()),
         Place::Learn => "learn".into(),
+        Place::Glossary => "glossary".into(),
         Place::Chapter { number } => named("lesson", chapter(*number)),
         Place::Page { number, page } => format!("lesson={}:{}", chapter(*number), page + 1),
         Place::Quiz { code: None } => "quiz".into(),
@@ -201,6 +203,7 @@ mod tests {
             "learn",
             "lesson=the-line-of-impact",
             "lesson=the-line-of-impact:3",
+            "glossary",
             "quiz",
             "quiz=mixed-7",
             "class",

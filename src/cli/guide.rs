@@ -30,7 +30,7 @@ struct Guide {
 }
 
 /// In the order in which a teacher needs them.
-static GUIDES: [Guide; 9] = [
+static GUIDES: [Guide; 10] = [
     Guide {
         name: "start",
         about: "the first ten minutes",
@@ -55,6 +55,11 @@ static GUIDES: [Guide; 9] = [
         name: "model",
         about: "what is simulated, and what is left out",
         markdown: include_str!("../../docs/model.md"),
+    },
+    Guide {
+        name: "glossary",
+        about: "the terms of mechanics",
+        markdown: include_str!("../../docs/glossary.md"),
     },
     Guide {
         name: "levels",

@@ -6,6 +6,7 @@ mod examples;
 mod failure;
 mod figure;
 mod given;
+mod glossary;
 mod guide;
 mod hand_in;
 mod keys;
@@ -88,6 +89,7 @@ Examples:
   carrom gather handed-in --out class.html
                                a gradebook from the files of a class
   carrom misconceptions        every misconception that the program knows
+  carrom glossary impulse      a term of mechanics, explained in one sentence
   carrom --charset ascii       for terminals and fonts without Unicode
   carrom solve --alpha-deg 30  solve a collision, step by step
   carrom level check mine.toml check whether your own level can be won
@@ -120,6 +122,7 @@ enum Command {
     #[command(subcommand)]
     Concept(concept::Command),
     Misconceptions(misconceptions::Args),
+    Glossary(glossary::Args),
     Figure(figure::Args),
     HandIn(hand_in::HandInArgs),
     Gather(hand_in::GatherArgs),
@@ -400,6 +403,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
         Some(Command::Lesson(command)) => lesson::run(command, &cli.options),
         Some(Command::Concept(command)) => concept::run(command, &cli.options),
         Some(Command::Misconceptions(args)) => misconceptions::run(args, &cli.options),
+        Some(Command::Glossary(args)) => glossary::run(args, &cli.options),
         Some(Command::HandIn(args)) => hand_in::hand_in(args, &cli.options),
         Some(Command::Gather(args)) => hand_in::gather(args, &cli.options),
         Some(Command::Figure(args)) => figure::run(args, &cli.options),

@@ -17,6 +17,7 @@ mod chapter;
 mod checkpoint;
 mod figure;
 pub(crate) mod formula;
+mod glossary;
 mod header;
 mod inline;
 mod library;
@@ -37,6 +38,7 @@ pub(crate) use checkpoint::Expected;
 pub use checkpoint::{Checkpoint, CheckpointKind};
 pub use figure::{Figure, FigureKind};
 pub use formula::{Formula, Node};
+pub use glossary::GlossaryEntry;
 pub use library::ChapterLibrary;
 pub use page::ChapterPage;
 

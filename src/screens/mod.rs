@@ -10,6 +10,7 @@ mod view;
 
 pub(crate) mod class;
 pub(crate) mod foil;
+pub(crate) mod glossary;
 pub(crate) mod home;
 pub(crate) mod join;
 pub(crate) mod lab;

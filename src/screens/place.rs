@@ -18,6 +18,8 @@ pub enum Place {
     },
     /// The contents of the lessons.
     Learn,
+    /// The glossary.
+    Glossary,
     /// A chapter, where it was left.
     Chapter {
         /// Its place among all chapters, from 0.

@@ -38,6 +38,23 @@ fn names(folder: &Folder) -> Vec<String> {
 }
 
 #[test]
+fn the_glossary_is_printed_whole_or_by_term() {
+    let all = out(&carrom(&["glossary", "--charset", "unicode"]));
+    assert!(all.contains("impact angle, α, in °\n"), "{all}");
+    // A symbol alone means its own entry; words also longer terms that contain them.
+    let json = out(&carrom(&["glossary", "θ₁", "--json"]));
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let entries = json["entries"].as_array().unwrap();
+    assert_eq!(entries.len(), 1);
+    assert_eq!(entries[0]["term"], "deflection angle");
+    let frames = out(&carrom(&["glossary", "frame"]));
+    assert_eq!(frames.matches("\n    chapter ").count(), 3, "{frames}");
+    let refused = carrom(&["glossary", "phlogiston"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(err(&refused).contains("expected a term of the glossary"));
+}
+
+#[test]
 fn without_a_terminal_it_says_so() {
     for arguments in [
         &[][..],

@@ -10,5 +10,6 @@ mod families;
 mod find_out;
 mod forms;
 mod frozen;
+mod readability;
 mod rounds;
 mod working;

@@ -161,6 +161,27 @@ fn what_cannot_be_kept_is_told_on_both_sides() {
     press(&mut class, ada, "hy", "Handed in: 1 answer.");
 }
 
+/// The teacher looks up a term while a pupil joins, and a pupil while the round begins.
+#[test]
+fn a_class_goes_on_under_the_glossary() {
+    let place = Place::Host {
+        code: Code::parse("from-angle2-7"),
+        name: "10b".into(),
+    };
+    let app = App::new(place, Settings::default(), 7);
+    let mut class = Classroom::new(app.into());
+    press(&mut class, Who::Host, "?g", "carrom : glossary");
+    let app = pupil("Ada", &class);
+    let ada = class.add("Ada", app, 80, 24);
+    press(&mut class, ada, "<Enter>", "You are in, Ada.");
+    press(&mut class, Who::Host, "", "carrom : glossary");
+    press(&mut class, Who::Host, "<Escape>w", "Ada");
+    press(&mut class, ada, "?g", "carrom : glossary");
+    press(&mut class, Who::Host, "<Escape><Enter><Enter>", "voted");
+    press(&mut class, ada, "<Escape>", "from");
+    assert!(!class.game(ada).screen().contains("You are in, Ada."));
+}
+
 /// The place in the middle of this text on a screen.
 fn place(screen: &str, text: &str) -> (u16, u16) {
     let rows = screen.lines().enumerate();

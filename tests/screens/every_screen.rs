@@ -16,6 +16,7 @@ fn places() -> Vec<Place> {
         Place::Home,
         Place::Lab,
         Place::Learn,
+        Place::Glossary,
         Place::Chapter { number: 2 },
         Place::Chapter { number: 3 },
         Place::Quiz { code: None },

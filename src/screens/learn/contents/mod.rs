@@ -18,6 +18,8 @@ pub(crate) enum ContentsAction {
     List(ListAction),
     /// go to the next chapter that is not done
     Next,
+    /// open the glossary
+    Glossary,
     /// forget your place and your answers in the chosen chapter
     Forget,
     /// forget your places and answers in all chapters
@@ -55,6 +57,8 @@ enum ContentsLine<'a> {
     Chapter(&'a Chapter),
     /// How far one has come.
     Summary,
+    /// The terms that the chapters introduce.
+    Glossary,
     /// A file that is left out.
     Problem(&'a FileError),
 }
@@ -64,7 +68,7 @@ fn lines(book: &Book) -> Vec<ContentsLine<'_>> {
     let library = book.library();
     let chapters = library.chapters.iter().map(ContentsLine::Chapter);
     let problems = library.problems.iter().map(ContentsLine::Problem);
-    let lines = chapters.chain([ContentsLine::Summary]);
+    let lines = chapters.chain([ContentsLine::Summary, ContentsLine::Glossary]);
     lines.chain(problems).collect()
 }
 
@@ -83,6 +87,7 @@ fn open(book: &Book) -> Next {
     let number = match chosen(book) {
         ContentsLine::Chapter(_) => Some(book.at),
         ContentsLine::Summary => book.next(),
+        ContentsLine::Glossary => return Next::Open(Place::Glossary),
         ContentsLine::Problem(_) => None,
     };
     number.map_or(Next::Stay, |number| Next::Open(Place::Chapter { number }))
@@ -107,7 +112,7 @@ impl Screen for Contents {
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<ContentsAction> {
-        use ContentsAction::{Forget, ForgetAll, Leave, List, Next};
+        use ContentsAction::{Forget, ForgetAll, Glossary, Leave, List, Next};
         let keys = KeyTable::new("contents");
         let book = &cx.book;
         if !book.is_known() {
@@ -116,6 +121,7 @@ impl Screen for Contents {
         keys.with(ListView::keys("read"), List)
             .on(Key::Escape, Leave, "back")
             .on(Key::Char('n'), Next, "next")
+            .on(Key::Char('g'), Glossary, "glossary")
             .on(Key::Char('R'), Forget, "reset")
             .when(chapter_begun(book).is_some())
             .on(Key::Char('A'), ForgetAll, "reset all")
@@ -134,6 +140,7 @@ impl Screen for Contents {
                 book.at = book.next().unwrap_or(book.at);
                 return Next::Stay;
             }
+            ContentsAction::Glossary => return Next::Open(Place::Glossary),
             ContentsAction::Leave => return Next::Back,
             ContentsAction::ForgetAll => ("all chapters".to_owned(), "all chapters"),
             ContentsAction::Forget => {

@@ -1,7 +1,7 @@
 //! What the contents show.
 
 use super::{ContentsAction, ContentsLine, chosen, lines};
-use crate::lessons::{Book, Bookmark, Chapter};
+use crate::lessons::{Book, Bookmark, Chapter, GlossaryEntry};
 use crate::screens::{Context, View};
 use crate::widgets::Role;
 use crate::widgets::input::ListAction;
@@ -19,6 +19,7 @@ pub(super) fn view<'s>(cx: &Context) -> View<'s, ContentsAction> {
         let (text, side, role) = match line {
             ContentsLine::Chapter(chapter) => chapter_line(book, chapter),
             ContentsLine::Summary => ("How far you have come".into(), String::new(), Role::Dim),
+            ContentsLine::Glossary => ("Glossary".into(), String::new(), Role::Dim),
             ContentsLine::Problem(fault) => {
                 let text = format!("left out: {}", fault.file);
                 (text, String::new(), Role::Warn)
@@ -30,6 +31,7 @@ pub(super) fn view<'s>(cx: &Context) -> View<'s, ContentsAction> {
     let about = match chosen(book) {
         ContentsLine::Chapter(chapter) => about_chapter(book, chapter),
         ContentsLine::Summary => summary(book),
+        ContentsLine::Glossary => about_glossary(),
         ContentsLine::Problem(fault) => {
             let mut panel = Panel::new("what is wrong");
             panel.paragraph(fault.to_string(), Role::Text);
@@ -87,6 +89,18 @@ fn about_chapter(book: &Book, chapter: &Chapter) -> Panel<ContentsAction> {
         page => format!("go on at page {}", page + 1),
     };
     panel.prompt(next, ContentsAction::List(ListAction::Open));
+    panel
+}
+
+fn about_glossary() -> Panel<ContentsAction> {
+    let mut panel = Panel::new("the glossary");
+    let about = format!(
+        "{} terms of mechanics, each explained in one sentence, with the page that introduces it.",
+        GlossaryEntry::all().len()
+    );
+    panel.paragraph(about, Role::Text);
+    panel.gap();
+    panel.prompt("look up a term", ContentsAction::Glossary);
     panel
 }
 

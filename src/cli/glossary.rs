@@ -1,0 +1,80 @@
+//! `carrom glossary`: the terms of mechanics.
+
+use std::fmt::Write;
+
+use serde::Serialize;
+
+use super::{Failure, GlobalOptions, print_report, print_text};
+use crate::files::quoted;
+use crate::lessons::GlossaryEntry;
+
+/// Explain the terms of mechanics, each in one sentence
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  carrom glossary              every term, by topic
+  carrom glossary impulse      the terms with this word in them
+  carrom learn 2               read the chapter that introduces a term")]
+pub(super) struct Args {
+    /// Only the terms that contain these words, or have this symbol
+    #[arg(value_name = "TERM")]
+    term: Vec<String>,
+    /// Print one JSON object instead
+    #[arg(long)]
+    json: bool,
+}
+
+/// The printed object.
+#[derive(Serialize)]
+struct Report {
+    entries: Vec<&'static GlossaryEntry>,
+}
+
+pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
+    let wanted = args.term.join(" ");
+    let entries = matching(&wanted);
+    if entries.is_empty() {
+        let found = quoted(&wanted);
+        let message =
+            format!("expected a term of the glossary (carrom glossary prints all), found {found}");
+        return Err(Failure::input(message));
+    }
+    if args.json {
+        return Ok(print_report(Some(&Report { entries }), String::new)?);
+    }
+    let book = options.book();
+    let mut text = String::new();
+    for entry in entries {
+        let GlossaryEntry {
+            term,
+            symbol,
+            unit,
+            meaning,
+            ..
+        } = entry;
+        text.push_str(term);
+        if let Some(symbol) = symbol {
+            write!(text, ", {symbol}")?;
+        }
+        if let Some(unit) = unit {
+            write!(text, ", in {unit}")?;
+        }
+        writeln!(text, "\n    {meaning}")?;
+        if let Some(page) = book.named(entry.introduced_by()) {
+            writeln!(text, "    {page}")?;
+        }
+    }
+    Ok(print_text(text.trim_end(), options)?)
+}
+
+/// The entry of this term or symbol alone, or else those whose term contains the words.
+fn matching(wanted: &str) -> Vec<&'static GlossaryEntry> {
+    let words = wanted.to_lowercase();
+    let all = GlossaryEntry::all().iter();
+    let exact = |it: &&GlossaryEntry| it.term == words || it.symbol.as_deref() == Some(wanted);
+    let same: Vec<_> = all.clone().filter(exact).collect();
+    match same.is_empty() {
+        true => all.filter(|it| it.term.contains(&words)).collect(),
+        false => same,
+    }
+}

@@ -1,0 +1,87 @@
+//! The glossary: each term with its meaning, and the page that introduces it.
+
+mod view;
+
+use strum::{EnumMessage, IntoStaticStr};
+
+use super::{Context, Next, Place, Screen, View, leads};
+use crate::lessons::GlossaryEntry;
+use crate::messages::Key;
+use crate::widgets::input::{KeyTable, ListAction, ListView};
+
+/// Actions of the glossary.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
+#[strum(serialize_all = "kebab-case")]
+pub(crate) enum GlossaryAction {
+    /// read the page that introduces the term
+    Read,
+    /// choose a term
+    List(ListAction),
+    /// go back
+    Leave,
+}
+
+/// The glossary.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Glossary {
+    list: ListView,
+}
+
+impl Glossary {
+    /// The chosen entry, and its number from 0.
+    fn chosen(&self) -> (usize, Option<&'static GlossaryEntry>) {
+        let all = GlossaryEntry::all();
+        let at = self.list.chosen(all.len());
+        (at, all.get(at))
+    }
+
+    /// Opens the page that introduces the chosen term.
+    fn read(&self, cx: &Context) -> Next {
+        let (_, entry) = self.chosen();
+        leads::open(entry.map(GlossaryEntry::introduced_by), cx)
+    }
+}
+
+impl Screen for Glossary {
+    type Action = GlossaryAction;
+
+    fn title(&self) -> String {
+        "glossary".into()
+    }
+
+    fn place(&self, _cx: &Context) -> Place {
+        Place::Glossary
+    }
+
+    fn keys(&self, _cx: &Context) -> KeyTable<GlossaryAction> {
+        // Its own name for Enter: in plain lines, choosing a term must not open the page at once.
+        KeyTable::new("glossary")
+            .on(Key::Enter, GlossaryAction::Read, "read")
+            .or([(Key::Char(' '), GlossaryAction::Read)])
+            .with(ListView::keys("read"), GlossaryAction::List)
+            .on(Key::Escape, GlossaryAction::Leave, "back")
+    }
+
+    fn about(&self, _cx: &Context) -> Vec<&'static str> {
+        include_str!("help.txt").lines().collect()
+    }
+
+    fn act(&mut self, action: GlossaryAction, cx: &mut Context) -> Next {
+        match action {
+            GlossaryAction::List(action) => {
+                let outcome = self.list.act(action, GlossaryEntry::all().len());
+                Next::of(outcome, |_| self.read(cx))
+            }
+            GlossaryAction::Read => self.read(cx),
+            GlossaryAction::Leave => Next::Back,
+        }
+    }
+
+    fn wheel(&mut self, by: i8, cx: &mut Context) -> Next {
+        self.act(GlossaryAction::List(ListAction::Choose(by.into())), cx)
+    }
+
+    fn view<'s>(&'s self, cx: &'s Context) -> View<'s, GlossaryAction> {
+        view::view(self, cx)
+    }
+}
