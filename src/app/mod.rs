@@ -275,8 +275,8 @@ impl App {
             StoreReply::Noted(Err(reason)) if was_owed == 0 && answer.owed > 0 => {
                 self.retry.waited = Duration::ZERO;
                 self.tell(format!(
-                    "What you do cannot be kept for now: {reason}. You can go on all the same: it \
-                     is kept as soon as that is possible."
+                    "What you do cannot be saved for now: {reason}. You can still go on: carrom \
+                     saves it as soon as possible."
                 ));
             }
             StoreReply::Noted(Err(reason))
@@ -343,7 +343,7 @@ impl App {
         match self.owed {
             _ if !self.saving.is_empty() => "saving ..".into(),
             0 => String::new(),
-            owed => format!("not kept: {owed}"),
+            owed => format!("not saved: {owed}"),
         }
     }
 

@@ -151,8 +151,8 @@ impl Refusal {
                  again."
             }
             Self::Later => {
-                "Too many devices on your network are joining at once or typing wrong codes. carrom \
-                 tries again by itself."
+                "Too many devices on your network are joining at once or typing wrong codes. \
+                 carrom tries again by itself."
             }
         }
     }
@@ -263,8 +263,8 @@ impl NotTaken {
                 "The teacher's carrom could not read what yours has sent. Open the page from the \
                  address on the board."
             }
-            Self::TooMany => "The teacher's carrom takes no more of it today.",
-            Self::NotWritten => "The teacher's carrom could not keep it. Tell your teacher.",
+            Self::TooMany => "The teacher's carrom accepts no more today.",
+            Self::NotWritten => "The teacher's carrom could not save it. Tell your teacher.",
         }
     }
 }

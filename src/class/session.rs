@@ -495,7 +495,7 @@ impl Session {
             }
             Err(reason) => {
                 self.effects.push(SessionEffect::Tell(format!(
-                    "What a pupil handed in cannot be kept: {reason}."
+                    "What a pupil handed in cannot be saved: {reason}."
                 )));
                 Err(NotTaken::NotWritten)
             }

@@ -137,7 +137,7 @@ impl HandIn {
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         // Whatever else is in it: what it is and how new it is comes first.
         let value = serde_json::from_slice(bytes)
-            .map_err(|error| format!("it is damaged or no hand-in: {}", short(&error)))?;
+            .map_err(|error| format!("it is damaged or not a hand-in: {}", short(&error)))?;
         Self::of_value(value)
     }
 
@@ -161,7 +161,7 @@ impl HandIn {
             let read = serde_json::from_value(answer).map_err(|error| short(&error));
             let player = written.name.clone();
             read.and_then(|read| checked(Attempt { player, ..read }, &mut known))
-                .map_err(|why| format!("it is damaged: answer {number} cannot be: {why}"))
+                .map_err(|why| format!("it is damaged: answer {number} is impossible: {why}"))
         });
         let attempts = attempts.collect::<Result<_, _>>()?;
         let hand_in = Self::of(&written.name, &written.class, attempts);
@@ -208,7 +208,7 @@ fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, Str
         let is_free = is_own && family == Family::Concept;
         if !is_free && !is_topic_of(&attempt.topic, family, known) {
             return Err(format!(
-                "its topic is {}, which is none of its family",
+                "its topic is {}, which is not in its family",
                 quoted(&attempt.topic)
             ));
         }
@@ -226,7 +226,7 @@ fn name_round(attempt: &mut Attempt) -> Result<Option<Code>, String> {
     let noted = round.as_str().unwrap_or_default();
     let (name, code) = Code::read_noted(noted).map_err(|_| {
         let shown = round.as_str().map_or_else(|| round.to_string(), Into::into);
-        format!("its round is {}, which is no code", quoted(&shown))
+        format!("its round is {}, which is not a code", quoted(&shown))
     })?;
     if name != noted {
         *round = name.into();

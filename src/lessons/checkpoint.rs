@@ -286,7 +286,7 @@ fn read_choices(
         let (why, after) = rest.split_at(length);
         let told: Vec<_> = why.iter().map(|(_, text)| text.trim()).collect();
         if told.is_empty() {
-            let message = "expected indented lines that are said to whoever chooses this";
+            let message = "expected indented lines of feedback for this choice";
             source.refuse::<()>(*number, message);
         }
         let text = inline::read(source, *number, text, meaning);

@@ -286,7 +286,10 @@ impl Goal {
                     HitMeasure::Turn(_) => {
                         format!("Send {name} off at {between} from the line of the shot.")
                     }
-                    HitMeasure::Separation => format!("Make the two go {between} apart."),
+                    HitMeasure::Separation => format!(
+                        "Make the angle between the paths \
+                         {between}."
+                    ),
                     HitMeasure::Energy(_) => {
                         format!("Give {name} {between} of the energy in the first hit.")
                     }

@@ -141,14 +141,17 @@ impl Goal {
                 let told = match measure {
                     HitMeasure::Speed(_) => format!("{name} left the hit at {} m/s", tidy(number)),
                     HitMeasure::Turn(_) => format!("{name} left at {}", degrees(number)),
-                    HitMeasure::Separation => format!("they went {} apart", degrees(number)),
+                    HitMeasure::Separation => format!("the paths were {} apart", degrees(number)),
                     HitMeasure::Energy(_) => {
                         format!("{name} took {} % of the energy", tidy(100.0 * number))
                     }
                 };
                 match range.holds(number) {
                     true => found(true, told),
-                    false => found(false, format!("{told}, wanted {}", measure.between(range))),
+                    false => found(
+                        false,
+                        format!("{told}, required {}", measure.between(range)),
+                    ),
                 }
             }
         }
@@ -188,7 +191,7 @@ impl Missing {
             (Self::Direction, "") => "one of the two stopped, so there is no angle".into(),
             (Self::Direction, _) => format!("{name} stopped, so it has no direction"),
             (Self::Part, "") => "no disc was hit".into(),
-            (Self::Part, _) => format!("{name} had no part in a first hit"),
+            (Self::Part, _) => format!("{name} was not in the first hit"),
         }
     }
 }

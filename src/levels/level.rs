@@ -92,7 +92,7 @@ impl Level {
         let about = about?;
         let id = about.id("id").and_then(|id| {
             if others.iter().any(|other| other.id == id) {
-                let message = format!("expected an id of its own, found \"{id}\" once more");
+                let message = format!("expected an id of its own, found \"{id}\" twice");
                 return about.refuse("id", message);
             }
             Some(id)

@@ -64,8 +64,8 @@ fn overview(results: &ClassResults<'_>) -> Markup {
     let all = html! {
         p {
             (counted(book.pupils.len(), "pupil")) ", " (counted(answers, "answer")) ". "
-            "To each question of a round the first answer counts. Points: 0 to 10 for each, by how "
-            "near it was."
+            "For each question of a round the first answer counts. Points: 0 to 10 each, by how "
+            "close it was."
         }
         @if !book.notes.is_empty() {
             h2 { "About the files" }
@@ -154,7 +154,7 @@ fn questions(results: &ClassResults<'_>) -> Markup {
 fn believed(results: &ClassResults<'_>) -> Markup {
     let held = beliefs(results);
     html! {
-        @if held.is_empty() { p { "No answer fitted a misconception that is known." } }
+        @if held.is_empty() { p { "No answer fits a known misconception." } }
         @for it in &held {
             h2 { (it.misconception.name()) }
             p {

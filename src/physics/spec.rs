@@ -185,9 +185,10 @@ impl CollisionSpec {
         let points = |name: &&str| ["alpha_deg", "offset_mm"].contains(name);
         match names.into_iter().filter(points).count() {
             0 | 1 => Ok(()),
-            _ => Err("expected alpha_deg or offset_mm, found both: \
-                      each says where the two meet"
-                .into()),
+            _ => Err(
+                "expected alpha_deg or offset_mm, found both: each sets where the discs meet"
+                    .into(),
+            ),
         }
     }
 

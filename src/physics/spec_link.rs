@@ -129,7 +129,7 @@ mod tests {
             ),
             (
                 "b:1,alpha:3",
-                "expected alpha_deg or offset_mm, found both: each says where the two meet",
+                "expected alpha_deg or offset_mm, found both: each sets where the discs meet",
             ),
         ] {
             assert_eq!(CollisionSpec::from_link(link), Err(message.to_owned()));

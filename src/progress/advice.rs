@@ -35,8 +35,8 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     let lately = &attempts[attempts.len().saturating_sub(LATELY)..];
     if let Some(missed) = lately.iter().rev().find(|it| it.is_surely_wrong()) {
         return format!(
-            "You were sure, and it came out differently: {}. Try one of its kind again, and \
-             take your time over the why.",
+            "You were sure, and it came out differently: {}. Try one of its kind again, and read \
+             the explanation slowly.",
             missed.topic_name()
         );
     }

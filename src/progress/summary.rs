@@ -155,8 +155,8 @@ impl<'a> Summary<'a> {
         vec![
             format!("It seems that you believe this: {}.", misconception.name()),
             format!(
-                "Your answers to questions {} and {last} say so: {first} that could show it. They \
-                 are {} as likely from somebody who believes it as from somebody who guesses.",
+                "Your answers to questions {} and {last} show it: {first} that could. They are {} \
+                 as likely if you believe it as if you guess.",
                 others.join(", "),
                 times_as(first.weight),
             ),
@@ -173,8 +173,8 @@ impl<'a> Summary<'a> {
             "Nothing that you believe stands in your way. Take a mixed round, or a level that \
              needs an exact cut."
         } else {
-            "Where your answers were off, each was off in its own way: no known belief explains \
-             them. Go through them once more, with the whys; then begin with the first chapters."
+            "Your wrong answers have no pattern: no known misconception explains them. Go through \
+             them once more, with the explanations; then begin with the first chapters."
         };
         vec![
             "No misconception stands out.".into(),
@@ -218,8 +218,8 @@ impl<'a> Summary<'a> {
             asked if 5 * self.right() >= 4 * asked => {
                 "You know this. Try a new round, or a level that needs an exact cut.".into()
             }
-            _ => "In the lab, take one hit at a time: first the line of impact, then the \
-                  striker's part across it."
+            _ => "In the lab, take one collision at a time: first the line of impact, then the \
+                  perpendicular component."
                 .into(),
         }
     }

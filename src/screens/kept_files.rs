@@ -152,7 +152,7 @@ impl<T> KeptFiles<T> {
     ) {
         let KeptKind { all, saved, .. } = self.kind;
         match &self.files {
-            Ok(None) => panel.paragraph("Looking …", Role::Text),
+            Ok(None) => panel.paragraph("Loading …", Role::Text),
             Err(reason) => {
                 let message = format!("The {all} cannot be listed: {reason}.");
                 panel.paragraph(message, Role::Warn);

@@ -36,7 +36,7 @@ impl Recall {
     /// That it is looked for, or why it cannot be.
     pub(super) fn unknown(&self) -> Option<(String, Role)> {
         match self {
-            Self::Asked(_) => Some(("Looking …".into(), Role::Dim)),
+            Self::Asked(_) => Some(("Loading …".into(), Role::Dim)),
             Self::Unknown(reason) => {
                 let message = format!("Your progress cannot be loaded: {reason}.");
                 Some((message, Role::Warn))

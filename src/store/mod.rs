@@ -372,7 +372,7 @@ impl Store {
         self.pay().map_err(|reason| {
             let owed = self.owed.len();
             let things = if owed == 1 { "thing" } else { "things" };
-            format!("{owed} {things} that you did could not be kept: {reason}")
+            format!("{owed} {things} that you did could not be saved: {reason}")
         })
     }
 

@@ -390,12 +390,7 @@ fn all_who_are_away_and_never_voted_are_removed_by_one_key() {
         "<Enter><Enter>w",
         "4 in, 4 on the list",
     );
-    assert!(
-        !class
-            .game(Who::Host)
-            .screen()
-            .contains("remove who is away")
-    );
+    assert!(!class.game(Who::Host).screen().contains("remove absentees"));
     press(
         &mut class,
         pupils[1],

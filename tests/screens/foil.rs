@@ -62,7 +62,7 @@ fn escape_stops_a_beam_at_once_and_enter_lets_it_go_on() {
     assert_eq!(number(&mut game, "stopped at"), stopped);
     game.key(Key::Enter);
     game.pass(FRAME * 20);
-    assert!(number(&mut game, "thrown so far") > stopped);
+    assert!(number(&mut game, "sent so far") > stopped);
     // Twice: once to stop, once to leave.
     game.press("<Escape><Escape>");
     assert!(game.screen().contains("carrom : home"));

@@ -77,6 +77,6 @@ pub(crate) fn judge(rules: Rules, case: &Case) -> Verdict {
 /// The verdict when coins bar every place for the striker. The Laws do not
 /// foresee it; the turn passes without a penalty.
 pub(crate) fn no_place(player: Colour, to_cover: bool) -> Verdict {
-    let text = format!("Coins bar every place for the striker, so {player}'s turn passes.");
+    let text = format!("Coins block every position of the striker, so {player}'s turn passes.");
     Verdict::passes(None, text).queen_if(to_cover, QueenFate::GoesBack)
 }

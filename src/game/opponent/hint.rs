@@ -34,7 +34,7 @@ impl StrokeHint {
                 };
                 let cushion = match fall.cushions {
                     0 => "",
-                    _ => " It can go by a cushion.",
+                    _ => " It can go off a cushion.",
                 };
                 format!(
                     "Look at the {} and the {pocket}.{driven}{cushion}",
@@ -66,7 +66,7 @@ impl StrokeHint {
             told = format!("{told} {why}");
         }
         if self.fouls {
-            told += " Mind: the striker will fall too. No stroke without that was found.";
+            told += " But the striker will fall too. No stroke was found that avoids that.";
         }
         told
     }

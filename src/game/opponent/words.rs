@@ -188,7 +188,8 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
         // Positive α: the coin lies to the right of the way, so one aims to its left.
         let right = hit.alpha > 0.0;
         format!(
-            "the {piece} {leaves} along the line of impact, {} {}, so {i_aimed} {:.1} mm {} its centre.",
+            "the {piece} {leaves} along the line of impact, {} {}, so {i_aimed} {:.1} mm {} its \
+             centre.",
             degrees(hit.alpha),
             Side::of(hit.heading, !right).towards(),
             mm_from_m(hit.offset.abs()),
@@ -220,7 +221,7 @@ pub(super) fn odds(chance: Chance) -> Option<String> {
             all if all == of => format!("all {of} tries"),
             some => format!("{some} of {of} tries"),
         };
-        format!("In my head, with an unsteady hand, {worked} worked.")
+        format!("I imagined it with an unsteady hand: {worked} worked.")
     })
 }
 

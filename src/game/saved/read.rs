@@ -52,7 +52,7 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         all.map(|strength| [strength; 4])
     };
     let call = fields.parsed("call", "true or false");
-    let aids = fields.parsed("aids", "which helps are drawn");
+    let aids = fields.parsed("aids", "which aids are drawn");
     let setup = fields.parsed("setup", "what was agreed before the first break");
     let moves = fields.all_parsed("moves", "a list of moves");
     let hints = fields.or("hints", Vec::new(), |name| {

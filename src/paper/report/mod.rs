@@ -160,7 +160,7 @@ impl<'a> Report<'a> {
         let today = self.calendar.today();
         let when = today.map_or(String::new(), |day| format!(" on {}", long_day(day)));
         format!(
-            "Written by carrom{when} from the answers kept on this computer. Days begin at \
+            "Written by carrom{when} from the answers saved on this computer. Days begin at \
              midnight where it was written. Right: a direction within {RIGHT_DEG}° of the true \
              one, the right one chosen, or {}. {} A chapter is done when all of it has been read \
              and answered.",

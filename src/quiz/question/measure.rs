@@ -39,8 +39,9 @@ pub enum Measure {
 
 impl Measure {
     /// In words what counts as right: see [`distance`](Self::distance).
-    pub(crate) const RIGHT: &str = "an angle, a share or e within a tenth of the truth, but never \
-        further off than 4°, 4 percentage points or 0.04; any other number within a twentieth";
+    pub(crate) const RIGHT: &str = "an angle, a share or e within a tenth of the true value, but \
+                                    never more than 4°, 4 percentage points or 0.04 off; any other \
+                                    number within a twentieth";
 
     /// The unit behind a number, as typed beside it; empty for a pure number.
     pub fn unit(&self) -> &str {

@@ -22,7 +22,7 @@ const NAMES: usize = 180;
 const ROUNDS: KeptKind = KeptKind {
     one: "round",
     all: "earlier rounds",
-    saved: "Every round is saved by itself, after each vote.",
+    saved: "carrom saves every round after each vote.",
     list: StoreRequest::ListClasses,
     load: StoreRequest::LoadClass,
     remove: StoreRequest::RemoveClass,
@@ -57,7 +57,7 @@ impl EarlierRounds {
                     return Some(Box::new(ClassPlay::with_ticket(round, answer.ticket, cx)));
                 }
                 Err(reason) => {
-                    self.rounds.notice = Some(format!("It cannot be taken up: {reason}."));
+                    self.rounds.notice = Some(format!("It cannot be resumed: {reason}."));
                 }
             },
             StoreReply::Removed(result) => self.rounds.removed(result, cx),
@@ -84,7 +84,7 @@ impl EarlierRounds {
             panel.paragraph(text::clipped(&round.teams().join(", "), NAMES), Role::Dim);
             panel.gap();
             let take_up = ClassAction::Earlier(KeptAction::List(ListAction::Open));
-            panel.prompt("take it up where it was left", take_up);
+            panel.prompt("resume it where it was left", take_up);
         });
         View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
     }

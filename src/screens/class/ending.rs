@@ -128,26 +128,26 @@ fn held(round: &ClassRound) -> Vec<ClassBelief> {
 }
 
 fn write_held(round: &ClassRound, panel: &mut Panel<ClassAction>) {
-    panel.large(["What you held", "You held"], Role::Title, LARGE_FROM);
+    panel.large(["Your beliefs", "Beliefs"], Role::Title, LARGE_FROM);
     panel.gap();
     let held = held(round);
     if held.is_empty() {
         panel.paragraph(
-            "No vote fitted a misconception that is known. That is rare, and good.",
+            "No vote fits a known misconception. That is rare, and good.",
             Role::Text,
         );
         return;
     }
     let about = match round.way() {
         WayOfVoting::Teams => {
-            "Teams whose votes show that they hold it: at first, and after talking. It takes two \
-             questions to say so of a team. Below: how many votes fitted it."
+            "Teams whose votes show it: at first, and after talking. A team counts only if two \
+             questions show it. Below: how many votes fit it."
         }
         WayOfVoting::Devices => {
-            "How many of you show by their votes that they hold it: at first, and after talking. \
-             It takes two questions to say so of anybody. Below: how many votes fitted it."
+            "How many of you show it by your votes: at first, and after talking. You count only if \
+             two questions show it. Below: how many votes fit it."
         }
-        WayOfVoting::Tally => "How many of all votes fitted it: at first, and after talking.",
+        WayOfVoting::Tally => "How many of all votes fit it: at first, and after talking.",
     };
     panel.paragraph(about, Role::Dim);
     for it in held {
@@ -193,7 +193,10 @@ fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
     }
     panel.gap();
     panel.paragraph(
-        "\"right\": how many of the votes were. \"degrees off\": the mean error of angles; of two rays the one further off counts. \"tells apart\": how well a question tells the better teams from the others, -1 to 1; it needs ten of them. \"gain\": the share of what could be gained by talking.",
+        "\"right\": how many votes were right. \"degrees off\": the mean error of angles; of two \
+         rays the larger error counts. \"tells apart\": how well a question separates the better \
+         teams from the others, -1 to 1; it needs ten teams. \"gain\": the share of what could be \
+         gained by talking.",
         Role::Dim,
     );
 }

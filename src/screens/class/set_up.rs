@@ -362,7 +362,7 @@ fn left_out(own: &Library) -> Option<String> {
     Some(match own.problems.len() {
         1 => format!("Left out of your own questions: {first}"),
         all => format!(
-            "{all} faults in your own questions, which are left out; carrom concept check tells \
+            "{all} faults in your own questions, which are left out; carrom concept check lists \
              all. The first: {first}"
         ),
     })

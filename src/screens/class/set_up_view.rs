@@ -78,7 +78,7 @@ fn write(set_up: &SetUp, row: SetUpRow, action: SetUpAction, panel: &mut Panel<S
                 }
                 SetUpRow::Tally => "Start with hands or cards",
                 SetUpRow::Devices => "Start on devices of their own",
-                _ => "Take up an earlier round",
+                _ => "Resume an earlier round",
             };
             panel.row((name, Role::Text), ("", Role::Dim), chosen, action);
         }

@@ -55,7 +55,7 @@ fn write_more(play: &Stage, question: &Question, panel: &mut Panel<ClassAction>)
         panel.paragraph(words, Role::Text);
     }
     let missing = match play.round().way() {
-        WayOfVoting::Tally if advice.is_none() => "Nobody has counted.".to_owned(),
+        WayOfVoting::Tally if advice.is_none() => "Nothing counted yet.".to_owned(),
         WayOfVoting::Tally => String::new(),
         _ => vote::missing(play.round(), play.number(), Vote::First),
     };

@@ -14,7 +14,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role, text};
 
 /// What can be chosen.
-const CHOICES: [&str; 2] = ["take it up", "begin another round"];
+const CHOICES: [&str; 2] = ["resume it", "begin another round"];
 
 /// The page that offers it.
 #[derive(Debug, Clone)]
@@ -40,7 +40,7 @@ pub(super) enum UnfinishedEnd {
 }
 
 impl Unfinished {
-    /// Looks for a round that was stopped, with this code and of this class where they are given.
+    /// Looks for an interrupted round, with this code and of this class where they are given.
     pub(super) fn ask(code: Option<Code>, name: &str, cx: &mut Context) -> Self {
         cx.ask(StoreRequest::ListClasses);
         Self {
@@ -95,7 +95,7 @@ impl Unfinished {
                         Some(UnfinishedEnd::TakeUp(Box::new(play)))
                     }
                     Err(reason) => {
-                        self.trouble = Some(format!("It cannot be taken up: {reason}."));
+                        self.trouble = Some(format!("It cannot be resumed: {reason}."));
                         None
                     }
                 }
@@ -127,7 +127,7 @@ impl Unfinished {
 
     /// What the page shows.
     pub(super) fn view(&self) -> View<'_, ClassAction> {
-        let mut panel = Panel::new("a round that was stopped");
+        let mut panel = Panel::new("an interrupted round");
         let mut beside = Panel::new("the round");
         let stopped = self.stopped.as_ref();
         if let Some((kept, round)) = stopped.and_then(|it| Some((it, it.content.as_ref().ok()?))) {
@@ -139,7 +139,7 @@ impl Unfinished {
             let question = round.place().question + 1;
             let count = head_count(round);
             panel.paragraph(
-                format!("{called} stopped at question {question} with {count}: take it up?"),
+                format!("{called} stopped at question {question} with {count}: resume it?"),
                 Role::Title,
             );
             panel.gap();
@@ -154,8 +154,8 @@ impl Unfinished {
                 panel.gap();
             }
             panel.paragraph(
-                "If you take it up, it keeps its address and its code: devices that are still on the page \
-                 come back by themselves, with every vote. Otherwise it stays in the list of \
+                "If you resume it, it keeps its address and its code: devices that still show the \
+                 page reconnect by themselves, with every vote. Otherwise it stays in the list of \
                  earlier rounds.",
                 Role::Dim,
             );
@@ -171,7 +171,7 @@ impl Unfinished {
                 beside.fact("age", text::ago(age));
             }
         } else {
-            panel.paragraph("Looking for a round that was stopped …", Role::Text);
+            panel.paragraph("Looking for an interrupted round …", Role::Text);
         }
         View::panels(panel, beside)
     }

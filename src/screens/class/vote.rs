@@ -205,7 +205,7 @@ impl TeamVotes {
         let heading = match self.vote {
             Vote::First => Heading::new(
                 &["First vote", "Vote 1"],
-                "Each team in turn. What is said is hidden.",
+                "Each team in turn. What you type is hidden.",
             ),
             Vote::Second => Heading::new(
                 &["Second vote", "Vote 2"],
@@ -268,7 +268,7 @@ impl Booth {
             foot.line(name, Role::Title);
             let letters: Vec<String> = (0..options.len()).map(|i| letter(i).to_string()).collect();
             foot.line(
-                format!("One letter is the vote: {}.", letters.join(", ")),
+                format!("Type one letter: {}.", letters.join(", ")),
                 Role::Key,
             );
             return;

@@ -25,7 +25,7 @@ pub(super) fn title(foil: &FoilScreen) -> &'static str {
         (Obstacle::Hard, None) => "hard discs on a board",
         (Obstacle::Hard, Some(Steradian)) => "hard spheres: counts on a small screen",
         (Obstacle::Hard, Some(Ring)) => "hard spheres: counts in whole rings",
-        (Obstacle::Nucleus, None) => "a foil, if the world were flat",
+        (Obstacle::Nucleus, None) => "a foil in two dimensions",
         (Obstacle::Nucleus, Some(Steradian)) => "a foil: counts on a small screen",
         (Obstacle::Nucleus, Some(Ring)) => "a foil: counts in whole rings",
     }
@@ -117,8 +117,8 @@ fn label_places(expected: impl Fn(f64) -> Option<f64>) -> Vec<glam::DVec2> {
 
 /// Writes the question before a beam.
 pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, panel: &mut Panel<FoilAction>) {
-    panel.heading("Say it first:");
-    let question = "how many are turned back, by more than 90°?";
+    panel.heading("Predict it:");
+    let question = "how many are deflected by more than 90°?";
     panel.paragraph(question, Role::Title);
     let setup = &foil.setup;
     let thrown_at = match setup.obstacle {
@@ -137,7 +137,7 @@ pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, panel: &mut Pan
     }
     panel.gap();
     match said.said() {
-        Some(_) => panel.prompt("say it, and throw", FoilAction::Guess(AnswerAction::Enter)),
+        Some(_) => panel.prompt("predict and start", FoilAction::Guess(AnswerAction::Enter)),
         None => panel.paragraph("Choose an answer.", Role::Key),
     }
 }
@@ -149,9 +149,9 @@ pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Conte
         let throw = |words| (words, FoilAction::Throw);
         panel.prompts(match cx.settings.predict {
             _ if foil.form.is_typing() => vec![("set it", FoilAction::Set(SettingsForm::SET))],
-            true => vec![throw("say what will happen, then throw")],
+            true => vec![throw("predict the result, then start")],
             false => vec![
-                throw("throw the beam"),
+                throw("start the beam"),
                 ("predict first", FoilAction::Predict),
             ],
         });
@@ -163,13 +163,13 @@ pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Conte
     panel.meter("", share, format!("{:.0} %", (100.0 * share).floor()));
     let state = match (run.is_over(), run.is_running()) {
         (true, _) => "thrown",
-        (false, true) => "thrown so far",
+        (false, true) => "sent so far",
         (false, false) => "stopped at",
     };
     panel.fact(state, words::count(run.thrown()));
     panel.gap();
     let share = run.law.share_beyond(PI / 2.0);
-    panel.line("turned by more than 90°:", Role::Dim);
+    panel.line("deflected by over 90°:", Role::Dim);
     panel.fact("counted", words::count(run.counts.beyond_bin(BINS / 2)));
     let counted = run.share_turned_back().map_or("none".into(), words::share);
     panel.fact("share", counted);
@@ -197,17 +197,17 @@ pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Conte
 /// What a beam is, before it is thrown.
 fn about(setup: &FoilSetup) -> &'static str {
     match (setup.obstacle, setup.beam) {
-        (Obstacle::Hard, Beam::Board) => {
-            "Every offset along the line up to R is as likely as any other."
-        }
+        (Obstacle::Hard, Beam::Board) => "Every offset along the line up to R is equally likely.",
         (Obstacle::Hard, Beam::Space) => {
-            "Every spot of the round face of the target is as likely as any other: more of them lie far out than near the middle."
+            "Every point of the target's circular face is equally likely: there is more area far \
+             out than near the middle."
         }
         (Obstacle::Nucleus, Beam::Board) => {
-            "As if the atoms lay on a board: every offset along a line is as likely as any other."
+            "As if the atoms lay on a board: every offset along a line is equally likely."
         }
         (Obstacle::Nucleus, Beam::Space) => {
-            "Nobody can aim at a nucleus. Each particle flies through some spot of the foil, and the nearest nucleus turns it."
+            "Nobody can aim at a nucleus. Each particle passes through some point of the foil, and \
+             the nearest nucleus deflects it."
         }
     }
 }
@@ -217,11 +217,14 @@ fn reason(law: &ScatteringLaw, share: f64) -> String {
     let nearness = law.nearness(PI / 2.0);
     match (law.target, law.beam) {
         (BeamTarget::Hard, Beam::Board) => format!(
-            "Turned back are those nearer than R cos 45° = {nearness:.3} R. On a line that is {}.",
+            "Offsets below R cos 45° = {nearness:.3} R turn a particle back. On a line that is {}.",
             words::share(share)
         ),
         (BeamTarget::Hard, Beam::Space) => format!(
-            "Turned back are those nearer than R cos 45° = {nearness:.3} R. In space offsets fill a disc, and that much of the radius is {nearness:.3}² = {} of the area. Spheres send as many one way as any other: on a small screen the counts are level, and whole rings count most at 90° only because that ring is the largest.",
+            "Offsets below R cos 45° = {nearness:.3} R turn a particle back. In space offsets fill \
+             a disc, and this fraction of the radius is {nearness:.3}² = {} of the area. Spheres \
+             scatter equally in all directions: on a small screen the counts are level, and whole \
+             rings count most at 90° only because that ring is the largest.",
             words::share(share)
         ),
         (BeamTarget::Coulomb { half_width, .. }, beam) => {
@@ -229,7 +232,8 @@ fn reason(law: &ScatteringLaw, share: f64) -> String {
             let room = words::count(words::rounded(half_width / FM) as u64);
             let power = if beam == Beam::Space { "²" } else { "" };
             format!(
-                "Only those that come within b = d/2 = {near:.1} fm of a nucleus turn back. But each nucleus has {room} fm of room around it: ({near:.1}/{room}){power} is {}.",
+                "Only particles aimed within d/2 = {near:.1} fm of a nucleus turn back. But each \
+                 nucleus has {room} fm of room around it: ({near:.1}/{room}){power} is {}.",
                 words::share(share)
             )
         }

@@ -65,7 +65,7 @@ const fn choice(at: usize, count: usize) -> FieldValue {
 
 static OBSTACLE: FoilRow = FoilRow {
     name: "target",
-    about: "what stands in the way",
+    about: "what the particles hit",
     value: |setup| choice(setup.obstacle as usize, 2),
     shown: |setup| ["hard", "nucleus"][setup.obstacle as usize].into(),
     put: |setup, at| setup.obstacle = [Obstacle::Hard, Obstacle::Nucleus][at as usize],
@@ -90,7 +90,7 @@ static METAL: FoilRow = FoilRow {
 
 static ENERGY: FoilRow = FoilRow {
     name: "energy",
-    about: "of the α particles",
+    about: "of the α-particles",
     // Slower α particles than this hardly pass a foil.
     value: |setup| FieldValue::number(setup.energy_mev, (4.0, 10.0), 0.25, " MeV"),
     shown: |setup| format!("{:.2} MeV", setup.energy_mev),

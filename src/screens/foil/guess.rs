@@ -18,7 +18,7 @@ pub(crate) const CHOICES: [(&str, f64); 9] = [
 pub(crate) fn explain(said: f64, share: f64) -> String {
     let off = |choice: f64| (choice / share).log10().abs();
     if CHOICES.iter().all(|(_, other)| off(said) <= off(*other)) {
-        return "You said so: none of the answers is nearer.".into();
+        return "Right: none of the answers is closer.".into();
     }
     let times = (said / share).max(share / said);
     let times = if times < 10.0 {

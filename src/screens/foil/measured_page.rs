@@ -149,12 +149,14 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
         Err(fault) => return panel.paragraph(fault, Role::Warn),
     };
     panel.paragraph(
-        "Hans Geiger and Ernest Marsden sat in the dark and counted by eye the flashes of single α particles on a screen, at one angle Θ after another.",
+        "Hans Geiger and Ernest Marsden sat in the dark and counted by eye the flashes of single \
+         α-particles on a screen, at one angle Θ after another.",
         Role::Text,
     );
     panel.gap();
     panel.paragraph(
-        "If all the charge of an atom sits in one small place, the counts must grow as 1/sin⁴(Θ/2): the straight lines.",
+        "If an atom's charge is all in one small place, the counts are proportional to \
+         1/sin⁴(Θ/2): the straight lines.",
         Role::Text,
     );
     panel.gap();
@@ -164,7 +166,9 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
     let ((low, high), (silver_low, silver_high)) = (gold.band(), silver.band());
     panel.paragraph(
         format!(
-            "The counts for gold go from {least} to {}, a factor of {}, and stay between {} and {} of the law. Silver: {} to {}. Both are too high at small angles; Geiger and Marsden thought that this was probably within their errors. The second plot enlarges it.",
+            "The counts for gold go from {least} to {}, a factor of {}, and stay between {} and {} \
+             of the law. Silver: {} to {}. Both are too high at small angles; Geiger and Marsden \
+             thought that this was probably within their errors. The second plot enlarges it.",
             words::count(most as u64),
             words::count(words::rounded(most / least) as u64),
             signed(low),
@@ -177,7 +181,9 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
     panel.prompt("the other plot", FoilAction::OtherPlot);
     panel.gap();
     panel.paragraph(
-        "The counts are relative, so each metal has a line of its own. Where a line lies is fitted; how steep it is, is not. A second series, at smaller angles, has yet another scale, so it cannot be joined to this one.",
+        "The counts are relative, so each metal has a line of its own. The height of a line is \
+         fitted; its slope is not. A second series, at smaller angles, has yet another scale, so \
+         it cannot be joined to this one.",
         Role::Dim,
     );
     panel.gap();
@@ -190,7 +196,9 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
         .share_beyond(std::f64::consts::FRAC_PI_2);
     panel.paragraph(
         format!(
-            "That number is from 1909, and not from a gold foil: it is the share of α particles that came back from a thick platinum plate, many layers deep. A gold foil of 0.21 µm turns back far fewer: {}.",
+            "That number is from 1909, and not from a gold foil: it is the share of α-particles \
+             that came back from a thick platinum plate, many layers deep. A gold foil of 0.21 µm \
+             turns back far fewer: {}.",
             words::share(back)
         ),
         Role::Text,
@@ -209,7 +217,8 @@ fn absolute_check() -> String {
     let measured = shown(MEASURED_SHARE);
     let share = share.map_or("none".into(), shown);
     format!(
-        "At 45°, behind 0.21 µm of gold, a screen of 1 mm² at 1 cm caught {measured} of all particles, give or take a fifth. The formula, with Z = 79 and nothing fitted: {share}."
+        "At 45°, behind 0.21 µm of gold, a screen of 1 mm² at 1 cm caught {measured} of all \
+         particles, give or take a fifth. The formula, with Z = 79 and nothing fitted: {share}."
     )
 }
 

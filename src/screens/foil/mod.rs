@@ -257,7 +257,7 @@ impl Screen for FoilScreen {
             (FoilPage::Tracks, Hard) => "a hard target".into(),
             (FoilPage::Counts, Hard) => format!("{}s", setup.obstacle_name()),
             (_, Nucleus) => format!(
-                "α particles of {:.2} MeV on {}",
+                "α-particles of {:.2} MeV on {}",
                 setup.energy_mev,
                 setup.metal().name
             ),
@@ -328,7 +328,7 @@ impl Screen for FoilScreen {
         let own = [Key::Tab, Key::BackTab, Key::PageUp, Key::PageDown];
         if let BeamPhase::Guess(guess) = &self.beam {
             let keys = guess.keys().without_keys(&own);
-            let keys = keys.renamed("say it, and throw", |action| action == AnswerAction::Enter);
+            let keys = keys.renamed("predict and start", |action| action == AnswerAction::Enter);
             let keys = keys.renamed("", |action| matches!(action, AnswerAction::Choose(_)));
             return table
                 .with(keys, FoilAction::Guess)
@@ -339,7 +339,7 @@ impl Screen for FoilScreen {
         let form = || self.form.keys(&self.fields()).without_keys(&own);
         let throw = match self.run() {
             _ if self.page == FoilPage::Tracks => "a whole beam",
-            None => "throw the beam",
+            None => "start the beam",
             Some(run) if run.is_over() => "another beam",
             Some(_) => "go on",
         };

@@ -37,7 +37,7 @@ impl BeamRun {
         }
     }
 
-    /// Particles thrown so far.
+    /// Particles sent so far.
     pub(super) fn thrown(&self) -> u64 {
         self.counts.total()
     }

@@ -174,7 +174,7 @@ pub(super) fn write<A>(setup: &FoilSetup, panel: &mut Panel<A>) {
     let set = path(setup, offset(setup), 1e4);
     panel.gap();
     let angle = format!("{:.1}°", set.angle.to_degrees());
-    panel.coloured_fact("turned by Θ", angle, Role::StrikerOut);
+    panel.coloured_fact("deflection Θ", angle, Role::StrikerOut);
     match setup.obstacle {
         Obstacle::Hard => write_hard(set.angle, setup.offset_share, panel),
         Obstacle::Nucleus => write_nucleus(setup, &set, panel),
@@ -188,11 +188,15 @@ fn write_hard<A>(angle: f64, offset: f64, panel: &mut Panel<A>) {
     }
     panel.gap();
     let text = if offset.abs() > 1.0 {
-        "A miss: farther out than R, the sum of the two radii, nothing touches and nothing is turned. That is what hard means."
+        "A miss: beyond R, the sum of the two radii, nothing touches and nothing is deflected. \
+         That is what hard means."
     } else if angle >= PI - 1e-9 {
-        "Straight on, straight back. R is the sum of the two radii; the target is so heavy that it stays where it is."
+        "Straight on, straight back. R is the sum of the two radii; the target is so heavy that it \
+         stays where it is."
     } else {
-        "It leaves as light from a mirror: as far to one side of the line of impact as it came from the other. So Θ = 180° − 2 α, with sin α = b/R. The target is so heavy that it stays."
+        "It leaves like light from a mirror: at the same angle on the other side of the line of \
+         impact. So Θ = 180° − 2 α, with sin α = b/R. The target is so heavy that it stays at \
+         rest."
     };
     panel.paragraph(text, Role::Text);
 }
@@ -205,10 +209,13 @@ fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
     panel.gap();
     let twice = 2.0 * setup.offset_fm.abs();
     let text = if twice < 0.1 {
-        "Straight on: the α particle is slowed, stands still for an instant at d, where all its energy has gone into the repulsion, and flies straight back.".into()
+        "Straight on: the α-particle is slowed, stops for an instant at d, where all its energy \
+         has gone into the repulsion, and flies straight back."
+            .into()
     } else {
         format!(
-            "Both are positive, so they never touch: the α particle is slowed, turned and sped up again, on a hyperbola. tan(Θ/2) = d/2b, here {d:.1}/{twice:.1}."
+            "Both are positive, so they never touch: the α-particle is slowed, deflected and sped \
+             up again, on a hyperbola. tan(Θ/2) = d/2b, here {d:.1}/{twice:.1}."
         )
     };
     panel.paragraph(text, Role::Text);
@@ -218,7 +225,8 @@ fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
     let times = count((times / 100.0).round() as u64 * 100);
     panel.paragraph(
         format!(
-            "Even head-on it comes no nearer than d. So the charge that turns it must be smaller still; and the radius of the atom is about {times} times d."
+            "Even head-on it comes no nearer than d. So the charge that deflects it lies within d; \
+             and the radius of the atom is about {times} times d."
         ),
         Role::Text,
     );

@@ -24,7 +24,7 @@ impl FormFields for LabSettings {
         let mut fields = collision_fields(&self.setup);
         if self.setup.bond == Bond::Stick {
             let restitution = &mut fields[CollisionField::Restitution as usize];
-            restitution.locked = Some("Rims that stick do not bounce, whatever e is.");
+            restitution.locked = Some("Discs that stick do not rebound, whatever e is.");
         }
         if self.mystery.as_ref().is_some_and(Mystery::is_open) {
             fields[CollisionField::CoinMass as usize].shown = "? g".into();

@@ -165,7 +165,7 @@ impl Screen for Lab {
         let key = Key::Char;
         let table = KeyTable::new("lab");
         let go = match cx.settings.predict {
-            true if !self.is_live(cx) => "say where",
+            true if !self.is_live(cx) => "predict",
             _ => "shoot",
         };
         match &self.phase {

@@ -79,14 +79,14 @@ impl Mystery {
     ) {
         let (Some(theta1), Some(theta2)) = (outcome.theta1, outcome.theta2) else {
             panel.paragraph(
-                "No two angles to read here. Hit the coin off-centre and it can be weighed.",
+                "There are no two angles to read. Hit the coin off-centre to weigh it.",
                 Role::Text,
             );
             return;
         };
         let Some(ratio) = mass_ratio_from_angles(theta1, theta2, setup.restitution) else {
             panel.paragraph(
-                "These angles weigh nothing: try an offset well between head-on and a graze.",
+                "These angles give no mass: try an offset well between head-on and a graze.",
                 Role::Text,
             );
             return;
@@ -95,7 +95,8 @@ impl Mystery {
             None => {
                 panel.heading("How heavy is the coin?");
                 panel.paragraph(
-                    "m₁/m₂ = sin(θ₁ + 2θ₂) / sin θ₁. Over 90° between them: it is heavier than the striker. Under: lighter.",
+                    "m₁/m₂ = sin(θ₁ + 2θ₂) / sin θ₁. Over 90° between the paths: heavier than the \
+                     striker. Under: lighter.",
                     Role::Text,
                 );
                 panel.gap();
@@ -118,7 +119,8 @@ impl Mystery {
                 }
                 panel.paragraph(
                     format!(
-                        "The angles give m₁/m₂ = {ratio:.3}, and {:.1} g / {ratio:.3} = {:.1} g. No scale was needed, and the speed did not matter.",
+                        "The angles give m₁/m₂ = {ratio:.3}, and {:.1} g / {ratio:.3} = {:.1} g. \
+                         No scale was needed, and the speed did not matter.",
                         setup.m1_g, setup.m2_g
                     ),
                     Role::Text,

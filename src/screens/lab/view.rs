@@ -117,11 +117,11 @@ fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
         ]
     } else if lab.may_live(cx) {
         vec![
-            ("say where both will go", LabAction::Go),
+            ("predict both paths", LabAction::Go),
             ("live", LabAction::Live),
         ]
     } else {
-        vec![("now say where both will go", LabAction::Go)]
+        vec![("now predict both paths", LabAction::Go)]
     };
     panel.prompts(next);
     panel
@@ -144,7 +144,7 @@ fn geometry<A>(lab: &Lab, panel: &mut Panel<A>) {
 
 /// The two rays being said.
 fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
-    let mut panel = Panel::new("say it first");
+    let mut panel = Panel::new("predict it");
     given(lab, &mut panel);
     for (field, name) in [
         (CollisionField::StrikerMass, "striker"),
@@ -239,7 +239,7 @@ fn from_centre_of_mass<A>(watch: &Watch, panel: &mut Panel<A>) {
     let collision = watch.collision();
     let outcome = watch.outcome();
     let drift = Frame::CentreOfMass.velocity(collision);
-    panel.heading("From the centre of mass");
+    panel.heading("Centre-of-mass frame");
     panel.fact("V", format!("{:.2} m/s", drift.length()));
     let [v1, v2] = collision.centres_after();
     let names = VelocityNames::new(collision, Frame::CentreOfMass);
@@ -261,19 +261,25 @@ fn from_centre_of_mass<A>(watch: &Watch, panel: &mut Panel<A>) {
         && collision.bond == Bond::Slip
     {
         let turned = format!("{:.1}°", turned.to_degrees().abs());
-        panel.fact("turned by Θ", turned);
+        panel.fact("deflection Θ", turned);
     }
     panel.gap();
     let sticks = collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit;
     let text = if !sticks {
-        "Here the two always fly back to back: momentum is zero before and after. Add V to both and you are on the board again.".into()
+        "Here the discs always move in opposite directions: total momentum is zero. Add V to both \
+         for the laboratory frame."
+            .into()
     } else if outcome.energy_rotation > 0.0 {
         format!(
-            "They come from opposite sides and do not part. Their centre of mass lies still here, and they turn about it {} times a second; the speeds after are those of the two centres. Add V, and the pair moves on as it turns.",
+            "They meet from opposite sides and stay together. Their centre of mass is at rest \
+             here, and they rotate about it {} times a second; final speeds are those of the two \
+             centres. Add V, and the pair moves on, rotating.",
             turns_a_second(outcome)
         )
     } else {
-        "They come from opposite sides, stick and lie still: momentum is zero before and after. Add V, and the pair moves on.".into()
+        "They meet from opposite sides, stick and stay at rest: momentum is zero. Add V, and the \
+         pair moves on."
+            .into()
     };
     panel.paragraph(text, Role::Text);
 }
@@ -285,15 +291,17 @@ fn from_target<A>(watch: &Watch, panel: &mut Panel<A>) {
         (Bond::Stick, Meeting::Hit) => (
             "V here",
             format!("{:.2} m/s", seen.v1.length()),
-            "Here the coin lies still before the hit. The centre of mass moves with V before and after; stuck together, the two can only turn about it.",
+            "Here the coin is at rest at first. The centre of mass moves at V throughout; stuck \
+             together, the two can only rotate about it.",
         ),
         _ => (
             "separation here",
             seen.separation.map_or("none".into(), apart),
-            "Here the coin lies still before the hit, so everything you know of a resting coin holds: for equal masses and e = 1 they part at 90° in this frame.",
+            "Here the coin is at rest before the collision, so the rules for a coin at rest hold: \
+             for equal masses and e = 1 the paths are at 90° in this frame.",
         ),
     };
-    panel.heading("Riding with the coin");
+    panel.heading("The coin's frame");
     panel.fact(name, value);
     panel.gap();
     panel.paragraph(text, Role::Text);

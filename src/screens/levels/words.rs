@@ -46,13 +46,13 @@ pub(super) const fn dial_words(dial: Dial) -> (&'static str, &'static str, &'sta
             "°",
             "the direction of the shot, anticlockwise from the right",
         ),
-        Dial::Speed => ("speed", " m/s", "how fast the disc sets off"),
+        Dial::Speed => ("speed", " m/s", "the disc's initial speed"),
         Dial::Place => ("place", " mm", "where the disc starts, from the middle"),
-        Dial::Mass => ("mass", " g", "how heavy the disc is"),
+        Dial::Mass => ("mass", " g", "the mass of the disc"),
         Dial::Restitution => (
             "restitution",
             "",
-            "how much of the closing speed a hit gives back",
+            "e: speed of separation over speed of approach",
         ),
     }
 }

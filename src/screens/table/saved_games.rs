@@ -17,7 +17,7 @@ use crate::widgets::panel::Panel;
 const GAMES: KeptKind = KeptKind {
     one: "game",
     all: "saved games",
-    saved: "Every game is saved by itself, after each stroke.",
+    saved: "carrom saves every game after each stroke.",
     list: StoreRequest::List,
     load: StoreRequest::Load,
     remove: StoreRequest::Remove,

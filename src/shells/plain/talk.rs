@@ -10,7 +10,7 @@ const LONGEST: usize = 1000;
 
 /// Words that may be said at any time.
 const ALWAYS: &str = "At any time: repeat says the question again, help says how to answer, \
-                      quit leaves and keeps what was answered.";
+                      quit leaves and saves your answers.";
 
 /// A talk in lines.
 pub struct Talk<'a> {

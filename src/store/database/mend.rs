@@ -64,7 +64,7 @@ pub(super) fn mend(folder: &Path, trouble: &DatabaseError) -> Result<String, Dat
 /// What the player is to know of a mended database.
 fn notice(saved: &str, kept: &str, trouble: &DatabaseError) -> String {
     format!(
-        "The file of your answers was damaged and is mended. {saved} The damaged file is kept \
+        "The file of your answers was damaged and is repaired. {saved} The damaged file is kept \
          as {kept} ({trouble})."
     )
 }

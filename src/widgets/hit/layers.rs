@@ -34,7 +34,7 @@ impl Overlay {
             Self::Angles => "angles",
             Self::Triangle => "momentum triangle",
             Self::Trails => "trails",
-            Self::Prediction => "what you said",
+            Self::Prediction => "prediction",
         }
     }
 }

@@ -214,9 +214,9 @@ impl Watch {
             Frame::Laboratory => name.to_owned(),
             Frame::CentreOfMass => {
                 let drift = Frame::CentreOfMass.velocity(&self.collision).length();
-                format!("seen from the centre of mass, V = {drift:.2} m/s")
+                format!("centre-of-mass frame, V = {drift:.2} m/s")
             }
-            Frame::Target => "seen riding with the target".into(),
+            Frame::Target => "the target's frame".into(),
         }
     }
 
@@ -252,10 +252,12 @@ impl Watch {
         let seen = match self.frame {
             Frame::Laboratory => return true,
             Frame::CentreOfMass => {
-                "From the centre of mass the two always fly back to back: momentum is zero before and after."
+                "In this frame the discs always move in opposite directions: total momentum is \
+                 zero."
             }
             Frame::Target => {
-                "Riding with body 2: here it lies still before the hit, so all you know of a resting coin holds."
+                "In this frame body 2 is at rest before the collision: the rules for a coin at \
+                 rest hold."
             }
         };
         panel.paragraph(seen, Role::Text);

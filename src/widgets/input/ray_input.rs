@@ -229,10 +229,12 @@ impl RayInput {
     pub(crate) fn about(&self, target: &str) -> String {
         match self.turning {
             Ray::Striker => format!(
-                "The striker: degrees from its old direction, to the side away from the {target}."
+                "The striker: degrees from its original direction, on the side away from the \
+                 {target}."
             ),
             Ray::Target => format!(
-                "The {target}: degrees from the striker's old direction, to the {target}'s own side."
+                "The {target}: degrees from the striker's original direction, on the {target}'s \
+                 side."
             ),
         }
     }

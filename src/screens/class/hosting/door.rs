@@ -13,9 +13,9 @@ use crate::widgets::panel::Panel;
 use crate::widgets::{Look, Role, Room, SplitLayout, areas, text};
 
 /// What is said when nobody has come for a while.
-const HINT: &str = "Nobody in yet? Devices must be in the same network as this computer. Many \
-    school networks keep devices apart: then let this computer or a phone open a hotspot and \
-    have all join that, or vote with hands or cards instead.";
+const HINT: &str = "Nobody in yet? Devices must be on the same network as this computer. Many \
+                    school networks separate devices: then open a hotspot on this computer or a \
+                    phone and let everyone join it, or vote with hands or cards instead.";
 /// Rows of an address in large letters.
 const LETTERS: u16 = 4;
 /// Rows beside a code from which on letters are large.
@@ -35,11 +35,11 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     let door = match session.door() {
         DoorState::Open(door) => door,
         DoorState::Opening => {
-            panel.line("The door is being opened ..", Role::Text);
+            panel.line("Getting ready ..", Role::Text);
             return View::alone(column, panel);
         }
         DoorState::Failed(reason) => {
-            panel.paragraph(format!("Pupils cannot come in: {reason}."), Role::Warn);
+            panel.paragraph(format!("Pupils cannot join: {reason}."), Role::Warn);
             panel.gap();
             let words = "The round can also be played with teams or with cards.";
             panel.paragraph(words, Role::Text);
@@ -122,7 +122,7 @@ fn write(
     };
     panel.line(in_words, Role::Title);
     if session.is_shut() {
-        panel.line("The door is closed: nobody new can come in.", Role::Warn);
+        panel.line("The round is closed: nobody new can join.", Role::Warn);
     }
     for other in door.addresses.iter().skip(1).take(2) {
         panel.line(format!("or {other}"), Role::Dim);

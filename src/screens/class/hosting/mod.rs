@@ -63,11 +63,11 @@ impl HostPage {
         use HostingAction::{Door, GoOn, Names, Shut};
         let shut = match session.is_shut() {
             true => "let them in",
-            false => "close the door",
+            false => "no newcomers",
         };
         match self {
             Self::Door => KeyTable::new("class")
-                .on(Key::Enter, GoOn, "on with the round")
+                .on(Key::Enter, GoOn, "back to the round")
                 .or([(Key::Char(' '), GoOn), (Key::Char('j'), GoOn)])
                 .on('w', Names, "who is in")
                 .on('c', Shut, shut),
@@ -96,7 +96,7 @@ impl HostPage {
             (Self::People(_), HostingAction::RemoveAway) => {
                 let away = session.away().len();
                 Some(format!(
-                    "Take {away} off the list who are away and never voted? They can join again."
+                    "Remove {away} who are away and never voted? They can join again."
                 ))
             }
             (Self::People(people), _) => people.confirmation(action, session),

@@ -102,12 +102,12 @@ impl People {
         let keys = KeyTable::new("class");
         match &self.doing {
             Doing::Rename(..) => {
-                keys.on(Key::Enter, Rename, "that is the name")
-                    .on(Key::Escape, NotYet, "as it was")
+                keys.on(Key::Enter, Rename, "use this name")
+                    .on(Key::Escape, NotYet, "cancel")
             }
             Doing::Merge(_) => {
-                let list = ListView::keys("this is who it is");
-                keys.with(list, List).on(Key::Escape, NotYet, "as it was")
+                let list = ListView::keys("it is this one");
+                keys.with(list, List).on(Key::Escape, NotYet, "cancel")
             }
             Doing::Nothing => keys
                 .with(
@@ -122,7 +122,7 @@ impl People {
                 .on(Key::Delete, Remove, "remove")
                 .or([(Key::Char('x'), Remove)])
                 .when(self.at().is_some())
-                .on('a', RemoveAway, "remove who is away")
+                .on('a', RemoveAway, "remove absentees")
                 .when(!session.away().is_empty())
                 .on('c', Shut, shut)
                 .on(Key::Escape, Back, "back")
@@ -156,7 +156,7 @@ impl People {
         let asked = self.asked.as_ref();
         match (&self.doing, action) {
             (Doing::Nothing, HostingAction::Remove) => Some(format!(
-                "Take {} off the list, with all they said? They stay out until you let them in \
+                "Remove {} with all their votes? They stay out until you let them in \
                  again.",
                 asked?
             )),
@@ -223,7 +223,7 @@ impl People {
             Doing::Merge(from) => format!("Who is \"{from}\" really? Choose the name."),
             Doing::Rename(..) => "Type the name.".into(),
             Doing::Nothing if session.is_shut() => {
-                "The door is closed: nobody new can come in.".into()
+                "The round is closed: nobody new can join.".into()
             }
             Doing::Nothing => match session.handed_in_where() {
                 Some(folder) => format!("Handed in: carrom gather \"{folder}\" --out class.html"),

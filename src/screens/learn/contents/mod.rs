@@ -143,7 +143,8 @@ impl Screen for Contents {
         };
         Next::Confirm(Confirmation::new(
             format!(
-                "Forget {title}? Your place and your answers in {of} are forgotten, so that you can start over. Your progress goes on counting every answer that you have ever given."
+                "Forget {title}? Your place and your answers in {of} are forgotten, so that you \
+                 can start over. Your progress still counts every answer you have given."
             ),
             "forget it",
             "leave it",

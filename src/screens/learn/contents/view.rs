@@ -12,7 +12,7 @@ pub(super) fn view<'s>(cx: &Context) -> View<'s, ContentsAction> {
     let book = &cx.book;
     let mut list = Panel::new("learn");
     if !book.is_known() {
-        list.line("Looking …", Role::Dim);
+        list.line("Loading …", Role::Dim);
         return View::panels(list, Panel::new(""));
     }
     for (i, line) in lines(book).into_iter().enumerate() {
@@ -113,7 +113,8 @@ fn summary(book: &Book) -> Panel<ContentsAction> {
         .max_by_key(|(missed, chapter)| (*missed, std::cmp::Reverse(chapter.number)));
     if let Some((_, chapter)) = weakest {
         let advice = format!(
-            "Worth another look: chapter {}, {}. In a week it will teach you more than it would today.",
+            "Worth another look: chapter {}, {}. In a week it will teach you more than it would \
+             today.",
             chapter.number, chapter.title
         );
         panel.paragraph(advice, Role::Text);
@@ -122,7 +123,7 @@ fn summary(book: &Book) -> Panel<ContentsAction> {
     panel.heading("On the board, try this:");
     for idea in [
         "Two equal coins, off-centre: look for the right angle.",
-        "Striker on a coin: it turns by 21.5° at most. Find the offset that does it.",
+        "Striker on a coin: it is deflected by at most 21.5°. At which offset?",
         "Levels: aim by the line of impact.",
     ] {
         panel.item(idea, Role::Text);

@@ -235,14 +235,14 @@ impl LiveFigure {
             },
             FigureKind::Triangle { .. } => triangle::title(&self.collision).into(),
             FigureKind::Frames => "one hit, two frames".into(),
-            FigureKind::Curves => "speeds after the hit".into(),
+            FigureKind::Curves => "speeds afterwards".into(),
             FigureKind::Angles => "the two angles".into(),
-            FigureKind::Energy => "who has the energy".into(),
+            FigureKind::Energy => "shares of energy".into(),
             FigureKind::Worked { .. } | FigureKind::Solve | FigureKind::Foil { .. } => {
                 match &self.state {
                     FigureState::Worked(worked) => worked.title(&self.collision),
                     FigureState::Foil(plot) => plot.title().into(),
-                    _ => "α particles at an atom".into(),
+                    _ => "α-particles at an atom".into(),
                 }
             }
             FigureKind::Shots { space, .. } => shots::title(space).into(),

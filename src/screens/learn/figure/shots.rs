@@ -44,7 +44,7 @@ pub(super) fn lay_out(
             let counted = offsets.iter().filter(|at| at.length() < near).count();
             let angle = beyond.to_degrees();
             format!(
-                "{counted} of {} turn by more than {angle:.0}°.",
+                "{counted} of {} deflected by over {angle:.0}°.",
                 offsets.len()
             )
         }

@@ -93,8 +93,8 @@ fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
         FigureKind::Angles => every_ten(collision, |_, outcome| {
             let angle = |theta: Option<f64>| theta.map(|theta| degrees(theta.abs()));
             match (angle(outcome.theta1), angle(outcome.theta2)) {
-                (Some(theta1), Some(theta2)) => format!("θ₂ = {theta2} goes with θ₁ = {theta1}."),
-                _ => "Head-on the striker stops, and has no angle.".into(),
+                (Some(theta1), Some(theta2)) => format!("θ₁ = {theta1} belongs to θ₂ = {theta2}."),
+                _ => "Head-on the striker stops and has no direction.".into(),
             }
         }),
         FigureKind::Energy => every_ten(collision, |alpha_deg, outcome| {
@@ -123,7 +123,7 @@ fn shots(space: bool, beyond_deg: f64, told: bool) -> Vec<String> {
     if told {
         let share = beam.share_within(rad_from_deg(beyond_deg).cos());
         lines.push(format!(
-            "{} % of them are turned by more than {beyond_deg}°.",
+            "{} % of them are deflected by more than {beyond_deg}°.",
             significant(100.0 * share)
         ));
     }
@@ -140,7 +140,7 @@ fn set_up(spec: &CollisionSpec, collision: &Collision) -> String {
         }
         _ => {
             let b = millimetres(mm_from_m(collision.offset.abs()));
-            format!("with its path at b = {b} beside the other's centre")
+            format!("with an offset of b = {b}")
         }
     };
     let target = match collision.u2.length() > 0.0 {
@@ -148,7 +148,7 @@ fn set_up(spec: &CollisionSpec, collision: &Collision) -> String {
         false => "one at rest".to_owned(),
     };
     format!(
-        "a disc comes at {} to {target}, {place}.",
+        "a disc moves at {} towards {target}, {place}.",
         speed(collision.u1)
     )
 }
@@ -205,8 +205,8 @@ fn split(collision: &Collision, lines: bool) -> Vec<String> {
                 .into(),
         ],
         false => vec![format!(
-            "Of the striker's velocity {along} m/s lie along the line of impact and {across} m/s \
-             across it."
+            "The striker's velocity has components of {along} m/s along the line of impact and \
+             {across} m/s perpendicular to it."
         )],
     }
 }
@@ -221,7 +221,7 @@ fn triangle(collision: &Collision) -> Vec<String> {
     ];
     let [before, striker, target] = sides.map(|momentum| significant(1e3 * momentum));
     let momenta = format!(
-        "The momenta make a triangle: {before} g m/s before, and after it {striker} g m/s of the \
+        "The momenta form a triangle: {before} g m/s before; afterwards {striker} g m/s of the \
          striker and {target} g m/s of the other disc."
     );
     let apart = outcome.separation.map(degrees);
@@ -236,19 +236,22 @@ fn in_the_centre(collision: &Collision) -> Vec<String> {
     let [u1, u2, v1, v2] =
         [centre.u1, centre.u2, outcome.v1, outcome.v2].map(|v| significant(v.length()));
     let came = format!(
-        "The centre of mass moves at {drift} all the while. Seen from there the discs come with \
-         {u1} and {u2} m/s from opposite sides, and"
+        "The centre of mass moves at {drift} throughout. In its frame the discs approach at {u1} \
+         and {u2} m/s from opposite sides, and"
     );
     let mut lines = result(collision);
     if collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit {
-        lines.push(format!("{came} stay."));
+        lines.push(format!("{came} stay together."));
         return lines;
     }
     lines.push(format!(
-        "{came} leave with {v1} and {v2} m/s, back to back."
+        "{came} leave at {v1} and {v2} m/s in opposite directions."
     ));
     if let Some(turn) = outcome.theta1.filter(|_| outcome.v1.length() > 1e-9) {
-        lines.push(format!("Both are turned by Θ = {}.", degrees(turn.abs())));
+        lines.push(format!(
+            "Both are deflected by Θ = {}.",
+            degrees(turn.abs())
+        ));
     }
     lines
 }

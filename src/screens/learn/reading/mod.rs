@@ -484,7 +484,7 @@ impl Screen for Reading {
     fn view<'s>(&'s self, cx: &'s Context) -> View<'s, ReadingAction> {
         let Some(open) = &self.open else {
             let mut panel = Panel::new(self.chapter.title.as_str());
-            panel.line("Looking …", Role::Dim);
+            panel.line("Loading …", Role::Dim);
             return View::alone(SplitLayout::text_alone, panel);
         };
         let panel = panel::panel(open, self.at, self.notice, cx.settings.charset);

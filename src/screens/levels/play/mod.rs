@@ -211,7 +211,7 @@ impl Screen for LevelPlay {
             LevelPhase::Aim => {
                 let says = !self.level().say_first.is_empty();
                 let go = match says && cx.settings.predict {
-                    true => "say where",
+                    true => "predict",
                     false => "shoot",
                 };
                 let form = self

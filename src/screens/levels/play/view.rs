@@ -104,8 +104,8 @@ fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
     let shoot = ("shoot", LevelAction::Go);
     panel.prompts(match (says, cx.settings.predict) {
         _ if play.form.is_typing() => vec![("set it", set)],
-        (true, true) => vec![("say where they go", LevelAction::Go)],
-        (true, false) => vec![shoot, ("say first", LevelAction::Predict)],
+        (true, true) => vec![("predict both paths", LevelAction::Go)],
+        (true, false) => vec![shoot, ("predict", LevelAction::Predict)],
         (false, _) => vec![shoot],
     });
     let hidden = play.earlier.len().saturating_sub(SHOWN_EARLIER);
@@ -138,7 +138,7 @@ fn hints(play: &LevelPlay, panel: &mut LevelPanel) {
 }
 
 fn say(play: &LevelPlay, pending: &PendingShot) -> LevelPanel {
-    let mut panel = Panel::new("say it first");
+    let mut panel = Panel::new("predict it");
     let scene = &play.level().scene;
     let [_, target] = pending.impact.discs;
     let name = words::short(scene, target);
@@ -227,14 +227,14 @@ fn won(play: &LevelPlay, win: Win, panel: &mut LevelPanel, cx: &Context) {
     panel.paragraph(&play.level().explanation, Role::Text);
     panel.gap();
     if !win.has_few_shots() {
-        let text = format!("A star more: win with at most {FEW_SHOTS} shots and no hint.");
+        let text = format!("One more star: win with at most {FEW_SHOTS} shots and no hint.");
         panel.paragraph(text, Role::Dim);
     }
     if !win.is_accurate() {
         let text = match win.said_right {
-            Some(_) if cx.settings.predict => "A star more: say within 4° where the discs go.",
-            Some(_) => "A star more: say first where the discs go.",
-            None => "A star more: win with the first shot.",
+            Some(_) if cx.settings.predict => "One more star: predict the paths within 4°.",
+            Some(_) => "One more star: predict the paths first.",
+            None => "One more star: win with the first shot.",
         };
         panel.paragraph(text, Role::Dim);
     }
@@ -285,7 +285,8 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
     }
     panel.gap();
     if is_secret.contains(&true) {
-        let text = "A mass here is for you to find. The angles of the first hit tell it: where nothing is lost, m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁.";
+        let text = "One mass here is unknown. The angles of the first collision give it: with no \
+                    energy lost, m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁.";
         panel.paragraph(text, Role::Text);
     } else {
         let why = why(&impact.collision, said.and_then(RayInput::both));

@@ -89,7 +89,7 @@ impl ActiveGame {
         let practice = self.is_practice();
         // A long hint is read with the page keys.
         let reads = self.hint.as_ref().is_some_and(|hinted| hinted.whole);
-        let back = if self.is_pulling() { "not now" } else { "" };
+        let back = if self.is_pulling() { "cancel" } else { "" };
         let aim = KeyTable::new("table")
             .on(' ', Strike, "strike")
             .or((!typing).then_some((Key::Enter, Strike)))
@@ -261,7 +261,7 @@ impl ActiveGame {
         }
         if self.is_pulling() {
             let what = match self.is_drawn() {
-                true => "Let go: strike. Back to the striker: not now.",
+                true => "Let go: strike. Back to the striker: cancel.",
                 false => "Pull farther back to strike.",
             };
             panel.paragraph(what, Role::Key);

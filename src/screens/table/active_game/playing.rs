@@ -225,7 +225,8 @@ impl Playing {
             .square()
             .dragging(match phase {
                 GamePhase::Aim => Some(
-                    "Touch the board to aim. Drag the striker along its base line; pull it back and let go to strike.",
+                    "Touch the board to aim. Drag the striker along its base line; pull it back \
+                     and let go to strike.",
                 ),
                 GamePhase::Call(_) => Some(RayInput::DRAG),
                 _ => None,
@@ -276,7 +277,7 @@ impl GamePhase {
     /// The titles of picture and panel.
     fn titles(&self, game: &ActiveGame) -> (String, String) {
         let panel = match self {
-            Self::Call(_) => return ("call it: where to?".into(), "say it first".into()),
+            Self::Call(_) => return ("call it: where to?".into(), "predict it".into()),
             Self::Watch(replay) => return replay.titles(&game.history),
             Self::Arrange(_) => "lay the coins out".into(),
             Self::Aim | Self::Show(_) => match game.options.seat_name(game.seat()) {

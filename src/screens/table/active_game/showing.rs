@@ -150,7 +150,7 @@ impl ShownStroke {
             first_hit(game.game(), &hit, false, panel);
         }
         panel.gap();
-        panel.paragraph("What will happen? Say it first.", Role::Text);
+        panel.paragraph("What will happen? Predict it.", Role::Text);
         panel.part(TableAction::Show, |panel| {
             panel.prompts([
                 ("your call", ShowAction::CallShown),
@@ -226,7 +226,7 @@ impl ActiveGame {
         self.history.take_hint();
         let found = opponent::hint(self.game(), self.next_seed());
         if found.is_none() {
-            self.notice = Some("There is no stroke to be found here.".into());
+            self.notice = Some("No stroke was found here.".into());
         }
         self.hint = found.map(|hint| Hinted {
             pointer: Pointer::of(&hint.reason.story, &strike(hint.stroke), self.game()),

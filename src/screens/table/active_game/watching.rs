@@ -334,7 +334,7 @@ impl StrokeReplay {
             return;
         }
         if first != "striker" {
-            let here = format!("Here the {first} plays the striker's part.");
+            let here = format!("Here the {first} acts as the striker.");
             panel.paragraph(here, Role::Dim);
         }
         reason(&why(watch.collision(), watch.said().copied()), panel);
