@@ -47,7 +47,7 @@ impl Said {
         }
     }
 
-    /// What such a text says; `None` if it is none.
+    /// Reads such a text; `None` if it is not one.
     pub fn parse(text: &str) -> Option<Self> {
         let sure = text
             .split_once(' ')
