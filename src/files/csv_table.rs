@@ -13,7 +13,7 @@ use super::is_invisible;
 /// they are.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should a row not be writable.
+/// None in practice; the reason if a row cannot be written.
 pub fn csv_table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String> {
     let mut table = csv::Writer::from_writer(Vec::new());
     let in_words = |error: csv::Error| error.to_string();

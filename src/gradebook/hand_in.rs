@@ -90,7 +90,7 @@ impl HandIn {
     /// The text of the file.
     ///
     /// # Errors
-    /// None that can be met in practice; the reason, should it not be writable.
+    /// None in practice; the reason if it cannot be written.
     pub fn text(&self) -> Result<String, String> {
         let text = serde_json::to_string_pretty(&self.written());
         text.map(|text| text + "\n")

@@ -7,7 +7,7 @@ use crate::numbers::fixed;
 /// A row a pupil: what was answered in all, in each round and on each topic.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should a row not be writable.
+/// None in practice; the reason if a row cannot be written.
 pub fn pupils_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let (rounds, topics) = (results.rounds(), results.topics());
     let mut heads: Vec<String> = [
@@ -66,7 +66,7 @@ fn figure(x: Option<f64>, decimals: usize) -> String {
 /// A row a question: how all who answered it did.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should a row not be writable.
+/// None in practice; the reason if a row cannot be written.
 pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let class = results.book.classes();
     let columns: [(&str, CellOf<ItemStatistics>); 10] = [
@@ -104,7 +104,7 @@ fn table<T>(columns: &[(&str, CellOf<T>)], rows: &[T]) -> Result<String, String>
 /// A row a misconception: how many hold it.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should a row not be writable.
+/// None in practice; the reason if a row cannot be written.
 pub fn beliefs_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let class = results.book.classes();
     let columns: [(&str, CellOf<BeliefCount>); 5] = [

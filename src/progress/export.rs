@@ -57,7 +57,7 @@ fn in_words(attempt: &Attempt) -> [String; IN_WORDS.len()] {
 /// The attempts as a [table](csv_table), one a row.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should a row not be writable.
+/// None in practice; the reason if a row cannot be written.
 pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
     let cell = |column: &str, value: Value| match (column, value) {
         ("answer" | "truth", Value::Object(said)) => figures_text(&tidied(&said)),

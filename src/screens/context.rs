@@ -167,7 +167,7 @@ impl Context {
         self.asked.push(Effect::Join(call));
     }
 
-    /// Tells the player something, over whatever the screen shows, until a key is pressed.
+    /// Shows a notice over the screen until a key is pressed.
     pub fn tell(&mut self, words: String) {
         self.told = Some(words);
     }

@@ -82,7 +82,7 @@ pub trait AnyScreen {
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next;
     /// The cells of the panels that do something, from the top.
     fn targets(&self, cx: &Context) -> Vec<Rect>;
-    /// Does what the target of this number does, as a click on it would.
+    /// Carries out the target of this number, as a click on it would.
     fn choose(&mut self, target: usize, cx: &mut Context) -> Next;
     /// See [`Screen::resumed`].
     fn resumed(&mut self, cx: &mut Context);

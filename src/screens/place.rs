@@ -50,14 +50,14 @@ pub enum Place {
         code: Option<Code>,
         /// The names of the teams, as far as they are known.
         teams: Vec<String>,
-        /// What the class is called; perhaps nothing.
+        /// The name of the class; may be empty.
         name: String,
     },
     /// A round for a class on devices of their own.
     Host {
         /// The code of the round; `None` leaves it to be chosen.
         code: Option<Code>,
-        /// What the class is called; perhaps nothing.
+        /// The name of the class; may be empty.
         name: String,
     },
     /// A pupil's device in a class.
@@ -80,7 +80,7 @@ pub enum Place {
     Table,
     /// What the player has done so far.
     Progress,
-    /// What the player has set.
+    /// The player's settings.
     Settings,
     /// The list of levels.
     Levels,

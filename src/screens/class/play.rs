@@ -91,7 +91,7 @@ impl ClassPlay {
         play
     }
 
-    /// Whether the last question is behind.
+    /// Whether the last question is over.
     pub(super) fn is_over(&self) -> bool {
         matches!(self.phase, ClassPhase::End(_))
     }
@@ -515,7 +515,7 @@ impl ClassPlay {
         }
     }
 
-    /// Lets time pass.
+    /// Advances the time.
     pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
         self.stage.session.advance(passed);
         self.stage.countdown = self.stage.countdown.map(|left| left.saturating_sub(passed));

@@ -64,7 +64,7 @@ impl Reveal {
         }
     }
 
-    /// Lets time pass.
+    /// Advances the time.
     pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         if let Some(watch) = &mut self.watch {
             watch.advance(passed, pace);

@@ -40,7 +40,7 @@ pub enum SheetKind {
     Help,
     /// Something the player is told.
     Notice,
-    /// Something the player is asked.
+    /// A question to the player.
     Question,
 }
 

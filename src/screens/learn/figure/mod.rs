@@ -366,7 +366,7 @@ impl LiveFigure {
         })
     }
 
-    /// Lets time pass.
+    /// Advances the time.
     pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
         match &mut self.state {
             FigureState::Hits(hits) => {

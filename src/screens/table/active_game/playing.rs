@@ -155,7 +155,7 @@ impl Playing {
         self.follow(after, cx)
     }
 
-    /// Lets time pass.
+    /// Advances the time.
     pub(in crate::screens::table) fn advance(&mut self, passed: Duration, cx: &mut Context) {
         self.hand_over(cx);
         let after = match &mut self.phase {
