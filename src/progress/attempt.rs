@@ -165,7 +165,7 @@ impl Attempt {
         if self.family == LESSON {
             return format!("chapter: {}", self.topic);
         }
-        // Before codes were noted with the figures the seed was all there was.
+        // Earlier versions stored only the seed.
         let noted = self.question.get(ROUND).and_then(Value::as_str);
         noted.map_or_else(|| self.seed.to_string(), str::to_owned)
     }

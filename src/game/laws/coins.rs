@@ -3,7 +3,7 @@
 use super::case::{Case, Verdict, coins};
 use super::ruling::Law;
 
-/// The verdict on a stroke that has nothing to do with break, queen or end.
+/// The verdict on a stroke that does not concern the break, the queen or the end.
 pub(super) fn judge(case: &Case) -> Verdict {
     if case.striker_fell {
         striker_fell(case)

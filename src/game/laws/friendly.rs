@@ -44,7 +44,7 @@ fn ending(case: &Case) -> Option<Verdict> {
     } else {
         0
     };
-    // Both colours may be cleared at once; to win is worth a point even then.
+    // Both colours may be cleared at once; a win brings a point even then.
     let by = (left + queen).max(1);
     let text = format!(
         "All {} coins are down, so {winner} wins by {}.",

@@ -22,7 +22,7 @@ pub struct Options {
     pub set: PieceSet,
     /// Whether the players call the first impact before each stroke.
     pub call: bool,
-    /// Helps while aiming.
+    /// Aids while aiming.
     pub aids: Aids,
 }
 

@@ -63,7 +63,7 @@ pub enum AimAid {
     Line,
     /// Where the striker will be then.
     Ghost,
-    /// Where both will leave that hit.
+    /// Both paths after that collision.
     Rays,
 }
 
