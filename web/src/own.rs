@@ -79,7 +79,7 @@ pub(crate) fn path(name: &str, bytes: &[u8]) -> Option<String> {
 /// Takes in a file that the player has opened, and says what has come of it.
 ///
 /// # Errors
-/// What is wrong with it, in words.
+/// The fault in words.
 pub(crate) fn take_in(
     keeping: &mut PageStorage,
     name: &str,

@@ -1,5 +1,5 @@
-//! After the last question: the final board, what the class believed, what each
-//! question showed.
+//! After the last question: the final scores, the class's misconceptions, the results of each
+//! question.
 
 use std::cmp::Reverse;
 
@@ -82,20 +82,19 @@ fn board(play: &Stage) -> View<'_, ClassAction> {
     }
 }
 
-/// What shows in the votes of a class: a misconception, how many teams hold it by the
-/// evidence of their first votes and after talking, and how many votes fitted it.
+/// A result of the votes of a class: a misconception, how many teams hold it by the evidence of
+/// their first votes and after the discussion, and how many votes fit it.
 struct ClassBelief {
     misconception: Misconception,
     teams: [usize; 2],
     votes: [usize; 2],
-    /// The evidence of those teams for whom there is any, at first.
+    /// The evidence of the teams that have any, at first.
     weight: f64,
 }
 
-/// What the class believed: first what most teams hold, then that for which there is most
-/// evidence.
+/// The class's misconceptions: first those that most teams hold, then those with the most evidence.
 fn held(round: &ClassRound) -> Vec<ClassBelief> {
-    // Of counted hands nobody knows whose they were: they are weighed question by question.
+    // Counted hands have no names, so they are weighed question by question.
     let all = match round.way() {
         WayOfVoting::Tally => round.questions().len(),
         WayOfVoting::Teams | WayOfVoting::Devices => round.participants().len(),
@@ -224,8 +223,8 @@ fn told(question: &Question, item: &ItemAnalysis) -> String {
     told.join(". ")
 }
 
-/// Rows of a panel from which on it has a title in large letters.
+/// The least rows of a panel with a title in large letters.
 const LARGE_FROM: u16 = 19;
 
-/// Most answers that are told with their counts.
+/// The most answers listed with their counts.
 const MOST_COUNTS: usize = 5;

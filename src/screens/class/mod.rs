@@ -1,7 +1,7 @@
 //! A round for a class round one screen: one keyboard, a projector, teams.
 //!
-//! A question goes through the `ClassStep`s of [`crate::class`]; `play` knows the way
-//! through them, and every step with something to do is a module of its own.
+//! A question goes through the `ClassStep`s of [`crate::class`]; `play` leads through them, and
+//! each step with an action is a module of its own.
 
 mod earlier;
 mod ending;
@@ -102,7 +102,7 @@ pub(crate) struct Class {
     paused: bool,
 }
 
-/// What is on the screen.
+/// The page shown.
 #[derive(Debug, Clone)]
 enum ClassScene {
     SetUp(Box<SetUp>),
@@ -112,7 +112,7 @@ enum ClassScene {
 }
 
 impl Class {
-    /// The page on which a round is set up, with what is known of it already.
+    /// The set-up page, with the known values filled in.
     pub(crate) fn new(code: Option<&Code>, teams: &[String], name: &str, cx: &Context) -> Self {
         let set_up = SetUp::new(code, teams, name, Arc::clone(&cx.own));
         Self {
@@ -216,7 +216,7 @@ impl Screen for Class {
                 let of = play.stage.round().questions().len();
                 let place = format!("question {} of {of}", play.stage.number() + 1);
                 match play.stage.step().vote().filter(|_| !play.is_over()) {
-                    // Whoever has the code could play the round first.
+                    // Otherwise pupils could play the round in advance by its code.
                     Some(vote) if play.stage.session.is_hosted() => {
                         format!("{place}  {}", play.stage.session.turnout(vote))
                     }

@@ -1,4 +1,4 @@
-//! A beam, counted by angle while it is thrown.
+//! A beam, counted by angle while it runs.
 
 use std::f64::consts::PI;
 
@@ -18,7 +18,7 @@ use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{AnswerAction, AnswerInput, Look, Role};
 
-/// The title of the picture: what is hit, and in space what is counted there.
+/// The title of the picture: the target, and in space the unit of the counts.
 pub(super) fn title(foil: &FoilScreen) -> &'static str {
     use CountedFor::{Ring, Steradian};
     match (foil.setup.obstacle, foil.setup.counted_for()) {
@@ -31,7 +31,7 @@ pub(super) fn title(foil: &FoilScreen) -> &'static str {
     }
 }
 
-/// What the axis of the counts is called.
+/// The label of the axis of the counts.
 fn name_of_counts(counted_for: Option<CountedFor>) -> &'static str {
     match counted_for {
         None => "particles in each 5°",
@@ -40,12 +40,12 @@ fn name_of_counts(counted_for: Option<CountedFor>) -> &'static str {
     }
 }
 
-/// The counts, and the law once something has been thrown.
+/// The counts, and the law once there are any.
 pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     let law = foil.setup.law();
     let particles = foil.setup.particles();
     let name = name_of_counts(foil.setup.counted_for());
-    // On a board a bin is what a small screen is in space: each is as wide as any other.
+    // On a board all bins are equally wide, like a small screen in space.
     let counted_for = foil.setup.counted_for().unwrap_or(CountedFor::Ring);
     let most = Counts::expected(&law, particles)
         .into_iter()
@@ -65,8 +65,8 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
             let height = *count as f64 / counted_for.in_bin(bin);
             plot.bar(degrees(bin), degrees(bin + 1), height, Role::Trail);
         }
-        // Where next to none are expected there is no line: it would be that of the axis. Near 0
-        // the law goes beyond the plot.
+        // Where almost no counts are expected there is no line, because it would coincide with the
+        // axis. Near 0 the law exceeds the plot.
         let least = plot.least_clear();
         let thrown = run.thrown();
         let expected = |at| {
@@ -90,8 +90,9 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     plot.picture()
 }
 
-/// Particles expected at an angle in degrees. Of a steradian it is the law itself; of a ring
-/// those within 2.5°, so that the curve passes the middle of each bin at what is expected in it.
+/// Particles expected at an angle in degrees. Per steradian it is the law itself; for a ring the
+/// integral over ±2.5°, so that the curve passes through the expected count at the middle of each
+/// bin.
 pub(super) fn expected_at(
     law: &ScatteringLaw,
     counted_for: CountedFor,
@@ -108,7 +109,7 @@ pub(super) fn expected_at(
     Some(thrown as f64 * share)
 }
 
-/// Where the curve may be named: past the middle, or else the nearer to its beginning.
+/// Where the label of the curve may be: past the middle, or else closer to its beginning.
 fn label_places(expected: impl Fn(f64) -> Option<f64>) -> Vec<glam::DVec2> {
     let places = (0..20).map(|bin| 97.5 - 5.0 * f64::from(bin));
     let on_curve = |at| expected(at).map(|count| glam::dvec2(at, count));
@@ -142,7 +143,7 @@ pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, panel: &mut Pan
     }
 }
 
-/// Writes what stands below the settings.
+/// Writes the text below the settings.
 pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Context) {
     panel.gap();
     let Some(run) = foil.run() else {
@@ -194,7 +195,7 @@ pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Conte
     );
 }
 
-/// What a beam is, before it is thrown.
+/// The description of a beam before it starts.
 fn about(setup: &FoilSetup) -> &'static str {
     match (setup.obstacle, setup.beam) {
         (Obstacle::Hard, Beam::Board) => "Every offset along the line up to R is equally likely.",

@@ -1,4 +1,4 @@
-//! What Geiger and Marsden counted, beside the law.
+//! The counts of Geiger and Marsden, beside the law.
 
 use glam::dvec2;
 use ratatui::layout::Rect;
@@ -51,13 +51,13 @@ pub(super) fn title(levelled: bool) -> &'static str {
     }
 }
 
-/// The two series, or why they cannot be had.
+/// The two series, or why they cannot be read.
 fn series() -> Result<[Option<Series>; 2], String> {
     let angles = geiger_marsden().map_err(|fault| fault.to_string())?;
     Ok(METALS.map(|metal| Series::new(&angles, metal.count)))
 }
 
-/// The counts: against 1/sin⁴(Θ/2), or as what they are above the law.
+/// The counts against 1/sin⁴(Θ/2), or their deviation from the law.
 pub(super) fn picture(levelled: bool, area: Rect, look: Look) -> Picture {
     let law = Axis::log("1/sin⁴(Θ/2), small Θ right", 1.0, 5000.0);
     let mut plot = if levelled {
@@ -84,7 +84,7 @@ pub(super) fn picture(levelled: bool, area: Rect, look: Look) -> Picture {
     plot.picture()
 }
 
-/// Counts with the line that the law draws through them.
+/// The counts and the line of the law.
 fn counts(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
     let ShownMetal { name, role, .. } = *metal;
     let line = [1.0, 5000.0].map(|law| dvec2(law, law * series.scale));
@@ -107,7 +107,7 @@ fn counts(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
     }
 }
 
-/// What each count is above the law, in per cent, and the band of gold.
+/// The deviation of each count from the law in per cent, and the range for gold.
 fn levels(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
     let ShownMetal { name, role, .. } = *metal;
     let percent = |excess: f64| 100.0 * excess;
@@ -122,7 +122,7 @@ fn levels(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
         let at = dvec2(point.1, percent(series.excess(*point)));
         plot.mark(at, metal.mark(look.charset), role);
     }
-    // In the upper left corner there is nothing to see.
+    // The upper left corner is empty.
     let mut at = dvec2(1.5, 35.0);
     if name == "gold" {
         let (low, high) = series.band();
@@ -141,7 +141,7 @@ fn signed(share: f64) -> String {
     format!("{:+.0}%", 100.0 * share).replace('-', "−")
 }
 
-/// Writes what stands beside the picture.
+/// Writes the text beside the picture.
 pub(super) fn write(panel: &mut Panel<FoilAction>) {
     let [gold, silver] = match series() {
         Ok([Some(gold), Some(silver)]) => [gold, silver],

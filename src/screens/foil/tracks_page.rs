@@ -114,12 +114,12 @@ pub(super) fn picture(setup: &FoilSetup, area: Rect) -> Picture {
     let reach = 1.2 * wide.hypot(half).max(half);
     let axis = Pen::new(Role::Axis).dotted();
     picture.line(dvec2(-reach, 0.0), dvec2(reach, 0.0), axis);
-    // One straight on would come back along its own way.
+    // A head-on particle would come back along its own path.
     for i in (-BESIDE..=BESIDE).filter(|i| *i != 0) {
         let beside = path(setup, 0.9 * half * f64::from(i) / f64::from(BESIDE), reach);
         picture.curve(beside.points, Pen::new(Role::Trail).dotted());
     }
-    // A nucleus is smaller than any cell: a mark of its place.
+    // A nucleus is smaller than any cell, so a mark shows its position.
     let role = match setup.obstacle {
         Obstacle::Hard => Role::Coin,
         Obstacle::Nucleus => Role::Marble,
@@ -143,7 +143,7 @@ fn draw_particle(setup: &FoilSetup, picture: &mut Picture, reach: f64) {
             Obstacle::Nucleus => picture.line(DVec2::ZERO, nearest, Role::LineOfImpact),
         }
     }
-    // The way it would have gone on, which the angle is measured from.
+    // The undeflected path, from which the angle is measured.
     let straight = Pen::new(Role::Aim).dashed();
     let from = set.nearest.map_or(0.0, |nearest| nearest.x.max(-reach));
     picture.line(dvec2(from, offset), dvec2(reach, offset), straight);
@@ -169,7 +169,7 @@ fn draw_particle(setup: &FoilSetup, picture: &mut Picture, reach: f64) {
     }
 }
 
-/// Writes what stands below the settings.
+/// Writes the text below the settings.
 pub(super) fn write<A>(setup: &FoilSetup, panel: &mut Panel<A>) {
     let set = path(setup, offset(setup), 1e4);
     panel.gap();

@@ -1,4 +1,5 @@
-//! What the lab shows: the picture, and beside it settings, the prediction, the shot in numbers.
+//! The view of the lab: the picture, and beside it the settings, the prediction, the shot in
+//! numbers.
 
 use glam::DVec2;
 use ratatui::buffer::Buffer;
@@ -58,13 +59,13 @@ const DRAG: &str = "Drag the coin up or down to set the offset.";
 /// Fewest rows of a picture that has room for the curves too.
 const ROOM_FOR_CURVES: u16 = 18;
 
-/// The hit as what is set makes it, told to its end.
+/// The collision of the settings, explained to its end.
 fn live_hit(lab: &Lab) -> Watch {
     let layers = Overlays::default().without([Overlay::Triangle, Overlay::Trails]);
     Watch::told(lab.settings.setup.collision()).with_layers(layers)
 }
 
-/// Where the hit stands in the picture: above the curves, where they are drawn.
+/// The area of the collision in the picture: above the curves, if they are drawn.
 pub(super) fn hit_area(lab: &Lab, picture: Rect, cx: &Context) -> Rect {
     match lab.is_live(cx) && has_curves(lab, picture) {
         true => areas::upper(picture, picture.height * 11 / 20)[0],
@@ -80,7 +81,7 @@ fn has_curves(lab: &Lab, picture: Rect) -> bool {
     plain && collision.alpha().is_some() && picture.height >= ROOM_FOR_CURVES
 }
 
-/// Draws the hit and, where there is room, how both speeds go with the impact angle.
+/// Draws the collision and, if there is room, both speeds against the impact angle.
 fn live(lab: &Lab, picture: Rect, buf: &mut Buffer, look: &Look, cx: &Context) {
     let hit = hit_area(lab, picture, cx);
     live_hit(lab).picture(hit).draw(buf, look);
@@ -127,7 +128,7 @@ fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
     panel
 }
 
-/// b/(r₁+r₂), and that they miss if they do.
+/// b/(r₁+r₂), with a note if they miss.
 fn geometry<A>(lab: &Lab, panel: &mut Panel<A>) {
     let setup = &lab.settings.setup;
     let ratio = setup.offset_mm().abs() / setup.contact_distance_mm();
@@ -142,7 +143,7 @@ fn geometry<A>(lab: &Lab, panel: &mut Panel<A>) {
     }
 }
 
-/// The two rays being said.
+/// The two predicted rays.
 fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
     let mut panel = Panel::new("predict it");
     given(lab, &mut panel);
@@ -164,9 +165,8 @@ fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
     panel
 }
 
-/// The shot in numbers, what was said of it, and why it went as it did. The
-/// explanation comes whole; where there is not room for all, numbers that the
-/// player set and knows give way first.
+/// The shot in numbers, the prediction, and the explanation. The explanation is never cut; if there
+/// is not enough room, numbers that the player set are dropped first.
 fn shot(lab: &Lab, watch: &Watch) -> Panel<LabAction> {
     let mut panel = Panel::new("the shot");
     if !watch.is_told() {

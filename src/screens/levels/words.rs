@@ -37,8 +37,7 @@ pub(super) fn short(scene: &Scene, disc: usize) -> &'static str {
         .trim_start_matches("black ")
 }
 
-/// What a dial is called on the screen, its unit, and what it sets, in a few words before
-/// its range.
+/// The name of a dial on the screen, its unit, and its description before the range.
 pub(super) const fn dial_words(dial: Dial) -> (&'static str, &'static str, &'static str) {
     match dial {
         Dial::Direction => (

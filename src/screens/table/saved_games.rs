@@ -70,7 +70,7 @@ impl SavedGames {
             .on(Key::Escape, Back, "back")
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(super) fn act(&mut self, action: SavedGamesAction, cx: &mut Context) -> Next {
         match action {
             SavedGamesAction::Saved(action) => return self.files.act(action, cx),

@@ -56,7 +56,7 @@ impl Reveal {
         again.with(watch.keys(), |action| action)
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(crate) fn act(&mut self, action: WatchAction) {
         if let Some(watch) = &mut self.watch {
             watch.act(action);

@@ -301,7 +301,7 @@ impl Watch {
             .on(Key::Home, Start, "")
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(crate) fn act(&mut self, action: WatchAction) {
         self.switched = None;
         match action {

@@ -250,7 +250,7 @@ impl SettingsForm {
             .when(many)
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(crate) fn act(&mut self, action: FormAction, form: &mut impl FormFields) {
         self.held = false;
         match action {
@@ -268,7 +268,7 @@ impl SettingsForm {
         }
     }
 
-    /// Takes over a number that was typed and not entered.
+    /// Accepts a number that was typed but not entered.
     pub(crate) fn commit(&mut self, form: &mut impl FormFields) {
         if let Some(number) = self.entry.take() {
             self.set(number, form);

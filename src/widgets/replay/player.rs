@@ -213,8 +213,8 @@ impl ShotPlayer {
         }
     }
 
-    /// Does what a key stands for. A speed that is chosen goes into `rate`, to be
-    /// remembered; an enlarged impact is played at this pace.
+    /// Carries out an action. A speed that is chosen goes into `rate`, to be remembered; an
+    /// enlarged impact is played at this pace.
     pub(crate) fn act(&mut self, action: ShotAction, rate: &mut Option<WatchRate>, pace: HitPace) {
         match action {
             ShotAction::GoOn => self.clock.go_on(),

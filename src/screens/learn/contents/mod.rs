@@ -1,4 +1,4 @@
-//! The contents: what there is to read, how far one has come.
+//! The contents: the chapters and the reading progress.
 
 mod view;
 
@@ -31,8 +31,8 @@ pub(crate) enum ContentsAction {
 pub(crate) struct Contents;
 
 impl Contents {
-    /// The contents, at the first chapter that is not done. How far they have been read
-    /// is asked for, if it is not known yet.
+    /// The contents, at the first chapter that is not done. The bookmarks are requested, if they
+    /// are not known yet.
     pub(crate) fn new(cx: &mut Context) -> Self {
         cx.ask_for_marks();
         cx.book.at = cx.book.next().unwrap_or(0);
@@ -53,7 +53,7 @@ fn listed(book: &mut Book, action: ListAction) -> Next {
 #[derive(Debug, Clone, Copy)]
 enum ContentsLine<'a> {
     Chapter(&'a Chapter),
-    /// How far one has come.
+    /// The reading progress.
     Summary,
     /// A file that is left out.
     Problem(&'a FileError),

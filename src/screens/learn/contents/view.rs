@@ -1,4 +1,4 @@
-//! What the contents show.
+//! The view of the contents.
 
 use super::{ContentsAction, ContentsLine, chosen, lines};
 use crate::lessons::{Book, Bookmark, Chapter};
@@ -7,7 +7,7 @@ use crate::widgets::Role;
 use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
 
-/// The contents, and what the chosen line is about.
+/// The contents, and the description of the chosen line.
 pub(super) fn view<'s>(cx: &Context) -> View<'s, ContentsAction> {
     let book = &cx.book;
     let mut list = Panel::new("learn");
@@ -48,7 +48,7 @@ fn chapter_line(book: &Book, chapter: &Chapter) -> (String, String, Role) {
     )
 }
 
-/// How far a chapter is: its page while it is being read, then how many answers are right.
+/// The progress of a chapter: its page while it is being read, then the number of right answers.
 fn standing(mark: &Bookmark, chapter: &Chapter) -> String {
     let (seen, pages) = (mark.seen(chapter), chapter.pages.len());
     let sign = match (mark.is_done(chapter), mark.is_right(chapter)) {
@@ -90,7 +90,7 @@ fn about_chapter(book: &Book, chapter: &Chapter) -> Panel<ContentsAction> {
     panel
 }
 
-/// How far one has come, and what to try on the board.
+/// The overall progress, and what to try on the board.
 fn summary(book: &Book) -> Panel<ContentsAction> {
     let mut panel = Panel::new("so far");
     let chapters = &book.library().chapters;

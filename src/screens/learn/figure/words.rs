@@ -1,4 +1,4 @@
-//! What the figure of a page shows, in words, computed by the engine.
+//! The figure of a page in words, computed by the engine.
 
 use glam::DVec2;
 
@@ -11,8 +11,8 @@ use crate::physics::{
     Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, Meeting, worked,
 };
 
-/// What the figure of a page shows, a line each; before the page's question is
-/// `answered`, and where a later page asks for it, no more than how the hit is set up.
+/// The figure of a page in sentences; before the page's question is `answered`, or if a later page
+/// asks for the outcome, only the set-up.
 pub(in crate::screens::learn) fn describe(
     chapter: &Chapter,
     at: usize,
@@ -51,7 +51,7 @@ pub(in crate::screens::learn) fn describe(
     }
 }
 
-/// Whether one of these pages asks what becomes of a shot.
+/// Whether one of these pages asks for the outcome of a shot.
 fn is_asked(later: &[ChapterPage], shot: &CollisionSpec) -> bool {
     later.iter().any(|page| {
         let figure = page.figure.as_ref();
@@ -68,8 +68,8 @@ fn is_asked(later: &[ChapterPage], shot: &CollisionSpec) -> bool {
     })
 }
 
-/// What becomes of a hit, as a figure of this kind tells it; of what `is_asked` later
-/// only what is drawn of the hit itself.
+/// The outcome of a collision, as a figure of this kind shows it; if it `is_asked` later, only the
+/// drawn geometry.
 fn outcome(kind: FigureKind, collision: &Collision, is_asked: bool) -> Vec<String> {
     match kind {
         FigureKind::Split { lines } => split(collision, lines),
@@ -112,7 +112,7 @@ fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
     }
 }
 
-/// Shots that nobody aimed, between equal discs.
+/// Unaimed shots between equal discs.
 fn shots(space: bool, beyond_deg: f64, told: bool) -> Vec<String> {
     let (beam, over) = if space {
         (Beam::Space, "a round target of radius r₁ + r₂")
@@ -130,7 +130,7 @@ fn shots(space: bool, beyond_deg: f64, told: bool) -> Vec<String> {
     lines
 }
 
-/// How the hit is set up, as far as the picture before it shows.
+/// The set-up of the collision, as the picture before it shows.
 fn set_up(spec: &CollisionSpec, collision: &Collision) -> String {
     let place = match collision.alpha() {
         _ if collision.offset.abs() <= 0.0 => "head-on".to_owned(),
@@ -153,7 +153,7 @@ fn set_up(spec: &CollisionSpec, collision: &Collision) -> String {
     )
 }
 
-/// What no picture shows of the two: their masses, and how they push.
+/// What no picture shows: the masses, and the kind of contact.
 fn weighed(collision: &Collision) -> String {
     let [m1, m2] = [collision.striker, collision.target]
         .map(|disc| with_unit(&significant(g_from_kg(disc.mass)), "g"));
@@ -167,7 +167,7 @@ fn weighed(collision: &Collision) -> String {
     format!("The first has {m1}, the other one {m2}. {contact}")
 }
 
-/// What becomes of it, as the worked solution sums it up.
+/// The outcome, as the worked solution summarizes it.
 fn result(collision: &Collision) -> Vec<String> {
     let last = worked::steps(collision, false).pop();
     last.map(|step| step.why).into_iter().collect()
@@ -189,7 +189,7 @@ fn every_ten(
     (0..90).step_by(10).map(told).collect()
 }
 
-/// The lines at the contact, and unless it is these `lines` alone, the two parts of the
+/// The lines at the contact and, unless only the `lines` are shown, the two components of the
 /// striker's velocity.
 fn split(collision: &Collision, lines: bool) -> Vec<String> {
     let Collision { u1, .. } = collision;

@@ -66,7 +66,7 @@ impl ActiveGame {
         }
     }
 
-    /// Takes in what came of saving and exporting.
+    /// Handles the results of saving and exporting.
     pub(in crate::screens::table) fn take_answer(&mut self, answer: &StoreAnswer) {
         match &answer.done {
             StoreReply::Saved(result) if self.keeping.ticket == Some(answer.ticket) => {

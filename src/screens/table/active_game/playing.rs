@@ -40,7 +40,7 @@ impl Playing {
         self.follow(first.into(), cx);
     }
 
-    /// The keys that mean something just now, the most useful first.
+    /// The current keys, the most useful first.
     pub(in crate::screens::table) fn keys(&self) -> KeyTable<TableAction> {
         use GameAction::{Back, Export, WatchAll};
         let game = &self.game;
@@ -81,7 +81,7 @@ impl Playing {
         }
     }
 
-    /// Does what a key or a click stands for.
+    /// Carries out the action of a key or a click.
     pub(in crate::screens::table) fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
         self.hand_over(cx);
         self.game.notice = None;
