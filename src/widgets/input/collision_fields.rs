@@ -1,5 +1,5 @@
-//! What can be set of a collision: one table of names, ranges, steps and units for the lab,
-//! the figures of chapters and whatever else has a collision set up by hand.
+//! The settings of a collision: one table of names, ranges, steps and units for the lab, the
+//! figures of chapters and all other screens that set up a collision.
 
 use strum::VariantArray;
 
@@ -7,7 +7,7 @@ use super::{Field, FieldRow, FieldValue};
 use crate::numbers::fixed;
 use crate::physics::{Bond, CollisionSpec, ImpactPoint};
 
-/// One thing that can be set of a collision.
+/// One setting of a collision.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
 pub(crate) enum CollisionField {
     /// Impact parameter b.
@@ -147,14 +147,14 @@ impl CollisionField {
         ROWS[self as usize].field(spec)
     }
 
-    /// Sets it, held to its range. Whatever else changes, the two meet as far off-centre as
-    /// before, or as far as a smaller disc allows.
+    /// Sets it, clamped to its range. The relative offset stays the same, or as close as smaller
+    /// discs allow.
     pub(crate) fn set(self, spec: &mut CollisionSpec, value: f64) {
         set_at(self as usize, spec, value);
     }
 }
 
-/// All settings as they stand, in the order of [`CollisionField`].
+/// All present settings, in the order of [`CollisionField`].
 pub(crate) fn collision_fields(spec: &CollisionSpec) -> Vec<Field> {
     ROWS.iter().map(|row| row.field(spec)).collect()
 }
@@ -171,7 +171,7 @@ pub(crate) fn set_at(at: usize, spec: &mut CollisionSpec, value: f64) {
     spec.point = ImpactPoint::Offset { offset_mm };
 }
 
-/// Of directions every number is one.
+/// Every number is a valid direction.
 const ANY: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// The range of a field of files.
@@ -180,7 +180,7 @@ fn within(name: &str) -> (f64, f64) {
     range.map_or(ANY, |range| (range.least, range.most))
 }
 
-/// The impact angle in degrees; that of a miss is that of the graze it comes nearest to.
+/// The impact angle in degrees; for a miss that of the nearest graze.
 fn alpha_deg(spec: &CollisionSpec) -> f64 {
     let ratio = spec.offset_mm() / spec.contact_distance_mm();
     ratio.clamp(-1.0, 1.0).asin().to_degrees()
@@ -195,8 +195,7 @@ fn side(spec: &CollisionSpec) -> &'static str {
     }
 }
 
-/// The largest offset in mm. Past the touching distance there are misses, and a little
-/// beyond nothing new.
+/// The largest offset in mm. Beyond r₁ + r₂ there are only misses, so slightly more is enough.
 fn widest_mm(spec: &CollisionSpec) -> f64 {
     spec.contact_distance_mm() * CollisionSpec::WIDEST
 }
