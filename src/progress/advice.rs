@@ -2,12 +2,12 @@
 
 use super::{Attempt, Calendar, LESSON, Mastery, Trend, beliefs, reviews, topics};
 
-/// How many of the last attempts count as lately.
+/// How many of the last attempts count as recent.
 const LATELY: usize = 10;
 
-/// What to do next, in a sentence or two. What is worth most comes first: a belief
-/// that is still held, then what is due today, where that is known, then
-/// what the player was sure of and missed, then the topic that went worst lately.
+/// What to do next, in a sentence or two. The most useful comes first: a misconception that is
+/// still held, then what is due today, if that is known, then what the player was sure of and
+/// missed, then the topic with the worst recent results.
 pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     if attempts.is_empty() {
         return "Play a round of the quiz: ten hits, and no answer is wasted.".into();

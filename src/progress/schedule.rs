@@ -1,13 +1,13 @@
-//! When to come back to what.
+//! When to review which topic.
 //!
-//! The schedule runs by topic, not by family: a topic is what one can know and forget,
-//! and several families ask about the same one, each in its own way. To be asked by
-//! another family next time shows whether the idea has been understood, and not only
-//! the kind of question. A review asks once about each topic that is due.
+//! The schedule is kept by topic, not by family: a topic is what a person can know and forget, and
+//! several families ask about the same one in different ways. A question of another family shows
+//! whether the idea has been understood, and not only the kind of question. A review asks once
+//! about each topic that is due.
 //!
-//! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. It is due on the
-//! day that is so many days after the one on which it came to its step. Days are those of
-//! the player's calendar: what was known last evening is due this morning.
+//! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. It is due that many days
+//! after the day on which it reached its step. Days are those of the player's calendar: a topic
+//! answered last evening is due this morning.
 //!
 //! - Wrong, or right by a guess: off the ladder, and due at once.
 //! - Right from off the ladder: on its first step.
@@ -17,8 +17,8 @@
 //! - Right before it is due: nothing changes, for ten right answers in a row on one
 //!   day say no more than one.
 //!
-//! This is the box of cards of S. Leitner (1972): the better something is known, the
-//! longer it may rest, and an answer that takes some effort teaches most.
+//! This is the box of cards of S. Leitner (1972): the better something is known, the longer it may
+//! rest, and an answer that takes some effort has the greatest effect.
 
 use indexmap::IndexMap;
 use jiff::ToSpan;
@@ -32,7 +32,7 @@ use crate::quiz::Confidence;
 /// The last step; the first is 0.
 const LAST: u32 = 5;
 
-/// A topic and when to come back to it.
+/// A topic and its next review.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Review {
     /// The family that asked about it last.
@@ -43,7 +43,7 @@ pub struct Review {
     pub step: Option<u32>,
     /// The first day on which it is due.
     pub due: Date,
-    /// When it came to its step, in seconds since 1970 began.
+    /// When it reached its step, in seconds since 1970 began.
     since_s: i64,
 }
 
@@ -53,7 +53,7 @@ impl Review {
         topic_name(&self.family, &self.topic)
     }
 
-    /// When it is due as seen from `today`, in few letters: "now", "in 2 days".
+    /// When it is due relative to `today`, in few letters: "now", "in 2 days".
     pub fn when(&self, today: Date) -> String {
         // Between two dates a difference in days always fits.
         match usize::try_from((self.due - today).get_days()) {
@@ -62,7 +62,7 @@ impl Review {
         }
     }
 
-    /// How many days have passed on this one since it came to its step.
+    /// How many days before this one it reached its step.
     fn days_to(&self, day: Date) -> u32 {
         let rest = self.step.map_or(0, |step| 1_i32 << step);
         let days = (day - self.due).get_days() + rest;
@@ -75,8 +75,7 @@ impl Review {
     }
 }
 
-/// When to come back to each topic, the earliest first. Attempts whose time nobody
-/// knows are left out.
+/// The next review of each topic, the earliest first. Attempts without a time are left out.
 pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> {
     let mut reviews: IndexMap<&str, Review> = IndexMap::new();
     for attempt in attempts {
@@ -94,7 +93,7 @@ pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> 
                 let rested = review.days_to(day).max(1).ilog2();
                 Some((step + 1).max(rested).min(LAST))
             }
-            // Too early to say more than is known already.
+            // It is not due yet, so nothing changes.
             Some(_) => continue,
             None => Some(0),
         };

@@ -7,10 +7,10 @@ use super::working;
 use crate::physics::worked::{self, WorkedStep};
 use crate::physics::{CollisionSpec, ImpactPoint};
 
-/// Says a worked solution, or asks for the hit first.
+/// Writes a worked solution, or asks for the collision first.
 ///
 /// # Errors
-/// If the player quits, or nothing more is to be heard.
+/// If the player quits, or the input ends.
 pub fn solve(talk: &mut Talk, given: Option<&[WorkedStep]>) -> Result<(), Leave> {
     let steps = match given {
         Some(steps) => steps.to_vec(),

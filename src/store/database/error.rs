@@ -1,4 +1,4 @@
-//! What may be wrong with a database.
+//! Faults of a database.
 
 use std::io::{self, ErrorKind};
 
@@ -10,10 +10,10 @@ use super::schema::VERSION;
 /// What is wrong.
 #[derive(Debug, Error)]
 pub(super) enum DatabaseError {
-    /// It is not what it should be; what SQLite says of it.
+    /// It is damaged, with SQLite's message.
     #[error("it is damaged; SQLite says: {0}")]
     Damaged(String),
-    /// It is damaged, and was not mended, for this reason.
+    /// It is damaged and was not repaired, for this reason.
     #[error("it is damaged and could not be repaired: {0}")]
     Unmended(Box<DatabaseError>),
     /// It is something else.
@@ -47,7 +47,7 @@ impl DatabaseError {
         Self::NotOurs("it does not start like one".into())
     }
 
-    /// Whether it may go well a little later.
+    /// Whether a later try may succeed.
     pub(super) fn is_busy(&self) -> bool {
         let busy = [ErrorCode::DatabaseBusy, ErrorCode::DatabaseLocked];
         self.code().is_some_and(|code| busy.contains(&code))

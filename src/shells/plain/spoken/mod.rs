@@ -7,7 +7,7 @@ mod units;
 pub(super) use functions::is_function;
 pub(super) use units::{means_unit, unit_name};
 
-/// Marks around what is to stay as it is: Unicode's own for text put into other text.
+/// Marks around text that stays unchanged: Unicode's isolates.
 const BEGIN: char = '\u{2068}';
 const END: char = '\u{2069}';
 
