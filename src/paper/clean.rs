@@ -1,4 +1,4 @@
-//! Names and titles from outside, made fit for a line of a document.
+//! Names and titles from outside, made safe for a line of a document.
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
@@ -11,10 +11,9 @@ const MOST_UPON: usize = 6;
 /// `text` as one line of at most `columns` columns (a wide letter takes two), cut with
 /// an ellipsis where it is longer.
 ///
-/// Line breaks and tabs become blanks, runs of blanks one. Control characters are left
-/// out, and so are the marks that turn the direction of all that follows: letters
-/// written from right to left stay and are set as they should be. What piles up on one
-/// letter without end is cut off.
+/// Line breaks and tabs become blanks, runs of blanks one. Control characters are left out, and so
+/// are marks that change the direction of the following text: letters written from right to left
+/// stay and are set correctly. Too many marks on one letter are cut off.
 pub fn clean(text: &str, columns: usize) -> String {
     let mut line = String::new();
     let (mut width, mut upon) = (0, 0);

@@ -53,7 +53,7 @@ fn head(report: &Report) -> Markup {
     }
 }
 
-/// The few figures that say most.
+/// The most important figures.
 fn figures(report: &Report) -> Markup {
     let figure = |value: String, name: &str| {
         html! { div { strong { (value) } span.dim { (name) } } }
@@ -129,7 +129,7 @@ fn listed<T>(title: &str, cut: &Cut<T>, none: &str, table: fn(&[T]) -> Markup) -
     }
 }
 
-/// A share as a bar that is told apart in black and white too.
+/// A share as a bar that is clear in black and white too.
 fn bar(share: f64) -> Markup {
     let width = format!("width: {:.0}%", 100.0 * share.clamp(0.0, 1.0));
     html! { span.bar { span style=(width) {} } }

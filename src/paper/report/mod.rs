@@ -1,4 +1,4 @@
-//! The one-page report of what a player has done, for a portfolio or a teacher.
+//! The one-page report on a player's progress, for a portfolio or a teacher.
 
 mod html;
 mod markdown;
@@ -32,7 +32,7 @@ const MOST_BELIEFS: usize = 6;
 const MOST_CHAPTERS: usize = 12;
 const MOST_PACKS: usize = 10;
 
-/// What a report is made from.
+/// The data of a report.
 #[derive(Debug, Clone, Copy)]
 pub struct Sources<'a> {
     /// The player's name.
@@ -49,10 +49,9 @@ pub struct Sources<'a> {
     pub lessons: &'a lessons::ChapterLibrary,
 }
 
-/// The one-page report of what a player has done.
+/// The one-page report on a player's progress.
 ///
-/// It fits one sheet of A4, whatever was done: what is too long is cut, and says how much
-/// more there is.
+/// It fits one sheet of A4: long tables are cut, with the number of further rows.
 #[derive(Debug, Clone)]
 pub struct Report<'a> {
     name: String,
@@ -73,7 +72,7 @@ pub struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// Works out what the report says.
+    /// Computes the contents of the report.
     pub fn new(sources: &Sources<'a>) -> Self {
         let attempts = &sources.history.attempts;
         // The chapters have a table of their own.

@@ -57,7 +57,7 @@ fn errors(report: &Report) -> Option<ReportPicture> {
     })
 }
 
-/// Of each confidence the share that was right, on the range for which it pays.
+/// For each confidence the share of right answers, on the range where it pays.
 fn calibration(report: &Report) -> Option<ReportPicture> {
     let said = |it: &Calibrated| it.tally.attempts > 0;
     if !report.calibration.iter().any(said) {
