@@ -11,11 +11,10 @@
 //!
 //! - Wrong, or right by a guess: off the ladder, and due at once.
 //! - Right from off the ladder: on its first step.
-//! - Right when it is due: one step up, until the last; or as many as it has rested for, if
-//!   it has rested longer than it was to: known after n days, it may rest the largest power of
-//!   two that is no more than n.
-//! - Right before it is due: nothing changes, for ten right answers in a row on one
-//!   day say no more than one.
+//! - Right when it is due: one step up, until the last; or more, if it has rested longer than
+//!   planned: after n days, the next interval is the largest power of two that is at most n.
+//! - Right before it is due: nothing changes, because ten right answers on one day show no more
+//!   than one.
 //!
 //! This is the box of cards of S. Leitner (1972): the better something is known, the longer it may
 //! rest, and an answer that takes some effort has the greatest effect.

@@ -87,7 +87,7 @@ fn speeds_are_those_at_the_hit() {
 }
 
 #[test]
-fn circles_are_met_by_ways_and_by_resting_places() {
+fn circle_goals_are_met_by_paths_and_by_resting_places() {
     let (sin, cos) = 30_f64.to_radians().sin_cos();
     let a = 0.12 * 9.80665;
     let reach = 0.03655;

@@ -72,7 +72,7 @@ fn kept(folder: &Path) -> Vec<u32> {
 }
 
 #[test]
-fn what_is_answered_while_the_disk_is_full_is_kept_when_it_is_not() {
+fn answers_given_while_the_disk_is_full_are_saved_when_it_is_not() {
     let can_mount = Command::new("unshare")
         .args(["-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"])
         .output();
@@ -111,7 +111,7 @@ fn what_is_answered_while_the_disk_is_full_is_kept_when_it_is_not() {
 
 #[test]
 #[ignore = "takes a minute"]
-fn what_is_answered_while_the_database_is_held_is_kept_when_it_is_free() {
+fn answers_given_while_the_database_is_held_are_saved_when_it_is_free() {
     let folder = Folder::new("owed-held");
     let data = folder.path().to_str().unwrap();
     let mut pty = Pty::start(carrom(&["quiz", "--code", "hits-7", "--data-dir", data]));

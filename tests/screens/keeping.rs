@@ -14,7 +14,7 @@ use carrom::store::Store;
 use crate::folder::Folder;
 
 #[test]
-fn what_takes_long_and_what_is_lost_is_told_each_time() {
+fn slow_and_failed_saves_are_reported_each_time() {
     let app = App::new(Place::Lab, Settings::default(), 1);
     let mut game = Headless::from(app);
     let kept = |ticket, owed| {
@@ -110,7 +110,7 @@ fn answer(game: &mut Headless) {
 }
 
 #[test]
-fn what_could_not_be_kept_is_kept_later_in_its_order() {
+fn unsaved_changes_are_saved_later_in_their_order() {
     let blocked = Blocked::new("keeping-later");
     let mut game = blocked.game(a_round());
     for owed in 1..=3 {
@@ -130,7 +130,7 @@ fn what_could_not_be_kept_is_kept_later_in_its_order() {
 }
 
 #[test]
-fn the_next_answer_brings_those_before_it_along() {
+fn the_next_answer_saves_pending_ones_first() {
     let blocked = Blocked::new("keeping-next");
     let mut game = blocked.game(a_round());
     answer(&mut game);
@@ -142,7 +142,7 @@ fn the_next_answer_brings_those_before_it_along() {
 }
 
 #[test]
-fn whoever_leaves_with_answers_that_are_not_kept_is_asked() {
+fn leaving_with_unsaved_answers_is_confirmed() {
     for keys in ["<Ctrl+C>", "q", "<Escape>y"] {
         let blocked = Blocked::new("keeping-leave");
         let mut game = blocked.game(a_round());

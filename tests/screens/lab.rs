@@ -59,7 +59,7 @@ fn the_discs_of_a_pair_that_sticks_go_round_their_centre_of_mass() {
 }
 
 #[test]
-fn a_number_out_of_range_tells_the_range() {
+fn a_number_out_of_range_shows_the_range() {
     let mut game = lab();
     game.press("500<Enter>");
     let screen = game.screen();
@@ -107,7 +107,7 @@ fn at_the_end_both_arrows_can_be_seen_and_both_discs_are_whole() {
 }
 
 #[test]
-fn what_is_as_good_as_nothing_has_no_sign() {
+fn a_negligible_number_has_no_sign() {
     for (field, values) in [
         (0, ["-0.04", "-0", "0", "-1e-9"]),
         (1, ["-0.04", "-0", "0", "-1e-9"]),
@@ -173,7 +173,7 @@ fn the_picture_is_live_after_three_right_predictions_and_not_before() {
 }
 
 #[test]
-fn the_set_up_is_there_when_one_comes_back_but_not_that_of_a_chapter() {
+fn the_labs_set_up_is_kept_but_not_that_of_a_chapter() {
     let mut game = Headless::new(App::new(Place::Lab, Settings::default(), 1), 80, 24);
     game.press("-12<Enter><Escape>l");
     assert!(game.screen().contains("12.0 mm left"), "{}", game.screen());

@@ -87,7 +87,7 @@ fn every_level_is_won_by_its_solution_and_explains_itself_whole() {
 /// Nothing is said of a ray before it was turned: Enter alone neither makes the shot nor
 /// earns the star for what was said.
 #[test]
-fn enter_alone_says_nothing() {
+fn enter_alone_gives_no_answer() {
     let shelf = embedded();
     let mut asked = 0;
     for (number, (_, level)) in shelf.levels().enumerate() {
@@ -124,7 +124,7 @@ fn the_speed_last_chosen_is_remembered() {
 /// Along the line of impact the other disc leaves: whoever reads the impact angle need
 /// not say anything of it.
 #[test]
-fn what_is_asked_is_not_given_before() {
+fn the_answer_is_not_shown_before_the_question() {
     let mut asked = 0;
     for (number, (_, level)) in embedded().levels().enumerate() {
         let mut game = open(Place::Level { number }, Settings::default(), (120, 40));
@@ -183,7 +183,7 @@ fn fine_and_big_steps_and_the_ends_of_the_range() {
 }
 
 #[test]
-fn a_win_is_told_at_its_end_and_counts_if_it_is_left_before() {
+fn a_win_is_shown_at_the_end_and_counts_if_it_is_left_before() {
     let at = number("dead-stop");
     let mut game = level(at);
     game.press("53<Enter><Enter>0<Enter>");
@@ -195,7 +195,7 @@ fn a_win_is_told_at_its_end_and_counts_if_it_is_left_before() {
 }
 
 #[test]
-fn what_was_said_right_earns_the_third_star() {
+fn a_right_prediction_earns_the_third_star() {
     for (said, stars) in [("0", 3), ("20", 2)] {
         let at = number("dead-stop");
         let mut game = level(at);
@@ -210,7 +210,7 @@ fn what_was_said_right_earns_the_third_star() {
 }
 
 #[test]
-fn without_predictions_one_just_shoots() {
+fn without_predictions_the_player_just_shoots() {
     let mut game = level(number("dead-stop"));
     game.press("p53<Enter><Enter>");
     assert!(!game.screen().contains("say it first"));
@@ -304,7 +304,7 @@ fn every_title_fits_the_list_on_a_small_screen() {
 
 /// In a level about weighing, the mass of the coin is shown only after the win.
 #[test]
-fn an_unknown_mass_is_told_after_the_win() {
+fn an_unknown_mass_is_shown_after_the_win() {
     let mut game = level(number("two-angles-one-mass"));
     shoot(&mut game);
     game.press("i");
