@@ -313,7 +313,7 @@ mod tests {
 
     /// The time until so many are left again, as a connection waits it.
     #[test]
-    fn what_is_not_left_takes_its_time() {
+    fn a_used_up_allowance_returns_with_time() {
         let mut bucket = Bucket::full(Allowance {
             at_once: 2.0,
             per_s: 4.0,

@@ -296,7 +296,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_said_is_read_as_it_is_written() {
+    fn messages_read_back_as_written() {
         let join = r#"{"t":"join","v":1,"code":"bcdfgh","name":"Ada"}"#;
         let saying = Saying::read(join).unwrap();
         assert_eq!(saying.to_text(), join);

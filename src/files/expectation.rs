@@ -42,7 +42,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_serde_says_is_told_in_plain_words() {
+    fn serde_messages_become_plain_words() {
         for (said, told) in [
             (
                 "invalid type: floating point `NaN`, expected usize",

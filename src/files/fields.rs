@@ -588,7 +588,7 @@ mod tests {
     }
 
     #[test]
-    fn what_people_type_gets_a_hint_in_a_table_of_one_line_too() {
+    fn common_mistakes_get_a_hint_in_inline_tables_too() {
         for (line, hint) in [
             ("hit = 35,0", "write 35.0 with a point"),
             ("hit = { m = 5.5, a = 35,0 }", "write 35.0 with a point"),

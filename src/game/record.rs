@@ -271,7 +271,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_played_is_refused_with_the_move_it_fails_at() {
+    fn an_impossible_record_is_refused_with_the_move_at_fault() {
         let mut record = Record::new(GameSetup::default());
         let breaking = Strike {
             place: DVec2::new(0.0, -0.2526),

@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_read_adds_up() {
+    fn reading_progress_adds_up() {
         let chapter = chapter(CHAPTER);
         let mut mark = read(&chapter);
         assert_eq!(standing(&mark, &chapter), [1, 2, 1, 1]);

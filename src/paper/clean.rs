@@ -71,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_letter_is_left_out() {
+    fn invisible_characters_are_left_out() {
         assert_eq!(clean(" two\r\n\t lines\u{2028}", 40), "two lines");
         assert_eq!(clean("\u{1b}[2J\u{0}x\u{7f}\u{9b}\u{fffe}", 40), "[2Jx");
         assert_eq!(clean("a\u{202e}b\u{2066}c\u{feff}", 40), "abc");
@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_too_long_is_cut() {
+    fn long_texts_are_cut() {
         assert_eq!(clean("Ada Lovelace", 8), "Ada Lov…");
         assert_eq!(clean("Ada Lovelace", 5), "Ada…");
         assert_eq!(clean("Ada Lovelace", 12), "Ada Lovelace");

@@ -63,7 +63,7 @@ mod tests {
     use serde_json::json;
 
     #[test]
-    fn what_is_worth_most_comes_first() {
+    fn the_most_useful_advice_comes_first() {
         let mut attempts = Vec::new();
         let mut says = |attempt: Option<Attempt>, now_s| {
             attempts.extend(attempt);
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn whoever_knows_it_all_is_sent_on() {
+    fn a_player_who_knows_everything_is_sent_on() {
         let attempts = vec![attempt("a", 0.0); 5];
         assert!(advice(&attempts, &Calendar::default()).contains("Try the levels"));
     }

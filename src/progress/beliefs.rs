@@ -162,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_unknown_is_left_out_and_what_was_not_noted_counts_where_it_shows() {
+    fn unknown_misconceptions_are_left_out_and_old_answers_count_where_they_show_one() {
         assert!(trend(&[(&["unheard-of"], true), (&["unheard-of"], true)]).is_empty());
         let old = |number: u32| Attempt {
             question: figures(json!({ "number": number })),

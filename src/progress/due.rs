@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_missed_or_has_rested_is_due_by_topic() {
+    fn missed_and_rested_topics_are_due() {
         let known = attempt("rutherford-1", true, 0);
         let missed = attempt("from-angle-1", false, 0);
         let rested = attempt("from-offset-1", true, 2);

@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_known_rests_twice_as_long_each_time() {
+    fn the_rest_of_a_known_topic_doubles_each_time() {
         assert_eq!(due(&[(0, true)]), (Some(0), 1));
         assert_eq!(due(&[(0, true), (1, true)]), (Some(1), 3));
         assert_eq!(due(&[(0, true), (1, true), (3, true)]), (Some(2), 7));
@@ -158,13 +158,13 @@ mod tests {
     }
 
     #[test]
-    fn what_comes_too_early_changes_nothing() {
+    fn an_early_answer_changes_nothing() {
         assert_eq!(due(&[(0, true), (0, true), (0, true)]), (Some(0), 1));
         assert_eq!(due(&[(0, true), (1, true), (2, true)]), (Some(1), 3));
     }
 
     #[test]
-    fn what_is_missed_is_due_at_once_and_starts_afresh() {
+    fn a_missed_topic_is_due_at_once_and_starts_again() {
         assert_eq!(due(&[(0, false)]), (None, 0));
         assert_eq!(due(&[(0, true), (1, true), (2, false)]), (None, 2));
         assert_eq!(due(&[(0, false), (0, true)]), (Some(0), 1));
@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_known_in_the_evening_is_due_the_next_afternoon_where_the_player_is() {
+    fn due_dates_follow_the_players_calendar() {
         // 2026-01-05 at 21:30 UTC, and 16 hours later.
         let (evening_s, afternoon_s) = (1_767_648_600, 1_767_648_600 + 16 * 3600);
         let answer = Attempt {

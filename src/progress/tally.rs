@@ -174,7 +174,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn what_has_no_error_is_left_out_of_the_mean_alone() {
+    fn answers_without_an_error_are_left_out_of_the_mean_only() {
         let mut still = attempt("a", 0.0);
         still.error_deg = None;
         let all = [attempt("a", 6.0), still, attempt("a", 8.0)];

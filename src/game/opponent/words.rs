@@ -344,7 +344,7 @@ mod tests {
     }
 
     #[test]
-    fn what_did_not_come_about_is_told_as_wanted() {
+    fn a_failed_stroke_is_described_as_an_intention() {
         let hit = FirstContact {
             coin: 0,
             piece: Piece::White,

@@ -103,7 +103,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_said_is_read_as_it_is_written() {
+    fn messages_read_back_as_written() {
         for text in [
             "rays 60 still",
             "rays -0.5 30.25",
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn what_says_nothing_is_refused() {
+    fn an_invalid_answer_is_refused() {
         for text in [
             "",
             "rays",

@@ -50,7 +50,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_sticks_has_no_restitution_to_set() {
+    fn sticking_discs_have_no_restitution_to_set() {
         let mut settings = LabSettings::default();
         assert_eq!(settings.field(CollisionField::Restitution).locked, None);
         settings.set(CollisionField::Contact as usize, 1.0);

@@ -1,4 +1,4 @@
-//! What is agreed at the table before the first break.
+//! The options of a game, agreed before the first break.
 
 use super::words;
 use crate::game::opponent::Strength;

@@ -1,4 +1,4 @@
-//! What an aim will meet first: the exact way of the striker up to there.
+//! The first contact of an aim: the exact path of the striker up to it.
 
 use glam::DVec2;
 

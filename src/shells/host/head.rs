@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_request_is_told_so() {
+    fn an_invalid_request_is_refused() {
         assert_eq!(read(b"GET / HT", 8090), None);
         for bytes in [
             &b"\x16\x03\x01\x02\x00\x01\x00"[..],

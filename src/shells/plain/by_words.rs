@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_for_hands_is_left_out() {
+    fn mouse_and_key_instructions_are_left_out() {
         for (text, read) in [
             ("Drag the point along it.", ""),
             (

@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_is_refused_rather_than_cut() {
+    fn an_invalid_number_is_refused_rather_than_cut() {
         for heard in [
             "",
             "sixty",

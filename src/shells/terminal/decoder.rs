@@ -431,7 +431,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_key_is_passed_over_and_the_next_key_counts() {
+    fn unknown_sequences_are_skipped_and_the_next_key_counts() {
         for noise in [
             &b"\x1b[I"[..],
             b"\x1b[O",

@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_typed_before_somebody_leaves_counts_no_more() {
+    fn keys_typed_before_quitting_are_discarded() {
         let leave = || Message::Input(Input::Key(Key::Ctrl('c')));
         let typed = || (0..100_000).map(|_| key('a'));
         assert_eq!(counted(typed().chain([leave()])), 1);

@@ -17,7 +17,7 @@ pub enum Overlay {
     Triangle,
     /// Where the discs came from and have gone.
     Trails,
-    /// What the player said.
+    /// The player's prediction.
     Prediction,
 }
 

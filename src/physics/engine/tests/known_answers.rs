@@ -300,7 +300,7 @@ fn a_symmetric_break_stays_symmetric() {
 }
 
 #[test]
-fn what_cannot_be_played_is_refused_in_words() {
+fn an_impossible_shot_is_refused_in_words() {
     let says = |board: &Board, table: &Table, limits: Limits| {
         play(board, &table.discs, &table.start, limits)
             .expect_err("it is unusable")

@@ -1,4 +1,4 @@
-//! Aiming: the place, the direction and the strength of the next stroke.
+//! Aiming: the position, the direction and the strength of the next stroke.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -129,8 +129,8 @@ impl ActiveGame {
             .with(unnamed, TableAction::Aim)
     }
 
-    /// Aims, or does what can be done beside it. A number that was typed is a direction,
-    /// unless the key after it says that it is a place or a speed.
+    /// Aims, or carries out other actions. A typed number is a direction, unless the key after it
+    /// makes it a position or a speed.
     pub(super) fn aim_by(&mut self, action: AimAction, cx: &Context) -> Option<GamePhase> {
         if !matches!(action, AimAction::Number(_))
             && let Some(number) = self.entry.take()
@@ -242,7 +242,7 @@ impl ActiveGame {
         After::Same
     }
 
-    /// Writes the aim, what it will meet first, and how the game stands.
+    /// Writes the aim, its first contact, and the score.
     pub(super) fn write_aim(&self, charset: Charset, panel: &mut Panel<TableAction>) {
         self.write_turn(panel);
         let aim = self.aimed();
@@ -306,7 +306,7 @@ impl ActiveGame {
             return;
         };
         match &preview.end {
-            // While one calls, the impact angle is the coin's answer.
+            // During a call the impact angle would reveal the coin's direction.
             WayEnd::Meets(hit) => first_hit(self.game(), hit, !self.options.call, panel),
             WayEnd::Falls => panel.line("no hit: into the pocket", Role::Warn),
             WayEnd::Stops => panel.line("no hit", Role::Dim),
@@ -342,7 +342,7 @@ fn piece(game: &Game, coin: usize) -> &'static str {
     coin.map_or("coin", |coin| coin.piece.into())
 }
 
-/// Writes a first hit in numbers: which coin, b, and α if it may be told.
+/// Writes a first collision in numbers: which coin, b, and α if it may be shown.
 pub(super) fn first_hit<A>(game: &Game, hit: &FirstHit, tells_angle: bool, panel: &mut Panel<A>) {
     panel.fact("first hit", piece(game, hit.coin));
     offset(&hit.impact.collision, panel);

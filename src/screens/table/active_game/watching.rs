@@ -1,4 +1,4 @@
-//! Watching strokes, and looking into their impacts.
+//! Watching strokes, and examining their impacts.
 
 use std::time::Duration;
 

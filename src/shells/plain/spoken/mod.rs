@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_to_stay_stays() {
+    fn isolated_text_stays_unchanged() {
         let path = "/home/p/run-1=a_2*b/my  files/progress.db: found -1, +++ 2 m";
         let said = spoken(&format!("θ at {}: v = 2 m/s", verbatim(path)));
         assert_eq!(
