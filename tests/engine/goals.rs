@@ -61,7 +61,7 @@ fn the_coin_leaves_at_the_impact_angle_and_the_striker_square_to_it() {
     );
     missed(
         "kind = \"turn\"\ndisc = 2\nbetween_deg = [40, 50]",
-        "the queen had no part in a first hit",
+        "the queen was not in the first hit",
     );
 }
 

@@ -142,7 +142,7 @@ fn times_told(chromium: &mut Chromium) -> usize {
         // What fails is told after a moment, and the next key would put that away.
         wait(150);
         let screen = chromium.run(SCREEN, &[]);
-        let now = screen.as_str().unwrap().contains("cannot be kept");
+        let now = screen.as_str().unwrap().contains("cannot be saved");
         times += usize::from(now && !before);
         before = now;
     }
@@ -375,7 +375,7 @@ fn a_fault_while_saving_is_reported_once_and_nothing_is_lost() {
     wait(3000);
     let said = chromium.run("return document.body.innerText", &[]);
     let said = said.as_str().unwrap();
-    assert!(said.contains("cannot be kept for now"), "{said}");
+    assert!(said.contains("cannot be saved for now"), "{said}");
     assert!(said.contains("the disk image is malformed"), "{said}");
     let asked = chromium.run("return window.asked", &[]);
     let asked = asked.as_u64().unwrap();
@@ -457,7 +457,7 @@ fn a_browser_that_fails_for_a_while_is_told_of_once_tried_seldom_and_loses_nothi
     wait_for_told(&mut chromium, 1);
     assert_eq!(chromium.run(ASKS, &[]), json!(false));
     let screen = chromium.run(SCREEN, &[]);
-    assert!(!screen.as_str().unwrap().contains("not kept"), "{screen}");
+    assert!(!screen.as_str().unwrap().contains("not saved"), "{screen}");
     assert_eq!(kept_answers(&mut chromium, &page), 2);
 }
 
@@ -467,7 +467,7 @@ fn unsaved_changes_are_not_lost_when_another_route_is_opened() {
     let (mut chromium, page) = in_a_faulty_browser("quiz=separation-3");
     chromium.run("window.faulty = true", &[]);
     press(&mut chromium, &["a", "Enter", "2"]);
-    wait_for(&mut chromium, "cannot be kept for now");
+    wait_for(&mut chromium, "cannot be saved for now");
     chromium.run("location.hash = 'lab'", &[]);
     wait_for(&mut chromium, "set up the hit");
     chromium.run("window.faulty = false", &[]);
@@ -518,7 +518,7 @@ fn plain_lines_report_once_that_nothing_can_be_saved_and_save_it_later() {
         let log = chromium.run("return document.getElementById('log').textContent", &[]);
         log.as_str().unwrap().matches(words).count()
     };
-    assert_eq!(times(&mut chromium, "cannot be kept for now"), 1);
+    assert_eq!(times(&mut chromium, "cannot be saved for now"), 1);
     assert_eq!(times(&mut chromium, "Question 3 of"), 1);
     chromium.run("window.faulty = false", &[]);
     wait_for_told(&mut chromium, 1);

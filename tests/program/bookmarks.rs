@@ -285,11 +285,11 @@ fn without_storage_data_is_kept_in_memory() {
     for store in [Store::in_folder(&file), Store::nowhere()] {
         let app = App::new(Place::Chapter { number: 1 }, settings("Ada"), 1);
         let mut game = Headless::keeping(app, 80, 24, store);
-        shows(&mut game, "What you do cannot be kept");
+        shows(&mut game, "What you do cannot be saved");
         game.press("x");
         shows(&mut game, "page 1 of 5");
         game.press("2<Enter>nn");
-        assert!(!game.screen().contains("cannot be kept"), "it is told once");
+        assert!(!game.screen().contains("cannot be saved"), "it is told once");
         game.press("<Escape>");
         shows(&mut game, "read 3 of 5");
         game.press("<Escape>e<Home><Down><Enter>");

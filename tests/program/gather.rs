@@ -315,7 +315,7 @@ fn a_hand_in_with_a_formula_for_a_round_or_a_topic_is_refused() {
             let before = format!("\"{field}\": \"{value}\"");
             let after = format!("\"{field}\": \"{hostile}\"");
             let (table, said) = gathered(&changed(&before, &after));
-            let names_it = said.contains(&format!("answer 1 cannot be: its {field} is"));
+            let names_it = said.contains(&format!("answer 1 is impossible: its {field} is"));
             assert!(table.is_none() && names_it, "{hostile}: {said}");
             assert!(
                 !said.lines().any(|line| line.contains('\u{1b}')),
@@ -475,7 +475,7 @@ fn an_answer_of_an_unknown_family_is_refused() {
     let known = format!("\"family\": \"{family}\"");
     let (table, said) = gathered(&changed(&known, "\"family\": \"=1+1\""));
     assert!(
-        table.is_none() && said.contains("answer 1 cannot be: its family is \"=1+1\""),
+        table.is_none() && said.contains("answer 1 is impossible: its family is \"=1+1\""),
         "{said}"
     );
 }

@@ -442,7 +442,7 @@ fn removed_pupils_and_refused_newcomers_are_told_why() {
     teacher.press("y", "1 in, 1 on the list");
     ada.hear().unwrap();
     assert_eq!(ada.why(), Some("kicked"));
-    teacher.press("c", "The door is closed");
+    teacher.press("c", "The round is closed");
     assert_eq!(teacher.join("Cy").why(), Some("closed"));
     let seat = bo.text("seat");
     let bo = Pupil::join(teacher.port, &teacher.code, "Bo", Some(&seat)).unwrap();

@@ -292,11 +292,11 @@ fn a_failed_save_is_reported_once() {
     let mut game = quiz(&file, "Ada");
     game.press("60<Enter>30<Enter>2");
     let screen = game.screen();
-    assert!(screen.contains("What you do cannot be kept"), "{screen}");
+    assert!(screen.contains("What you do cannot be saved"), "{screen}");
     game.press("x<End><Enter>");
     for _ in 0..2 {
         answer(&mut game);
-        assert!(!game.screen().contains("cannot be kept"));
+        assert!(!game.screen().contains("cannot be saved"));
         game.press("<Enter>");
     }
 }

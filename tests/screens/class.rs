@@ -191,7 +191,7 @@ fn going_back_corrects_a_vote_and_the_scores() {
     assert!(game.screen().contains("question 1 of 2"));
     game.press("<Backspace><Backspace><Backspace><Backspace>");
     assert!(
-        game.screen().contains("What is said is hidden"),
+        game.screen().contains("What you type is hidden"),
         "{}",
         game.screen()
     );
@@ -541,7 +541,7 @@ fn a_round_that_cannot_be_saved_warns_that_it_will_be_lost() {
     assert!(screen.contains("cannot be saved"), "{screen}");
     game.press("<Down><Escape>");
     let screen = game.screen();
-    assert!(screen.contains("it is lost then"), "{screen}");
+    assert!(screen.contains("would be lost"), "{screen}");
     assert!(!screen.contains("kept"), "{screen}");
     game.press("ne");
     assert!(exported(folder.path(), "class-answers-1.csv").contains("Ants"));
@@ -658,7 +658,7 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
     game.press("<Enter><Enter>");
     let screen = game.screen();
     assert!(
-        screen.contains("How many of all votes fitted it") && screen.contains("votes: "),
+        screen.contains("How many of all votes fit it") && screen.contains("votes: "),
         "{screen}"
     );
     // They tell how each pupil did, so they are for the teacher alone.

@@ -126,7 +126,7 @@ fn answers_given_alone_are_handed_in_by_a_key() {
     for _ in 1..20 {
         press(&mut class, ada, "hy", "Handed in: 1 answer.");
     }
-    press(&mut class, ada, "hy", "carrom takes no more");
+    press(&mut class, ada, "hy", "carrom accepts no more");
     press(&mut class, Who::Host, "", "1 handed in");
     assert_eq!(handed_in(&folder).len(), 1);
 }
@@ -155,7 +155,7 @@ fn a_failed_save_is_reported_on_both_sides() {
         &mut class,
         Who::Host,
         "",
-        "What a pupil handed in cannot be kept",
+        "What a pupil handed in cannot be saved",
     );
     fs::remove_file(folder.path().join("handed-in")).unwrap();
     press(&mut class, ada, "hy", "Handed in: 1 answer.");
@@ -404,7 +404,7 @@ fn all_who_are_away_and_never_voted_are_removed_by_one_key() {
         &mut class,
         Who::Host,
         "a",
-        "Take 2 off the list who are away and never voted?",
+        "Remove 2 who are away and never voted?",
     );
     press(&mut class, Who::Host, "y", "1 in, 2 on the list");
     press(&mut class, Who::Host, "", "Bo");

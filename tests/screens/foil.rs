@@ -95,11 +95,11 @@ fn a_seed_determines_the_beam() {
 fn a_beam_starts_once_the_share_has_been_predicted() {
     let mut game = beam(3, true, 1);
     game.key(Key::Enter);
-    assert!(game.screen().contains("how many are turned back"));
+    assert!(game.screen().contains("how many are deflected"));
     assert_eq!(game.app().wake(), None);
     // Nothing is said before it was chosen.
     game.press("<Enter><Enter>");
-    assert!(game.screen().contains("how many are turned back"));
+    assert!(game.screen().contains("how many are deflected"));
     // Half of them.
     game.press("c<Enter>");
     assert!(game.settle(LONG));
@@ -108,7 +108,7 @@ fn a_beam_starts_once_the_share_has_been_predicted() {
     game.key(Key::Enter);
     assert!(game.app().wake().is_some());
     game.press("<Escape><Left><Enter>");
-    assert!(game.screen().contains("how many are turned back"));
+    assert!(game.screen().contains("how many are deflected"));
 }
 
 #[test]

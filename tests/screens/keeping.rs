@@ -37,11 +37,11 @@ fn slow_and_failed_saves_are_reported_each_time() {
     assert_eq!(head(&mut game), calm);
     game.input(&Input::Saving(902));
     game.input(&kept(902, 1));
-    assert!(head(&mut game).contains("not kept: 1"));
+    assert!(head(&mut game).contains("not saved: 1"));
     assert!(game.screen().contains("it is locked"));
     game.press("?");
     game.input(&kept(903, 2));
-    assert!(head(&mut game).contains("not kept: 2"), "{}", game.screen());
+    assert!(head(&mut game).contains("not saved: 2"), "{}", game.screen());
     assert!(
         !game.screen().contains("it is locked"),
         "not in the way each time"
@@ -51,7 +51,7 @@ fn slow_and_failed_saves_are_reported_each_time() {
     assert_eq!(head(&mut game), calm);
     game.input(&kept(905, 1));
     assert!(game.screen().contains("it is locked"));
-    assert!(head(&mut game).contains("not kept: 1"));
+    assert!(head(&mut game).contains("not saved: 1"));
 }
 
 /// A store that cannot write for as long as a file stands in its folder's place.
@@ -116,13 +116,13 @@ fn unsaved_changes_are_saved_later_in_their_order() {
     for owed in 1..=3 {
         answer(&mut game);
         let screen = game.screen();
-        assert!(screen.contains(&format!("not kept: {owed}")), "{screen}");
+        assert!(screen.contains(&format!("not saved: {owed}")), "{screen}");
     }
     game.pass(Duration::from_secs(5));
-    assert!(game.screen().contains("not kept: 3"));
+    assert!(game.screen().contains("not saved: 3"));
     blocked.free();
     game.pass(Duration::from_secs(5));
-    assert!(!game.screen().contains("not kept"), "{}", game.screen());
+    assert!(!game.screen().contains("not saved"), "{}", game.screen());
     assert_eq!(blocked.kept(), [1, 2, 3]);
     assert_eq!(game.app().wake(), None, "nothing is left to be tried");
     answer(&mut game);
@@ -138,7 +138,7 @@ fn the_next_answer_saves_pending_ones_first() {
     blocked.free();
     answer(&mut game);
     assert_eq!(blocked.kept(), [1, 2, 3]);
-    assert!(!game.screen().contains("not kept"));
+    assert!(!game.screen().contains("not saved"));
 }
 
 #[test]
@@ -152,7 +152,7 @@ fn leaving_with_unsaved_answers_is_confirmed() {
             heed(&mut game);
             game.press("<Escape>");
         }
-        assert!(game.screen().contains("not kept: 1"), "{}", game.screen());
+        assert!(game.screen().contains("not saved: 1"), "{}", game.screen());
         let before = game.screen();
         game.press(keys);
         assert!(

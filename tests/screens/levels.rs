@@ -42,7 +42,7 @@ fn set(game: &mut Headless, level: &Level) {
 /// Shoots, with nothing but straight ahead said of what is asked, and waits.
 fn shoot(game: &mut Headless) {
     game.key(Key::Enter);
-    while game.screen().contains("say it first") {
+    while game.screen().contains("predict it") {
         game.press("0<Enter>");
     }
     assert!(game.settle(LONG));
@@ -94,13 +94,13 @@ fn enter_alone_gives_no_answer() {
         let mut game = open(Place::Level { number }, Settings::default(), (80, 24));
         set(&mut game, level);
         game.key(Key::Enter);
-        if !game.screen().contains("say it first") {
+        if !game.screen().contains("predict it") {
             continue;
         }
         asked += 1;
         game.press("<Enter><Enter> <Enter>");
         let screen = game.screen();
-        assert!(screen.contains("say it first"), "{}\n{screen}", level.id);
+        assert!(screen.contains("predict it"), "{}\n{screen}", level.id);
         assert!(
             squeezed(&screen).contains("Turntheraywiththearrows"),
             "{screen}"
@@ -131,7 +131,7 @@ fn the_answer_is_not_shown_before_the_question() {
         set(&mut game, level);
         game.key(Key::Enter);
         let screen = game.screen();
-        if screen.contains("say it first") && level.say_first != [level.scene.stroke.disc] {
+        if screen.contains("predict it") && level.say_first != [level.scene.stroke.disc] {
             asked += 1;
             let given = screen.contains("impact angle") || screen.contains("alpha =");
             assert!(!given, "{}\n{screen}", level.id);
@@ -204,7 +204,7 @@ fn a_right_prediction_earns_the_third_star() {
         assert_eq!(game.app().shelf().stars(at), stars);
         let screen = game.screen();
         assert!(screen.contains("you said"), "{screen}");
-        let advice = all_pages(&mut game).contains("say within 4 deg");
+        let advice = all_pages(&mut game).contains("predict the paths within 4 deg");
         assert_eq!(advice, stars < 3);
     }
 }
@@ -213,10 +213,10 @@ fn a_right_prediction_earns_the_third_star() {
 fn without_predictions_the_player_just_shoots() {
     let mut game = level(number("dead-stop"));
     game.press("p53<Enter><Enter>");
-    assert!(!game.screen().contains("say it first"));
+    assert!(!game.screen().contains("predict it"));
     assert!(game.settle(LONG));
     assert!(game.screen().contains("Won!"));
-    assert!(all_pages(&mut game).contains("say first where the discs go"));
+    assert!(all_pages(&mut game).contains("predict the paths first"));
 }
 
 #[test]

@@ -103,7 +103,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn messages_read_back_as_written() {
+    fn answers_read_back_as_written() {
         for text in [
             "rays 60 still",
             "rays -0.5 30.25",

@@ -52,7 +52,7 @@ const SIGNS: usize = 9;
 const STILL: Key = Key::Char('x');
 
 /// The words of a title line when something could not be saved.
-const NOT_KEPT: &str = "not kept";
+const NOT_SAVED: &str = "not saved";
 
 /// The immediate reply to a line, or what is expected instead.
 type LineAnswer = Result<Vec<String>, String>;
@@ -580,8 +580,8 @@ fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> 
     if !status.is_empty() {
         lines.push(format!("{}.", capital(&status.join(", "))));
     }
-    let is_unkept = |page: &PlainPage| page.status.iter().any(|it| it.starts_with(NOT_KEPT));
-    if is_unkept(before) && !is_unkept(now) {
+    let is_unsaved = |page: &PlainPage| page.status.iter().any(|it| it.starts_with(NOT_SAVED));
+    if is_unsaved(before) && !is_unsaved(now) {
         lines.push("Everything is saved now.".into());
     }
     let known: Vec<_> = before.lines().collect();
