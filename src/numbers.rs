@@ -351,7 +351,7 @@ mod tests {
 
         /// Half a unit of the last place, and what the reading itself rounds.
         #[test]
-        fn what_is_printed_reads_back(x in any_number(), decimals in 0_usize..5) {
+        fn printed_numbers_read_back(x in any_number(), decimals in 0_usize..5) {
             let half = |decimals: i32| 0.5 * 10.0_f64.powi(-decimals) + 4.0 * f64::EPSILON * x.abs();
             for text in [fixed(x, decimals), short(x, decimals)] {
                 let read: f64 = text.parse().unwrap();

@@ -372,7 +372,7 @@ fn only_one_file_writes_comma_separated_values() {
 }
 
 #[test]
-fn every_room_uses_only_lower_ones() {
+fn every_module_uses_only_lower_ones() {
     let maps = maps();
     let mut found = Vec::new();
     let mut seen = 0;
@@ -390,7 +390,7 @@ fn every_room_uses_only_lower_ones() {
 }
 
 #[test]
-fn the_maps_show_every_room_and_no_other() {
+fn the_maps_show_every_module_and_no_other() {
     for map in maps() {
         let entries = src().join(&map.room).read_dir().unwrap();
         let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
@@ -503,7 +503,7 @@ fn a_trespass_is_found_however_it_is_written() {
 }
 
 #[test]
-fn what_is_allowed_is_let_be() {
+fn allowed_settings_are_accepted() {
     for (path, source) in [
         ("cli/tape.rs", "use crate::shells::tape;"),
         (

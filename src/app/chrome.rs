@@ -1,5 +1,5 @@
-//! What surrounds every screen: the title line, the line of keys, the help page,
-//! and the one line that a screen too small for anything else gets.
+//! The frame of every screen: the title line, the line of keys, the help page, and the single line
+//! on a screen that is too small for anything else.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
@@ -12,7 +12,7 @@ use crate::widgets::panel::{Panel, Writing};
 use crate::widgets::panels::draw_panel;
 use crate::widgets::{Charset, Look, Role, SheetKind, areas, keys, sheet, text};
 
-/// The part of a screen of this size that belongs to the screen on top.
+/// The area of the current screen at this size.
 pub(super) fn body(size: Rect) -> Rect {
     Rect::new(
         0,
@@ -89,12 +89,12 @@ fn title_line(app: &App, screen: &dyn AnyScreen, area: Rect, buf: &mut Buffer, l
     let width = text::width(&status) as u16;
     let start = area.width.saturating_sub(width + 1).max(end + 2);
     let room = usize::from(area.width.saturating_sub(start));
-    // Half a code would look like another one.
+    // A truncated code would look like another code.
     let status = text::clipped(&status, room);
     buf.set_stringn(start, 0, status, room, look.theme.style(Role::Dim));
 }
 
-/// Shows as many keys as fit whole; the last always keeps its place.
+/// Shows as many keys as fit completely; the last is always shown.
 fn key_line(
     keys: impl Iterator<Item = (String, &'static str)>,
     area: Rect,
@@ -161,8 +161,8 @@ pub(super) fn help_overflow(app: &App) -> u16 {
     help(app).placed(inside, &writing, &|_| None).overflow()
 }
 
-/// Draws a layer: a help page in all of the body, as what looks out beside it would only be
-/// cut words; anything else at its foot, where something of the screen can still be seen.
+/// Draws a layer: a help page over the whole body, because only truncated words would be visible
+/// beside it; anything else at its foot, where part of the screen stays visible.
 fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
     let writing = writing(app);
     let panel = panel_of(app, layer);
@@ -201,7 +201,7 @@ fn draw_layer(app: &App, layer: &AppLayer, body: Rect, buf: &mut Buffer) {
         .draw(scrolled, buf, &writing);
 }
 
-/// The columns of the body in which something lies over it.
+/// The columns of the body that a layer covers.
 fn centred(body: Rect) -> Rect {
     areas::middle(body, 76)
 }
@@ -211,8 +211,8 @@ fn clear(area: Rect, buf: &mut Buffer, look: Look) {
     buf.set_style(area, look.theme.base());
 }
 
-/// The last word on the promise that an ASCII screen holds nothing else: names and
-/// texts from outside may have slipped a stranger in.
+/// Ensures that an ASCII screen contains only ASCII: names and texts from outside may contain other
+/// characters.
 fn keep_ascii(area: Rect, buf: &mut Buffer) {
     for position in area.positions() {
         if let Some(cell) = buf.cell_mut(position) {

@@ -1,4 +1,4 @@
-//! What lies over the screen: its help, something to be told, a question.
+//! The layers over a screen: its help, a notice, a question.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -7,7 +7,7 @@ use crate::screens::Confirmation;
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, Rebound};
 
-/// One thing over the screen.
+/// A layer over the screen.
 #[derive(Debug, Clone)]
 pub(super) enum AppLayer {
     /// The page that explains the screen.
@@ -15,11 +15,11 @@ pub(super) enum AppLayer {
         /// Lines it is scrolled by.
         scrolled: u16,
     },
-    /// Something the player is told, until a key is pressed.
+    /// A notice, until a key is pressed.
     Notice(String),
-    /// Something the player is asked.
+    /// A question to the player.
     Confirm(Confirmation),
-    /// Whether to leave although something is not kept yet.
+    /// Whether to leave although something is not saved yet.
     Leave(Confirmation),
 }
 
@@ -49,7 +49,7 @@ pub(super) enum LayerDone {
 }
 
 impl AppLayer {
-    /// Its keys. Where nothing is asked, any other key closes it.
+    /// Its keys. Unless it asks something, any other key closes it.
     pub(super) fn keys(&self, rebound: &Rebound) -> KeyTable<LayerAction> {
         use LayerAction::{Agree, Decline, Glossary, Scroll};
         let table = KeyTable::new("layer");
@@ -73,7 +73,7 @@ impl AppLayer {
         matches!(self.keys(rebound).find(key), Some(LayerAction::Scroll(_)))
     }
 
-    /// Takes a key; done when the layer is closed. `most` is how far a help page can be scrolled.
+    /// Handles a key; done when the layer is closed. `most` is how far a help page can be scrolled.
     pub(super) fn press(&mut self, key: Key, most: u16, rebound: &Rebound) -> Outcome<LayerDone> {
         let action = self.keys(rebound).find(key);
         match (self, action) {

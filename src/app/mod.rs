@@ -1,8 +1,8 @@
-//! The app: a stack of screens, and what is the same on every one of them.
+//! The app: a stack of screens, and what they have in common.
 //!
-//! It is pure: [`App::update`] and [`App::advance`] return effects for a shell to
-//! carry out, [`App::wake`] says when it next needs time, and [`App::draw`] only
-//! looks. Nothing here knows a clock, a file, a thread or a global.
+//! It is pure: [`App::update`] and [`App::advance`] return effects for a shell to carry out,
+//! [`App::wake`] returns when it next needs time, and [`App::draw`] changes nothing. Nothing here
+//! knows a clock, a file, a thread or a global.
 
 mod chrome;
 mod layer;
@@ -42,40 +42,40 @@ use crate::widgets::{Outcome, Palette, PictureSizes};
 
 use layer::{AppLayer, LayerDone};
 
-/// The size below which nothing but a line of advice is drawn.
+/// The size below which only a line of advice is drawn.
 pub(crate) const SMALLEST: (u16, u16) = (60, 20);
 
-/// What an app has to read, play and answer.
+/// The contents of an app: what can be read, played and answered.
 #[derive(Debug, Clone, Default)]
 pub struct Data {
     /// The levels.
     pub shelf: Shelf,
     /// The chapters.
     pub book: Book,
-    /// Written questions besides those of the program.
+    /// Questions in words besides those of the program.
     pub own: Arc<Library>,
-    /// The folder where all is kept, in words.
+    /// The folder where data is kept, in words.
     pub folder: Option<String>,
 }
 
-/// How long after a failure it is first tried again to keep what could not be kept; each try in
-/// vain doubles the pause, up to the longest.
+/// The pause before the first retry of a failed save; each failed retry doubles it, up to the
+/// longest pause.
 const RETRY: Duration = Duration::from_secs(2);
 const LONGEST_RETRY: Duration = Duration::from_secs(8);
 
-/// How it stands with trying again to keep what could not be kept.
+/// The state of retries of failed saves.
 #[derive(Debug, Clone, Copy, Default)]
 struct Retry {
-    /// How long ago it was tried last.
+    /// The time since the last try.
     waited: Duration,
     /// The ticket of a try that is under way.
     ticket: Option<u64>,
-    /// Tries in vain since the last that was of use.
+    /// Failed tries since the last success.
     failures: u32,
 }
 
 impl Retry {
-    /// How long the pause before the next try is.
+    /// The pause before the next try.
     fn pause(self) -> Duration {
         let pause = RETRY.saturating_mul(1 << self.failures.min(8));
         pause.min(LONGEST_RETRY)
@@ -87,16 +87,16 @@ pub struct App {
     stack: Vec<Box<dyn AnyScreen>>,
     context: Context,
     size: Rect,
-    /// What lies over the screen, the topmost last.
+    /// The layers over the screen, the topmost last.
     layers: Vec<AppLayer>,
-    /// The tickets of what is being kept and takes long.
+    /// The tickets of slow saves in progress.
     saving: BTreeSet<u64>,
-    /// How many things could not be kept so far.
+    /// How many things could not be saved so far.
     owed: usize,
-    /// How long ago that was tried last, and whether it is being tried.
+    /// The time since the last retry, and whether one is in progress.
     retry: Retry,
-    /// Whether the player was told that what they did before is not known, or that what they
-    /// have set is not kept: once is enough.
+    /// Whether the player has been notified that earlier answers could not be loaded, or that
+    /// settings cannot be saved: one notice is enough.
     told_of_store: bool,
 }
 
@@ -106,7 +106,7 @@ impl App {
         Self::with_data(Data::default(), place, settings, seed)
     }
 
-    /// An app with other things to read, play and answer than those of the program alone.
+    /// An app with more contents than those of the program.
     pub fn with_data(data: Data, place: Place, settings: Settings, seed: u64) -> Self {
         let mut context = Context::new(settings, seed);
         context.shelf = data.shelf;
@@ -135,17 +135,17 @@ impl App {
         app
     }
 
-    /// The written questions of a teacher's own.
+    /// A teacher's own questions in words.
     pub fn own(&self) -> &Arc<Library> {
         &self.context.own
     }
 
-    /// The chapters there are to read.
+    /// The available chapters.
     pub fn book(&self) -> &Book {
         &self.context.book
     }
 
-    /// The levels there are to play.
+    /// The available levels.
     pub fn shelf(&self) -> &Shelf {
         &self.context.shelf
     }
@@ -166,12 +166,12 @@ impl App {
         (address, self.stack.len())
     }
 
-    /// What the player has set.
+    /// The player's settings.
     pub fn settings(&self) -> &Settings {
         &self.context.settings
     }
 
-    /// What the player has set, to be changed.
+    /// The player's settings, for changing.
     pub fn settings_mut(&mut self) -> &mut Settings {
         &mut self.context.settings
     }
@@ -189,18 +189,18 @@ impl App {
         };
     }
 
-    /// Gives pictures sizes of their own, whatever the size of the screen: for a page that
-    /// lays out what is recorded as it likes.
+    /// Gives pictures their own sizes, whatever the size of the screen: for a page that lays out
+    /// the recorded blocks itself.
     pub fn set_pictures(&mut self, sizes: Option<PictureSizes>) {
         self.context.pictures = sizes;
     }
 
-    /// What was kept of the settings when the app began; `None` leaves that alone.
+    /// The settings stored when the app began; `None` leaves the stored ones alone.
     pub fn set_kept(&mut self, kept: Option<KeptSettings>) {
         self.context.kept = kept;
     }
 
-    /// Takes one input and says what the shell is to do about it.
+    /// Handles one input and returns what the shell has to do.
     pub fn update(&mut self, input: &Input) -> Vec<Effect> {
         let before = self.context.settings.clone();
         let mut effects = self.take(input);
@@ -214,11 +214,11 @@ impl App {
             Input::Resize(columns, rows) => {
                 self.size = Rect::new(0, 0, *columns, *rows);
                 self.context.body = chrome::body(self.size);
-                // What the first screen has asked for.
+                // The first screen's requests.
                 return self.context.take_asked();
             }
             Input::Key(Key::Ctrl('c')) => return self.leave(),
-            // Waited for by the screen that asked, whatever lies over it.
+            // The screen that asked waits for it, even under a layer.
             Input::Exported(_) | Input::Hosted(_) | Input::Joined(_) => {
                 return self.pass_down(input);
             }
@@ -233,7 +233,7 @@ impl App {
             _ if self.too_small() => {}
             Input::Key(key) => return self.press(*key),
             Input::Mouse(mouse) => {
-                // What was taken hold of may be led anywhere, and let go there.
+                // A drag may move anywhere and end there.
                 let held = matches!(mouse.kind, MouseKind::Drag | MouseKind::Up);
                 if self.layers.is_empty() && (held || self.in_body(mouse)) {
                     return self.pass_on(input);
@@ -245,7 +245,7 @@ impl App {
         vec![]
     }
 
-    /// Takes what is for no screen alone of what came of a request.
+    /// Handles the parts of an answer that concern no single screen.
     fn note(&mut self, answer: &StoreAnswer) {
         self.saving.remove(&answer.ticket);
         if let Some(notice) = &answer.notice {
@@ -276,8 +276,8 @@ impl App {
             StoreReply::Noted(Err(reason)) if was_owed == 0 && answer.owed > 0 => {
                 self.retry.waited = Duration::ZERO;
                 self.tell(format!(
-                    "What you do cannot be kept for now: {reason}. You can go on all the same: it \
-                     is kept as soon as that is possible."
+                    "What you do cannot be saved for now: {reason}. You can still go on: carrom \
+                     saves it as soon as possible."
                 ));
             }
             StoreReply::Noted(Err(reason))
@@ -298,8 +298,8 @@ impl App {
         }
     }
 
-    /// Leaves the program, or asks first if something is not kept yet; whoever wants to leave
-    /// twice is not asked again.
+    /// Leaves the program, or asks first if something is not saved yet; a second request to leave
+    /// is not questioned.
     fn leave(&mut self) -> Vec<Effect> {
         let is_asked = |layer: &AppLayer| matches!(layer, AppLayer::Leave(_));
         if self.owed == 0 || self.layers.iter().any(is_asked) {
@@ -315,13 +315,13 @@ impl App {
         vec![]
     }
 
-    /// When it is time to try again to keep what could not be kept.
+    /// When the next retry of a failed save is due.
     fn retry_in(&self) -> Option<Duration> {
         let waits = self.owed > 0 && self.retry.ticket.is_none();
         waits.then(|| self.retry.pause().saturating_sub(self.retry.waited))
     }
 
-    /// Lets `passed` go by until it is tried again to keep what could not be kept.
+    /// Advances the time until the next retry by `passed`.
     fn retry(&mut self, passed: Duration) -> Option<Effect> {
         self.retry_in()?;
         self.retry.waited += passed;
@@ -338,17 +338,16 @@ impl App {
         Some(Effect::Keep(StoreCall { ticket, wish }))
     }
 
-    /// What the player should see of keeping while it does not go as it should: empty as
-    /// long as it does.
+    /// The status of saving while it fails; empty otherwise.
     fn keeping(&self) -> String {
         match self.owed {
             _ if !self.saving.is_empty() => "saving ..".into(),
             0 => String::new(),
-            owed => format!("not kept: {owed}"),
+            owed => format!("not saved: {owed}"),
         }
     }
 
-    /// Lets `passed` go by.
+    /// Advances the time by `passed`.
     pub fn advance(&mut self, passed: Duration) -> Vec<Effect> {
         let mut effects = match self.screen_wake() {
             None => vec![],
@@ -367,8 +366,8 @@ impl App {
         times.into_iter().flatten().min()
     }
 
-    /// When what the screen shows next moves, for whoever need not see it move: time can pass
-    /// at once. `None` also of a countdown that others see.
+    /// When the screen's next motion is, for shells that can skip it: the time can pass at once.
+    /// `None` also for a countdown that others see.
     pub(crate) fn motion(&self) -> Option<Duration> {
         let shares_time = self.stack.last().is_some_and(|it| it.shares_time());
         let wake = self.screen_wake();
@@ -384,8 +383,8 @@ impl App {
         self.stack.last()?.wake(&self.context)
     }
 
-    /// The keys that mean something just now, as the player has them: those of what lies
-    /// over the screen, or the screen's own and those that all share.
+    /// The current keys as the player has set them: those of the layer on top, or the screen's own
+    /// and those that all screens share.
     pub fn keys(&self) -> KeyTable<()> {
         match (self.layers.last(), self.stack.last()) {
             (Some(layer), _) => layer.keys(&self.context.settings.keys).map(|_| ()),
@@ -394,7 +393,7 @@ impl App {
         }
     }
 
-    /// The cells beside the picture that do something when they are clicked, from the top.
+    /// The cells beside the picture that react to a click, from the top.
     pub fn targets(&self) -> Vec<Rect> {
         match (self.layers.last(), self.stack.last()) {
             (None, Some(screen)) if !self.too_small() => screen.targets(&self.context),
@@ -402,7 +401,7 @@ impl App {
         }
     }
 
-    /// Does what the target of this number does, as a click on it would.
+    /// Carries out the target of this number, as a click on it would.
     pub fn choose(&mut self, target: usize) -> Vec<Effect> {
         let before = self.context.settings.clone();
         let mut effects = match self.layers.is_empty() && !self.too_small() {
@@ -414,8 +413,8 @@ impl App {
         effects
     }
 
-    /// Draws the whole screen. The app must have been told the frame's size by
-    /// [`Input::Resize`] for the mouse to find what it points at.
+    /// Draws the whole screen. The app must have received the frame's size by [`Input::Resize`], so
+    /// that mouse positions are correct.
     pub fn draw(&self, frame: &mut Frame) {
         let area = frame.area();
         let buf = frame.buffer_mut();
@@ -430,16 +429,16 @@ impl App {
         self.context.body.contains(mouse.cell().into())
     }
 
-    /// Tells the player something, over whatever the screen shows, until a key is pressed.
+    /// Shows a notice over the screen until a key is pressed.
     pub fn tell(&mut self, words: String) {
         self.layers
             .retain(|layer| !matches!(layer, AppLayer::Notice(_)));
         self.layers.push(AppLayer::Notice(words));
     }
 
-    /// Gives a key to what lies on top.
+    /// Passes a key to the layer or screen on top.
     fn press(&mut self, key: Key) -> Vec<Effect> {
-        // What is written is measured only where it is scrolled.
+        // The text is measured only if it is scrolled.
         let scrolls = |layer: &AppLayer| layer.scrolls(key, &self.context.settings.keys);
         let most = match self.layers.last().is_some_and(scrolls) {
             true => chrome::help_overflow(self),
@@ -492,7 +491,7 @@ impl App {
         self.with_screen(|_, _| next)
     }
 
-    /// Lets the screen on top do something, and does what follows from it.
+    /// Lets the screen on top act, and carries out the consequences.
     fn with_screen(
         &mut self,
         act: impl FnOnce(&mut dyn AnyScreen, &mut Context) -> Next,
@@ -509,7 +508,7 @@ impl App {
         effects
     }
 
-    /// Does what means the same on every screen.
+    /// Carries out actions that all screens share.
     fn share(&mut self, action: SharedAction) -> Vec<Effect> {
         let settings = &mut self.context.settings;
         match action {
@@ -548,7 +547,7 @@ impl App {
         vec![]
     }
 
-    /// The screen on top is seen again.
+    /// The screen on top becomes visible again.
     fn resume(&mut self) {
         if let Some(screen) = self.stack.last_mut() {
             screen.resumed(&mut self.context);

@@ -1,4 +1,4 @@
-//! Places by their names, as the command line and links have them.
+//! Routes by name, as the command line and links use them.
 
 use super::Data;
 use crate::physics::CollisionSpec;
@@ -6,8 +6,8 @@ use crate::quiz::{Answer, Code, CourseKind};
 use crate::screens::{Context, FoilPage, Place};
 
 impl Data {
-    /// The place of this name. `value` is what is to be seen there, a chapter, a level or the
-    /// code of a round; it may be empty.
+    /// The route of this name. `value` selects a chapter, a level or the code of a round; it may be
+    /// empty.
     ///
     /// # Errors
     /// What was expected instead, in words.
@@ -72,8 +72,8 @@ impl Data {
         })
     }
 
-    /// The round of a code, with the questions of the teacher's own where it asks for them; none
-    /// where nothing is said.
+    /// The round of a code, with the teacher's own questions if it asks for them; none if the code
+    /// is empty.
     fn round(&self, code: &str) -> Result<Option<Code>, String> {
         if code.is_empty() {
             return Ok(None);
@@ -86,8 +86,8 @@ impl Data {
 /// Separates the address of a round from the answers given in it.
 const ANSWERS: &str = "&said=";
 
-/// The address of a place, from which [`Data::place`] finds it again. Answers given in a round
-/// follow after [`ANSWERS`].
+/// The address of a route, which [`Data::place`] reads. Answers given in a round follow after
+/// [`ANSWERS`].
 pub(super) fn address(place: &Place, cx: &Context) -> String {
     let named = |name: &str, value: &str| match value {
         "" => name.to_owned(),

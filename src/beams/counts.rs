@@ -10,11 +10,11 @@ pub const BINS: usize = 36;
 /// Width of a bin in radians: 5°.
 pub const BIN_WIDTH: f64 = PI / BINS as f64;
 
-/// What particles are counted for.
+/// What a count refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CountedFor {
-    /// A steradian of solid angle: what a small screen sees that is carried around the target,
-    /// as Geiger and Marsden did.
+    /// A steradian of solid angle: the count of a small screen that is moved around the target, as
+    /// Geiger and Marsden did.
     #[default]
     Steradian,
     /// A whole ring of 5° around the beam, larger at 90° than near the ends.
@@ -31,7 +31,7 @@ impl CountedFor {
         }
     }
 
-    /// How much of it a bin has: 1 ring, or 2π (cos from − cos to) steradians.
+    /// The size of a bin in this unit: 1 ring, or 2π (cos from − cos to) steradians.
     pub fn in_bin(self, bin: usize) -> f64 {
         let cosine = |edge: usize| (edge as f64 * BIN_WIDTH).cos();
         match self {
@@ -41,11 +41,11 @@ impl CountedFor {
     }
 }
 
-/// How many particles left at which angle.
+/// The number of particles by angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counts {
-    /// Particles in each bin, from 0 to 180°. One that left exactly at the edge of two
-    /// bins is in the lower one.
+    /// Particles in each bin, from 0 to 180°. A particle exactly at the edge of two bins is in the
+    /// lower one.
     pub bins: [u64; BINS],
 }
 
@@ -61,12 +61,12 @@ impl Counts {
         self.bins.iter().sum()
     }
 
-    /// Those from the edge below bin `first` on.
+    /// The particles from the lower edge of bin `first` on.
     pub(crate) fn beyond_bin(&self, first: usize) -> u64 {
         self.bins.iter().skip(first).sum()
     }
 
-    /// What a law leads one to expect of `particles`, bin by bin.
+    /// The counts that a law predicts for `particles`, bin by bin.
     pub fn expected(law: &ScatteringLaw, particles: u64) -> [f64; BINS] {
         std::array::from_fn(|bin| {
             let beyond = |edge: usize| law.share_beyond(edge as f64 * BIN_WIDTH);

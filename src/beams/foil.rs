@@ -1,4 +1,4 @@
-//! Foils of metal, as they were hung into the way of α particles.
+//! Metal foils in a beam of α-particles.
 
 use std::f64::consts::PI;
 
@@ -44,14 +44,14 @@ pub struct Foil {
 }
 
 impl Foil {
-    /// Atoms that a square metre of it shows to a beam.
+    /// Atoms per square metre of the foil.
     pub(crate) fn atoms_per_area(&self) -> f64 {
         self.metal.density * self.thickness
     }
 
-    /// What α particles of `energy` joules meet in it, each at most one nucleus: the
-    /// beam that belongs to one nucleus has the area 1/(n t), so b goes up to
-    /// 1/√(π n t).
+    /// The scattering of α-particles of `energy` joules in it, each by at most one nucleus: the
+    /// part of the beam that belongs to one nucleus has the area 1/(n t), so b goes up to 1/√(π n
+    /// t).
     pub fn target(&self, energy: f64) -> BeamTarget {
         BeamTarget::Coulomb {
             scatterer: Rutherford::new(ALPHA_CHARGE, self.metal.charge, energy),

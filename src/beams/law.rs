@@ -5,18 +5,17 @@ use std::f64::consts::PI;
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::Rutherford;
 
-/// What a beam is thrown at. It is taken as fixed: so heavy that it does not move.
+/// The target of a beam. It is taken as fixed: so heavy that it does not move.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BeamTarget {
-    /// Hard discs or spheres, e = 1. The beam is as wide as can hit: b goes up to
-    /// r₁ + r₂.
+    /// Hard discs or spheres, e = 1. The beam is as wide as the target: b goes up to r₁ + r₂.
     Hard,
     /// A charge that repels.
     Coulomb {
         /// The law for one particle.
         scatterer: Rutherford,
-        /// The largest offset b in the beam, in metres, above 0: the reach of the charge
-        /// has no end, so a beam must have one.
+        /// The largest offset b in the beam, in metres, above 0: a charge has infinite range, so
+        /// the beam must be limited.
         half_width: f64,
     },
 }
@@ -27,16 +26,16 @@ pub enum BeamTarget {
 /// straight on, 1 at the rim.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScatteringLaw {
-    /// What is hit.
+    /// The target.
     pub target: BeamTarget,
     /// Plane or space.
     pub beam: Beam,
 }
 
 impl ScatteringLaw {
-    /// The angle Θ by which a particle is turned, 0 to π radians, for a nearness from 0
-    /// to 1: Θ = 2 arccos(b/(r₁+r₂)) for hard targets (the angle of reflection is that
-    /// of incidence), Θ = 2 atan(d/2b) for a charge.
+    /// The scattering angle Θ of a particle, 0 to π radians, for a nearness from 0 to 1: Θ = 2
+    /// arccos(b/(r₁+r₂)) for hard targets (the angle of reflection is that of incidence), Θ = 2
+    /// atan(d/2b) for a charge.
     pub fn angle(&self, nearness: f64) -> f64 {
         match self.target {
             BeamTarget::Hard => 2.0 * nearness.clamp(-1.0, 1.0).acos(),
@@ -47,8 +46,8 @@ impl ScatteringLaw {
         }
     }
 
-    /// The nearness below which all particles are turned by more than `angle` radians: 1
-    /// where all of the beam is, 0 from 180° on.
+    /// The nearness below which all particles are scattered by more than `angle` radians: 1 for the
+    /// whole beam, 0 from 180° on.
     pub(crate) fn nearness(&self, angle: f64) -> f64 {
         if angle >= PI {
             return 0.0;
@@ -84,7 +83,7 @@ impl ScatteringLaw {
         }
     }
 
-    /// The share of the beam that is turned by more than `angle` radians.
+    /// The share of the beam that is scattered by more than `angle` radians.
     pub fn share_beyond(&self, angle: f64) -> f64 {
         self.beam.share_within(self.nearness(angle))
     }

@@ -7,12 +7,12 @@ use crate::files::{NumberSpec, quoted};
 /// H. Geiger and E. Marsden, Phil. Mag. 25 (1913) 604, Table II, first series.
 const TABLE: &str = include_str!("../../assets/geiger-marsden-1913.csv");
 
-/// The columns a table of counts has.
+/// The columns of a table of counts.
 const HEADER: &str = "angle_deg,silver_count,gold_count";
 
-/// What an angle may be, in degrees.
+/// The range of an angle, in degrees.
 const DEGREES: NumberSpec = NumberSpec::new("a number", "", 0.1, 180.0);
-/// What a count may be.
+/// The range of a count.
 const COUNT: NumberSpec = NumberSpec::new("a number", "", 0.1, 1e12);
 
 /// Counts at one angle. Counts are relative: only those of one metal can be compared with
@@ -28,26 +28,26 @@ pub struct Angle {
 }
 
 impl Angle {
-    /// 1/sin⁴(φ/2), with which the counts should grow.
+    /// 1/sin⁴(φ/2), to which the counts should be proportional.
     pub fn law(&self) -> f64 {
         (self.angle / 2.0).sin().powi(-4)
     }
 }
 
-/// What is wrong with a table of counts.
+/// A fault in a table of counts.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{line}: {what}")]
 pub struct Fault {
-    /// Number of the line, from 1; the one after the last where something is missing.
+    /// Number of the line, from 1; one after the last if something is missing.
     pub line: usize,
-    /// What is wrong there.
+    /// The fault.
     pub what: String,
 }
 
 /// The counts of 1913, from the largest angle to the smallest.
 ///
 /// # Errors
-/// None, unless the table in the program is spoilt.
+/// Only if the program's own table is damaged.
 pub fn geiger_marsden() -> Result<Vec<Angle>, Fault> {
     read(TABLE)
 }
@@ -57,7 +57,7 @@ pub fn geiger_marsden() -> Result<Vec<Angle>, Fault> {
 /// 180, each smaller than the one before; counts are from 0.1 to 10¹².
 ///
 /// # Errors
-/// The first line that is not so.
+/// The first line with a fault.
 pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
     let mut lines = table
         .lines()
@@ -105,17 +105,17 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
     Ok(angles)
 }
 
-/// The counts of one metal beside the law, which fixes how they grow but not the scale.
+/// The counts of one metal beside the law, which determines their ratios but not the scale.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// Mean of the counts times sin⁴(φ/2): the scale that suits them best.
+    /// Mean of the counts times sin⁴(φ/2): the scale that fits them best.
     pub scale: f64,
     /// Angle φ in radians, 1/sin⁴(φ/2), and the count.
     pub points: Vec<(f64, f64, f64)>,
 }
 
 impl Series {
-    /// The series of the metal whose count `of` gives; `None` without any angle.
+    /// The series of the metal that `of` selects; `None` without any angle.
     pub fn new(angles: &[Angle], of: impl Fn(&Angle) -> f64) -> Option<Self> {
         let points: Vec<_> = angles
             .iter()
@@ -128,7 +128,7 @@ impl Series {
         })
     }
 
-    /// How far a count is above the law, as a share of it (below: negative).
+    /// The relative deviation of a count from the law, positive above it.
     pub(crate) fn excess(&self, (_, law, count): (f64, f64, f64)) -> f64 {
         count / (law * self.scale) - 1.0
     }

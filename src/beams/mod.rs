@@ -1,9 +1,9 @@
-//! Beams of many particles, thrown one by one and counted by the angle they leave at;
-//! and what Geiger and Marsden counted.
+//! Beams of many particles, scattered one by one and counted by angle, and the counts of Geiger and
+//! Marsden.
 //!
-//! [`ScatteringLaw`] says how a particle is turned, [`Sampler`] throws the particles, [`Counts`]
-//! holds the counts by angle. Everything follows from a seed: the generator and the way
-//! from its numbers to offsets are part of what a seed means.
+//! [`ScatteringLaw`] gives the angle of a particle, [`Sampler`] draws the particles, [`Counts`]
+//! holds the counts by angle. Everything follows from a seed: the generator and the mapping from
+//! its numbers to offsets are part of the meaning of a seed.
 
 mod counts;
 mod foil;

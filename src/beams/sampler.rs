@@ -1,4 +1,4 @@
-//! The throwing of particles.
+//! The random particles of a beam.
 
 use std::ops::Range;
 
@@ -7,33 +7,32 @@ use rand_pcg::Pcg64;
 
 use super::{BIN_WIDTH, BINS, Counts, ScatteringLaw};
 
-/// Stream of the generator; part of what a seed means.
+/// Stream of the generator; part of the meaning of a seed.
 const STREAM: u128 = 0x0a02_bdbf_7bb3_c0a7;
 
-/// Cells of the index table, a power of two. 4096 bytes stay in the nearest cache.
+/// Cells of the index table, a power of two. 4096 bytes stay in the fastest cache.
 const CELLS: usize = 4096;
 
-/// Places in the tables of a bin each: a power of two, so that no index can be beyond.
+/// Length of the tables of bins: a power of two, so that no index is out of range.
 const PLACES: usize = 64;
 
-/// Particles that are thrown side by side, so that no generator waits for itself.
+/// Particles that are computed side by side, so that no generator waits for itself.
 const LANES: usize = 4;
 
-/// Throws the particles of a beam and counts them by angle.
+/// Draws the particles of a beam and counts them by angle.
 ///
-/// Particle i takes the i-th 64-bit number w of PCG64 (M. E. O'Neill, 2014; the seed is
-/// its state, the stream is fixed). In plane, w/2⁶⁴ is the nearness b/b_max, in space it
-/// is its square, so that offsets are even over a line or over a disc. As each particle
-/// has its own number, it does not matter in how many goes, or in what order, a beam is
-/// thrown.
+/// Particle i takes the i-th 64-bit number w of PCG64 (M. E. O'Neill, 2014; the seed is its state,
+/// the stream is fixed). In plane, w/2⁶⁴ is the nearness b/b_max, in space it is its square, so
+/// that offsets are uniform over a line or over a disc. Because each particle has its own number, a
+/// beam can be computed in any batches and in any order.
 ///
-/// No angle is ever computed for a particle. The w at which the angle passes from bin to
-/// bin are known beforehand, so the bin follows from comparing: an index table gives it
-/// for the upper 12 bits, and where an edge lies within a cell of the table the edge
-/// itself decides. The counts are exactly those of computing each angle.
+/// No angle is ever computed for a particle. The w at which the angle passes from bin to bin are
+/// known beforehand, so comparisons give the bin: an index table gives it for the upper 12 bits,
+/// and if an edge lies within a cell of the table, the edge itself decides. The counts are exactly
+/// those of computing each angle.
 #[derive(Debug, Clone)]
 pub struct Sampler {
-    /// `edges[k]`: every w below it leaves beyond the lower edge of bin k.
+    /// `edges[k]`: every w below it is scattered beyond the lower edge of bin k.
     edges: [u64; PLACES],
     /// The lowest bin in a cell of w.
     lowest: [u8; CELLS],
@@ -44,7 +43,7 @@ impl Sampler {
     pub fn new(law: &ScatteringLaw) -> Self {
         let mut edges = [0; PLACES];
         for (bin, edge) in edges.iter_mut().enumerate().take(BINS) {
-            // To the nearest whole number; 2⁶⁴ itself, for all, is held to what fits.
+            // To the nearest whole number; 2⁶⁴, for the whole beam, is clamped to what fits.
             let share = law.share_beyond(bin as f64 * BIN_WIDTH);
             *edge = (share * 2_f64.powi(64)) as u64;
         }
@@ -63,7 +62,7 @@ impl Sampler {
     /// The bin of `w`, which is `from` or above it.
     fn search(&self, from: usize, w: u64) -> usize {
         let mut bin = from;
-        // The edges end with zeros, below which nothing is.
+        // The edges end with zeros, and nothing is below 0.
         while w < self.edges[(bin + 1) % PLACES] {
             bin += 1;
         }
@@ -75,8 +74,7 @@ impl Sampler {
         self.search(usize::from(self.lowest[cell]), w) % PLACES
     }
 
-    /// Throws the particles of these numbers in the beam of a seed, and adds them to
-    /// `counts`.
+    /// Computes the particles of these numbers in the beam of a seed, and adds them to `counts`.
     pub fn throw(&self, seed: u64, particles: Range<u64>, counts: &mut Counts) {
         let mut tallies = [[0_u64; PLACES]; LANES];
         let length = particles.end.saturating_sub(particles.start);

@@ -1,4 +1,4 @@
-//! The sampler against the closed forms, and against throwing particle by particle.
+//! Tests of the sampler against the closed forms, and against computing particle by particle.
 
 use std::f64::consts::PI;
 
@@ -19,8 +19,8 @@ const SPHERE: ScatteringLaw = ScatteringLaw {
     beam: Beam::Space,
 };
 
-/// Radium C on gold in a beam so narrow that every bin gets its share: the outermost
-/// particles are turned by 2.5°.
+/// Radium C on gold in a beam so narrow that every bin gets its share: the outermost particles are
+/// scattered by 2.5°.
 fn coulomb(beam: Beam) -> ScatteringLaw {
     let scatterer = Rutherford::radium_c_on_gold();
     let half_width = scatterer.impact_parameter(2.5_f64.to_radians());
@@ -131,7 +131,7 @@ fn ten_million_particles_agree_with_the_closed_forms() {
     }
 }
 
-/// The table of edges gives the very counts that come from working out each angle.
+/// The table of edges gives exactly the counts of computing each angle.
 #[test]
 fn no_particle_is_put_into_another_bin_than_its_angle() {
     for law in [
@@ -170,7 +170,7 @@ fn a_beam_may_be_thrown_in_any_number_of_goes() {
     assert_ne!(thrown(&law, 6, 100_003), whole);
 }
 
-/// Seeds mean the same for ever: O'Neill's PCG64 (XSL-RR 128/64) by its definition.
+/// Seeds never change their meaning: O'Neill's PCG64 (XSL-RR 128/64) by its definition.
 #[test]
 fn the_generator_is_pcg64_by_its_definition() {
     const A: u128 = 0x2360_ed05_1fc6_5da4_4385_df64_9fcc_f645;
@@ -200,7 +200,7 @@ fn shares_and_angles_are_two_sides_of_one_law() {
     }
 }
 
-/// What leaves per steradian, over all the directions of a band, is what leaves in the band.
+/// The count per steradian, integrated over a band of directions, is the count in the band.
 #[test]
 fn the_share_per_steradian_is_the_share_of_a_thin_ring() {
     for law in [SPHERE, coulomb(Beam::Space), foil(2e-6)] {
@@ -223,7 +223,8 @@ fn the_share_per_steradian_is_the_share_of_a_thin_ring() {
     assert!((sphere - 4.0 * PI).abs() < 1e-12);
 }
 
-/// What goes beyond an angle in a foil is n t σ: the thinner, the fewer.
+/// The share scattered by more than an angle in a foil is n t σ, so it is proportional to the
+/// thickness.
 #[test]
 fn a_foil_turns_back_few() {
     let back = foil(2.1e-7).share_beyond(PI / 2.0);
@@ -234,7 +235,7 @@ fn a_foil_turns_back_few() {
     // d = 29.6 fm makes that 1 in 117,000.
     assert!((1.0 / back / 117_000.0 - 1.0).abs() < 0.01, "{back}");
     assert!((foil(4.2e-7).share_beyond(PI / 2.0) / back - 2.0).abs() < 1e-12);
-    // Half the energy: twice the d, four times as many.
+    // Half the energy: twice the distance d, four times the count.
     let slow = ScatteringLaw {
         target: Foil {
             metal: METALS[0],

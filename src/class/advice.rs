@@ -1,4 +1,4 @@
-//! What a first vote advises.
+//! Advice after a first vote.
 
 use super::ballot::Vote;
 use super::round::ClassRound;
@@ -11,14 +11,14 @@ use crate::progress::Tally;
 pub enum Advice {
     /// Fewer than three of ten are right: nobody could convince the others.
     ExplainAgain,
-    /// In between: they have something to say to each other.
+    /// In between: discussion helps most.
     Talk,
     /// More than eight of ten are right.
     GoOn,
 }
 
 impl Advice {
-    /// What the first vote on a question advises; `None` where nobody has voted.
+    /// The advice after the first vote on a question; `None` if nobody has voted.
     pub fn of(round: &ClassRound, question: usize) -> Option<Self> {
         let Tally {
             attempts, right, ..
@@ -31,7 +31,7 @@ impl Advice {
         }
     }
 
-    /// As it is said to the teacher: it says nothing of which answer is right.
+    /// The words for the teacher, which do not reveal the right answer.
     pub const fn words(self) -> &'static str {
         match self {
             Self::ExplainAgain => "Under 30 % are right: explain once more, vote again.",

@@ -1,5 +1,5 @@
-//! What a pupil's device is told of a question: what is asked and what is seen beside it, and
-//! later the truth. A [`Question`] itself is never sent: what it is made of holds the answer.
+//! The parts of a question that a pupil's device receives: the text and the picture, and later the
+//! right answer. A [`Question`] itself is never sent, because it contains the answer.
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -14,7 +14,7 @@ use crate::quiz::{
     Rays, Response,
 };
 
-/// A question as it is asked: no more than can be read and seen.
+/// A question as it is asked: only what can be read and seen.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct AskedQuestion {
     /// The id of its family.
@@ -23,7 +23,7 @@ pub struct AskedQuestion {
     text: String,
     /// How it is answered.
     form: AskedForm,
-    /// What is seen beside it.
+    /// The picture beside it.
     picture: AskedPicture,
 }
 
@@ -37,7 +37,7 @@ enum AskedForm {
     Number { measure: String },
     /// By choosing.
     Choice { options: Vec<String> },
-    /// By a shot that sends the striker, or else its target, this way, in radians.
+    /// By a shot that sends the striker, or else its target, in this direction, in radians.
     Shot {
         hit: AskedHit,
         striker: bool,
@@ -45,31 +45,31 @@ enum AskedForm {
     },
 }
 
-/// What is seen beside a question.
+/// The picture beside a question.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 enum AskedPicture {
     Nothing,
     Before {
         hit: AskedHit,
-        /// Whether the offset, the angle and figures are drawn in.
+        /// Whether the offset, the angle and numbers are marked.
         shown: [bool; 3],
     },
-    /// Both angles in radians, both radii, and the way the striker came: a hit with these has
-    /// many masses and losses.
+    /// Both angles in radians, both radii, and the striker's initial path: many masses and losses
+    /// fit these.
     After {
         angles: [f64; 2],
         radii: [f64; 2],
         along: [f64; 2],
     },
-    /// Two angles, and how near the nucleus lets come what meets it head-on.
+    /// Two angles, and the closest approach head-on.
     Tracks {
         angles: [f64; 2],
         nearest: f64,
     },
 }
 
-/// Two discs about to meet, as far as they can be seen: what rims and springs do is not.
+/// The visible properties of two discs about to meet, without e and the kind of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct AskedHit {
     masses: [f64; 2],
@@ -91,7 +91,7 @@ impl AskedHit {
         }
     }
 
-    /// The hit, as far as a device believes it.
+    /// The collision, if a device accepts it.
     fn collision(&self) -> Option<Collision> {
         let all = self.masses.iter().chain(&self.radii);
         let numbers = self
@@ -114,7 +114,7 @@ impl AskedHit {
 }
 
 impl AskedQuestion {
-    /// What of a question is sent while it is open.
+    /// The parts of a question that are sent while it is open.
     pub fn new(question: &Question) -> Self {
         Self {
             family: question.family.id().into(),
@@ -161,8 +161,8 @@ impl AskedQuestion {
         }
     }
 
-    /// A question that can be drawn and answered, but that knows no more than was sent: what
-    /// it says of the truth means nothing. `None` if nothing of that kind was sent.
+    /// A question that can be drawn and answered, from what was sent alone: its right answer is
+    /// meaningless. `None` if the message makes no sense.
     pub fn question(&self) -> Option<Question> {
         Some(Question {
             family: Family::with_id(&self.family)?,
@@ -241,7 +241,7 @@ impl AskedPicture {
     }
 }
 
-/// A hit without loss that goes these ways: one of the many that look alike.
+/// A lossless collision with these paths: one of many that look the same.
 fn hit_of_angles([theta1, theta2]: [f64; 2], radii: [f64; 2], along: DVec2) -> Option<Collision> {
     let is_good = radii.iter().all(|it| it.is_finite() && *it > 0.0) && along.is_normalized();
     let ratio = mass_ratio_from_angles(theta1, theta2, 1.0).filter(|_| is_good)?;
@@ -250,20 +250,20 @@ fn hit_of_angles([theta1, theta2]: [f64; 2], radii: [f64; 2], along: DVec2) -> O
     Some(Collision::at_angle(striker, target, along, theta2))
 }
 
-/// The truth, once it is told: the true answer and why it is true, in words for this pupil.
+/// The right answer, once it is revealed, and its explanation in words for this pupil.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ToldTruth {
-    /// The true answer, as [`Said::to_text`] writes it.
+    /// The right answer, as [`Said::to_text`] writes it.
     truth: String,
-    /// Why it is true, and what was wrong with what they said.
+    /// The explanation, and the feedback on their answer.
     pub why: String,
     /// Points of this pupil for the question, if they have voted.
     pub points: Option<f64>,
-    /// The hit as it really goes, where there is one to be watched.
+    /// The real collision, if there is one to watch.
     hit: Option<TrueHit>,
 }
 
-/// A hit with all that decides how it goes.
+/// A collision with everything that determines its outcome.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct TrueHit {
     seen: AskedHit,
@@ -272,7 +272,7 @@ struct TrueHit {
 }
 
 impl ToldTruth {
-    /// The truth of a question, with why it is true, and the points for what was said.
+    /// The right answer to a question, its explanation, and the points for an answer.
     pub fn new(question: &Question, why: String, points: Option<f64>) -> Self {
         Self {
             truth: question.form.truth().to_text(),
@@ -286,8 +286,8 @@ impl ToldTruth {
         }
     }
 
-    /// The question with its true answer and its true hit; `None` if this is the truth of
-    /// another one.
+    /// The question with its right answer and its real collision; `None` if this belongs to another
+    /// question.
     pub fn told(&self, mut asked: Question) -> Option<Question> {
         let true_answer = Said::parse(&self.truth)?.response;
         if !asked.form.accepts(&true_answer) {

@@ -1,4 +1,4 @@
-//! What somebody says to a question, at each of its two votes.
+//! The answers of one voter to a question, at each of its two votes.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr};
@@ -10,9 +10,9 @@ use crate::quiz::{Answer, Confidence, Response};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Vote {
-    /// Predicted in silence.
+    /// The vote in silence.
     First,
-    /// After talking.
+    /// The vote after the discussion.
     Second,
 }
 
@@ -21,13 +21,13 @@ impl Vote {
     pub const BOTH: [Self; 2] = [Self::First, Self::Second];
 }
 
-/// A vote: what is said, and how sure they are, where that is asked.
+/// A vote: an answer, and how sure the voter is, if that is asked.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Said {
-    /// What is said.
+    /// The answer.
     pub response: Response,
-    /// How sure they are of it.
+    /// How sure the voter is.
     pub sure: Option<Confidence>,
 }
 
@@ -39,7 +39,7 @@ impl From<Response> for Said {
 }
 
 impl Said {
-    /// The text with which it is kept and sent: "rays 60 still", "sure number 2.1".
+    /// The text that stores and sends it: "rays 60 still", "sure number 2.1".
     pub fn to_text(self) -> String {
         match self.sure {
             Some(sure) => format!("{} {}", sure.id(), self.response.to_text()),
@@ -47,7 +47,7 @@ impl Said {
         }
     }
 
-    /// What such a text says; `None` if it is none.
+    /// Reads such a text; `None` if it is not one.
     pub fn parse(text: &str) -> Option<Self> {
         let sure = text
             .split_once(' ')
@@ -75,8 +75,8 @@ impl TryFrom<String> for Said {
     }
 }
 
-/// What a team, or somebody on a device, said to a question: the first vote and the second, where
-/// they were given.
+/// The votes of a team, or of a pupil on a device, on a question: the first and the second, if they
+/// were given.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ballot([Option<Said>; 2]);
 
@@ -86,18 +86,17 @@ impl Ballot {
         self.given(vote).map(|said| said.response)
     }
 
-    /// Puts a vote in the place of an earlier one; `None` takes that back.
+    /// Replaces an earlier vote; `None` takes it back.
     pub(super) fn put(&mut self, vote: Vote, said: Option<Said>) {
         self.0[vote as usize] = said;
     }
 
-    /// A vote with how sure they were of it.
+    /// A vote with the voter's confidence.
     pub fn given(&self, vote: Vote) -> Option<Said> {
         self.0[vote as usize]
     }
 
-    /// What the team says at a vote: at the second what it said at first, unless it has
-    /// changed that.
+    /// The team's answer at a vote: at the second vote that of the first, unless it has changed it.
     pub fn said(&self, vote: Vote) -> Option<Response> {
         self.standing(vote).map(|said| said.response)
     }
@@ -110,22 +109,22 @@ impl Ballot {
         }
     }
 
-    /// What the team says at a vote, as an answer.
+    /// The same as an [`Answer`].
     pub(super) fn answer(&self, vote: Vote) -> Option<Answer> {
         let said = self.standing(vote)?;
         Some(Answer::new(said.response, said.sure.unwrap_or(UNSURE)))
     }
 
-    /// The vote that scores: the second, or where there is none the first.
+    /// The vote that scores: the second, or the first if there is no second.
     pub fn counts(&self) -> Option<Response> {
         self.said(Vote::Second)
     }
 }
 
-/// The confidence of whom nobody asked; it changes nothing about the credit of a vote.
+/// The confidence of voters who were not asked; it does not affect the credit of a vote.
 const UNSURE: Confidence = Confidence::ThinkSo;
 
-/// A vote as an answer of whom nobody asked how sure they are.
+/// A vote as an answer without a stated confidence.
 pub(super) fn unsure(said: Response) -> Answer {
     Answer::new(said, UNSURE)
 }

@@ -1,4 +1,4 @@
-//! What changes in a round from one moment to the next: the lines of its journal.
+//! The changes of a round: the lines of its journal.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,83 +6,82 @@ use super::ballot::{Said, Vote};
 use super::door::SeatToken;
 use super::round::ClassRound;
 
-/// One thing that changes in a round. Questions, people and choices are counted from 0.
+/// A change in a round. Questions, people and choices are counted from 0.
 ///
-/// A file of a round begins with how it stood when it was last written as a whole; the
-/// changes since then are appended to it, so that a vote of 250 costs a line and not the
-/// whole file.
+/// A file of a round begins with its state when it was last written as a whole; later changes are
+/// appended, so that each of 250 votes writes a line and not the whole file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ClassChange {
-    /// A vote, or that it is taken back.
+    /// A vote was given, or taken back.
     Vote {
         /// The question.
         question: usize,
         /// Which vote.
         vote: Vote,
-        /// Who gave it.
+        /// The voter.
         person: usize,
-        /// What was said.
+        /// The vote.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         said: Option<Said>,
     },
-    /// Hands were counted, or that is taken back.
+    /// Hands were counted, or the count was taken back.
     Count {
         /// The question.
         question: usize,
         /// Which vote.
         vote: Vote,
-        /// How many were for each choice.
+        /// The number of votes for each choice.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         counts: Option<Vec<u32>>,
     },
-    /// Somebody has come, behind all who were there.
+    /// A participant joined, at the end of the list.
     Join {
-        /// What brings them back, if they have a device.
+        /// Their seat token, if they have a device.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         seat: Option<SeatToken>,
-        /// Their name, which nobody else has.
+        /// Their name, which must be unique.
         name: String,
     },
-    /// Somebody is called otherwise.
+    /// A participant was renamed.
     Rename {
         /// Who.
         person: usize,
         /// Their new name.
         name: String,
     },
-    /// Somebody is removed with all they said and stays out; those behind move up.
+    /// A participant was removed with all votes and stays out; later ones move up.
     Remove {
         /// Who.
         person: usize,
     },
-    /// Somebody who was removed may come in again.
+    /// A removed participant may join again.
     Readmit {
-        /// Which of those who were removed.
+        /// The index among those who were removed.
         removed: usize,
     },
-    /// Somebody's place is freed, and they may come in again; those behind move up.
+    /// A participant's seat was freed, and they may join again; later ones move up.
     Vacate {
         /// Who.
         person: usize,
     },
-    /// Somebody had come back as a stranger.
+    /// A participant had joined twice.
     Merge {
-        /// The stranger, who is removed.
+        /// The duplicate, which is removed.
         from: usize,
-        /// Who they really are.
+        /// The original participant.
         into: usize,
     },
 }
 
 impl ClassChange {
-    /// The line of JSON with which it is kept.
+    /// The line of JSON that stores it.
     pub fn line(&self) -> String {
         // There is nothing in it that could not be written.
         serde_json::to_string(self).unwrap_or_default()
     }
 
-    /// What such a line says.
+    /// Reads such a line.
     ///
     /// # Errors
     /// If it is none, in words.
@@ -90,13 +89,13 @@ impl ClassChange {
         serde_json::from_str(line).map_err(|error| format!("expected a change: {error}"))
     }
 
-    /// Whether a line is that of a vote, whatever it says.
+    /// Whether a line is a vote, whatever its contents.
     pub(super) fn is_vote(line: &str) -> bool {
         line.starts_with("{\"vote\":")
     }
 }
 
-/// A change as it stands in a file: one line of JSON.
+/// A change in a file: one line of JSON.
 #[derive(Serialize)]
 pub(super) struct Then {
     change: String,
@@ -112,7 +111,7 @@ impl From<&ClassChange> for Then {
 /// The text that is appended to the file of a round when this has changed.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should it not be writable.
+/// None in practice; the reason if it cannot be written.
 pub fn appended(changes: &[ClassChange]) -> Result<String, String> {
     #[derive(Serialize)]
     struct Appended {
@@ -123,7 +122,7 @@ pub fn appended(changes: &[ClassChange]) -> Result<String, String> {
 }
 
 impl ClassRound {
-    /// Lets something change.
+    /// Applies a change.
     ///
     /// # Errors
     /// If it does not fit the round, in words; then nothing has changed.

@@ -1,35 +1,35 @@
-//! How somebody on a device of their own is reached.
+//! The connection to a participant's device.
 
 use std::net::IpAddr;
 
 use super::ballot::Vote;
 use super::protocol::HandedIn;
 
-/// The number of a connection, which no other one ever has.
+/// The unique number of a connection.
 pub type LineId = u64;
 
-/// The device of somebody, for as long as this carrom serves the class.
+/// The device of a participant, while this carrom serves the class.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Device {
-    /// Its connection; `None` while it is away.
+    /// Its connection; `None` while it is disconnected.
     pub(super) line: Option<LineId>,
     /// Where its connection comes from, or came from.
     pub(super) address: Option<IpAddr>,
     /// The number of the last vote that was handled.
     pub(super) n: u64,
-    /// The number of the last state that this connection was told.
+    /// The number of the last state sent on this connection.
     pub(super) rev: u64,
-    /// Where the last vote was, if it did not fit the question.
+    /// The question and vote of the last vote, if it did not fit.
     pub(super) misfit: Option<(usize, Vote)>,
-    /// What came of the last that was handed in.
+    /// The result of the last hand-in.
     pub(super) handed: Option<HandedIn>,
-    /// How often something was, and whether something of it is kept.
+    /// How often something was handed in, and whether anything of it is stored.
     pub(super) times: usize,
     pub(super) has_handed_in: bool,
 }
 
 impl Device {
-    /// This one in the place of another, where it is connected.
+    /// This device instead of another, if it is connected.
     pub(super) fn or_earlier(self, earlier: &Self) -> Self {
         match self.line {
             None => *earlier,

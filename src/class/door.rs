@@ -1,16 +1,16 @@
-//! How pupils come into a round on their own devices: the code that is read out, and the
-//! seat that brings somebody back to their place.
+//! How pupils join a round on their own devices: the code on the screen, and the token that returns
+//! a pupil to their seat.
 
 use std::fmt;
 use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-/// The letters of a [`DoorCode`]: consonants that look and sound unlike each other, so that
-/// no word comes about.
+/// The letters of a [`DoorCode`]: consonants that look and sound different, so that codes do not
+/// spell words.
 const LETTERS: &[u8; 20] = b"BCDFGHJKLMNPQRSTVWXZ";
 
-/// The code that lets somebody into a class: six consonants, new for each round.
+/// The code for joining a class: six consonants, new for each round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct DoorCode([u8; Self::LENGTH]);
@@ -37,7 +37,7 @@ impl fmt::Display for DoorCode {
     }
 }
 
-/// What is said of what is no [`DoorCode`].
+/// The message for a text that is not a [`DoorCode`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("expected the six letters of a class, such as BCDFGH")]
 pub struct NoDoorCode;
@@ -45,7 +45,7 @@ pub struct NoDoorCode;
 impl FromStr for DoorCode {
     type Err = NoDoorCode;
 
-    /// Whatever the case of its letters, and with blanks or hyphens between them.
+    /// Reads any case, with blanks or hyphens between the letters.
     fn from_str(text: &str) -> Result<Self, NoDoorCode> {
         let mut code = [0; Self::LENGTH];
         let mut letters = text.chars().filter(|it| !matches!(it, ' ' | '-'));
@@ -75,8 +75,8 @@ impl From<DoorCode> for String {
     }
 }
 
-/// What brings somebody back to their place: a secret of 128 random bits, which only the
-/// host and their device know.
+/// The token that returns a participant to their seat: a secret of 128 random bits that only the
+/// host and the device know.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct SeatToken(u128);
@@ -88,7 +88,7 @@ impl SeatToken {
     }
 }
 
-/// It is a secret: it stays out of reports.
+/// It is a secret, so it must not appear in crash reports.
 impl fmt::Debug for SeatToken {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("SeatToken")

@@ -1,4 +1,4 @@
-//! What a session asks of whoever serves its class, and what it hears.
+//! The messages between a session and the server of its class.
 
 use std::net::{IpAddr, SocketAddrV4};
 use std::time::Duration;
@@ -10,45 +10,45 @@ use super::device::LineId;
 use super::door::{DoorCode, SeatToken};
 use super::protocol::{PupilState, Refusal, Saying};
 
-/// What a teacher's carrom asks of whoever serves its class.
+/// A request of the teacher's carrom to the server of its class.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HostCall {
-    /// Let pupils come in.
+    /// Let pupils join.
     Open {
-        /// With this code; without one with a new one.
+        /// The code to use; `None` for a new one.
         code: Option<DoorCode>,
-        /// Where their devices look for it, if they were in before.
+        /// The address where their devices look for it, if they joined before.
         address: Option<SocketAddrV4>,
     },
-    /// Tell pupils how things stand, each for themselves.
+    /// Send pupils their states.
     Tell(Vec<(LineId, PupilState)>),
-    /// Tell somebody why they are not let in, or no longer, and hang up.
+    /// Tell a pupil why they are refused or removed, and disconnect.
     Refuse(LineId, Refusal),
-    /// Let nobody in any more, and hang up on all.
+    /// Let nobody join any more, and disconnect everyone.
     Close,
 }
 
-/// What a teacher's carrom hears of its class.
+/// News for the teacher's carrom from its class.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HostNews {
-    /// Pupils can come in, or why not.
+    /// Pupils can join, or the reason why they cannot.
     Opened(Result<OpenDoor, String>),
-    /// Somebody with the right code wants to come in.
+    /// A pupil with the right code asks to join.
     Came {
         /// The connection.
         line: LineId,
         /// The name as it was typed.
         name: String,
-        /// What brings them back, if they were here.
+        /// Their seat token, if they were here before.
         seat: Option<SeatToken>,
-        /// What will bring them back, if they are new.
+        /// Their new seat token, if they are new.
         fresh: SeatToken,
         /// Where from.
         address: IpAddr,
-        /// When, since any moment that is the same for all.
+        /// The time, from a fixed moment.
         at: Duration,
     },
-    /// Somebody votes.
+    /// A pupil votes.
     Voted {
         /// The connection.
         line: LineId,
@@ -56,26 +56,26 @@ pub enum HostNews {
         question: usize,
         /// Which vote.
         vote: Vote,
-        /// What is said, as text; nothing takes it back.
+        /// The vote as text; an empty text takes it back.
         said: String,
         /// The number of the vote.
         n: u64,
     },
-    /// Somebody hands in what they have answered alone.
+    /// A pupil hands in answers given alone.
     HandedIn {
         /// The connection.
         line: LineId,
-        /// The number of what is handed in.
+        /// The number of the hand-in.
         n: u64,
         /// The file, as it was sent.
         file: Value,
     },
-    /// Somebody has gone, or cannot be reached.
+    /// A pupil has left, or cannot be reached.
     Gone(LineId),
 }
 
 impl HostNews {
-    /// What somebody who is in says; `None` if they ask to come in once more.
+    /// A message of a pupil who has joined; `None` for a second request to join.
     pub(crate) fn said(line: LineId, saying: Saying) -> Option<Self> {
         Some(match saying {
             Saying::Vote { q, vote, said, n } => Self::Voted {
@@ -92,13 +92,13 @@ impl HostNews {
     }
 }
 
-/// Where pupils come in.
+/// Where pupils join.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OpenDoor {
-    /// The code that lets them in.
+    /// The code for joining.
     pub code: DoorCode,
-    /// Where it listens, the best first.
+    /// The addresses where it listens, the best first.
     pub addresses: Vec<SocketAddrV4>,
-    /// Whether the page is served there, or why not: then only other carroms can join.
+    /// Whether the page is served there, or the reason why not: then only other carroms can join.
     pub page: Result<(), String>,
 }

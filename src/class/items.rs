@@ -1,4 +1,4 @@
-//! What each question showed about the class.
+//! The results of each question for the class.
 
 use std::cmp::Reverse;
 
@@ -8,7 +8,7 @@ use super::way::WayOfVoting;
 use crate::progress::{Tally, discrimination};
 use crate::quiz::{Form, Misconception, Response, evidence};
 
-/// What a question showed.
+/// The results of a question.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ItemAnalysis {
     /// The question, counted from 0.
@@ -16,23 +16,22 @@ pub struct ItemAnalysis {
     /// The votes of the teams at first, and after talking; a team that did not change its vote
     /// counts in both.
     pub votes: [Tally; 2],
-    /// How well it tells the better teams from the others.
+    /// How well it separates the better teams from the others.
     pub discrimination: Option<f64>,
-    /// The misconception for which the first votes speak most, and how many fitted it.
+    /// The misconception that the first votes support most, and how many votes fit it.
     pub commonest: Option<(Misconception, usize)>,
-    /// How many said each at these votes: the choices in their order, else what was said from
-    /// what most said on.
+    /// The number of votes for each answer: choices in their order, other answers with the most
+    /// frequent first.
     pub counts: Vec<(Response, [usize; 2])>,
-    /// The share of what could be gained by talking that was: of those votes that were wrong at
-    /// first, less those that were right (R. R. Hake, 1998); `None` where there was nothing to be
-    /// gained, or nobody voted.
+    /// The normalized gain of the discussion: (second − first) / (1 − first) of the shares of right
+    /// votes (R. R. Hake, 1998); `None` if all were right at first, or nobody voted.
     pub gain: Option<f64>,
-    /// How many changed from a wrong vote to a right one, and the other way round; `None` where
-    /// hands were counted, so that nobody knows whose they were.
+    /// How many votes changed from wrong to right, and from right to wrong; `None` if hands were
+    /// counted, which have no names.
     pub changed: Option<[usize; 2]>,
 }
 
-/// What the first `asked` questions showed.
+/// The results of the first `asked` questions.
 pub fn items(round: &ClassRound, asked: usize) -> Vec<ItemAnalysis> {
     let asked = asked.min(round.questions().len());
     (0..asked).map(|i| item(round, i, asked)).collect()
@@ -59,7 +58,7 @@ fn gain(right: [Option<f64>; 2]) -> Option<f64> {
     (first < 1.0).then(|| (second - first) / (1.0 - first))
 }
 
-/// How many said what at both votes.
+/// The number of votes for each answer, at both votes.
 fn counts(round: &ClassRound, question: usize) -> Vec<(Response, [usize; 2])> {
     let asked = round.questions().get(question);
     let has_choices = asked.is_some_and(|it| matches!(it.form, Form::Choice { .. }));
@@ -86,7 +85,7 @@ fn counts(round: &ClassRound, question: usize) -> Vec<(Response, [usize; 2])> {
     counts
 }
 
-/// How many changed to a right vote and to a wrong one.
+/// How many votes changed to right and to wrong.
 fn changed(round: &ClassRound, question: usize) -> Option<[usize; 2]> {
     if round.way() == WayOfVoting::Tally {
         return None;

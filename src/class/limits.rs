@@ -1,6 +1,6 @@
-//! Limits on what one address may do to a class: an allowance at once, and then so much a second.
+//! Limits on what one address may do to a class: a burst, and then a rate per second.
 //!
-//! The caller passes the time, counted from any fixed moment: nothing here looks at a clock.
+//! The caller passes the time, counted from any fixed moment: this module reads no clock.
 
 use std::collections::BTreeMap;
 use std::net::IpAddr;
@@ -13,7 +13,8 @@ const NEW_SEATS: Allowance = Allowance {
     at_once: 60.0,
     per_s: 0.5,
 };
-/// Wrong codes from one address: as many pupils mistype, and after that one every ten seconds.
+/// Wrong codes from one address: enough for pupils who mistype, and after that one every ten
+/// seconds.
 const WRONG_CODES: Allowance = Allowance {
     at_once: 60.0,
     per_s: 0.1,
@@ -23,8 +24,8 @@ const ALL_WRONG_CODES: Allowance = Allowance {
     at_once: 400.0,
     per_s: 1.5,
 };
-/// Wrong codes from one address that do not count among those of all: somebody who guesses from many
-/// addresses does not keep out a pupil who has only just come.
+/// Wrong codes from one address that do not count towards the limit of all addresses, so that
+/// guessing from many addresses does not keep out a pupil who has just arrived.
 const FIRST_WRONG_CODES: Allowance = Allowance {
     at_once: 2.0,
     per_s: 1.0 / 1800.0,
@@ -36,12 +37,12 @@ const DELAY_STEP: f64 = 10.0;
 /// How many addresses are remembered before the first search for some that can be forgotten.
 const MANY: usize = 256;
 
-/// So many at once, and then so many a second.
+/// A burst, and then a rate per second.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Allowance {
-    /// How many at once.
+    /// The size of the burst.
     pub at_once: f64,
-    /// How many a second come back.
+    /// The rate per second.
     pub per_s: f64,
 }
 
@@ -75,7 +76,7 @@ impl Bucket {
         self.left(now) >= 1.0
     }
 
-    /// Takes so many, even if fewer are left; gives the time until the debt is paid.
+    /// Takes this many, even if fewer are left; returns the time until the balance is 0 again.
     pub fn take(&mut self, count: f64, now: Duration) -> Duration {
         self.left = self.left(now) - count;
         self.since = self.since.max(now);
@@ -87,9 +88,9 @@ impl Bucket {
 #[derive(Debug, Clone)]
 struct Addresses {
     allowance: Allowance,
-    /// What is left for the addresses that have taken some.
+    /// The allowances of the addresses that have used some.
     known: BTreeMap<IpAddr, Bucket>,
-    /// When so many are known, those that have their whole allowance again are forgotten.
+    /// At this many addresses, those with a full allowance are forgotten.
     most: usize,
 }
 
@@ -114,7 +115,7 @@ impl Addresses {
     }
 }
 
-/// The new seats that addresses take: no device fills a class alone.
+/// The limit on new seats per address, so that no device can fill a class alone.
 #[derive(Debug, Clone)]
 pub struct NewSeats(Addresses);
 
@@ -125,18 +126,18 @@ impl Default for NewSeats {
 }
 
 impl NewSeats {
-    /// Whether somebody new may come from an address.
+    /// Whether a newcomer from an address may join.
     pub fn has_one(&mut self, address: IpAddr, now: Duration) -> bool {
         self.0.of(address, now).has_one(now)
     }
 
-    /// Somebody new has come from there.
+    /// A newcomer from there has joined.
     pub fn take(&mut self, address: IpAddr, now: Duration) {
         self.0.of(address, now).take(1.0, now);
     }
 }
 
-/// The code of a class, and how often it may be guessed.
+/// The code of a class, and the limits on guessing it.
 #[derive(Debug)]
 pub struct GuardedCode {
     code: DoorCode,
@@ -145,19 +146,19 @@ pub struct GuardedCode {
     all: Bucket,
 }
 
-/// What is said to a code.
+/// The reply to a code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     /// It is the code of the class.
     Right,
-    /// It is not; the answer comes after so long.
+    /// It is not; the reply is delayed by this time.
     Wrong(Duration),
-    /// It was not compared: there were too many wrong ones.
+    /// It was not checked: there were too many wrong codes.
     Unseen,
 }
 
 impl GuardedCode {
-    /// A code that nobody has guessed at.
+    /// A code that nobody has tried to guess.
     pub const fn new(code: DoorCode) -> Self {
         Self {
             code,
@@ -172,7 +173,7 @@ impl GuardedCode {
         typed.parse() == Ok(self.code)
     }
 
-    /// Judges a code that somebody at an address has typed, and counts it if it is wrong.
+    /// Checks a code from an address, and counts it if it is wrong.
     pub fn judge(&mut self, typed: &str, address: IpAddr, now: Duration) -> Verdict {
         let own = self.addresses.of(address, now);
         let first = self.firsts.of(address, now);
@@ -312,7 +313,7 @@ mod tests {
 
     /// The time until so many are left again, as a connection waits it.
     #[test]
-    fn what_is_not_left_takes_its_time() {
+    fn a_used_up_allowance_returns_with_time() {
         let mut bucket = Bucket::full(Allowance {
             at_once: 2.0,
             per_s: 4.0,

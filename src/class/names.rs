@@ -8,34 +8,33 @@ use unicode_segmentation::UnicodeSegmentation;
 use super::way::WayOfVoting;
 use crate::files::{NO_NAME, is_blank_name, short_name};
 
-/// Most teams that play at one keyboard.
+/// The most teams at one keyboard.
 pub const MOST_TEAMS: usize = 8;
 
-/// Most people that play on devices of their own.
+/// The most people on devices of their own.
 pub const MOST_PEOPLE: usize = 250;
 
 /// Most letters of a name.
 pub const LONGEST_NAME: usize = 24;
 
-/// Why these cannot be the names of the teams.
+/// Why these are not valid names of teams.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum NameTrouble {
     /// There is none.
     #[error("expected the names of 1 to {MOST_TEAMS} teams, found none")]
     None,
-    /// There are more than so many.
+    /// There are more than this many.
     #[error("expected {1} names at most, found {0}")]
     TooMany(usize, usize),
-    /// Two are alike.
+    /// Two are the same.
     #[error("expected names that differ, found \"{0}\" twice")]
     Twice(String),
 }
 
-/// Names of teams as they are shown and kept: tidied, empty ones left out.
+/// Names of teams as they are shown and stored: tidied, without empty ones.
 ///
 /// # Errors
-/// If no team is left, if there are more than [`MOST_TEAMS`], or if two are alike but
-/// for their case.
+/// If no team is left, if there are more than [`MOST_TEAMS`], or if two differ only in case.
 pub fn team_names<'a>(
     names: impl IntoIterator<Item = &'a str>,
 ) -> Result<Vec<String>, NameTrouble> {
@@ -48,7 +47,7 @@ pub fn team_names<'a>(
 /// The same for another way of voting; there may be none.
 ///
 /// # Errors
-/// If there are too many, or if two are alike but for their case.
+/// If there are too many, or if two differ only in case.
 pub(super) fn names_for<'a>(
     way: WayOfVoting,
     names: impl IntoIterator<Item = &'a str>,
@@ -68,19 +67,19 @@ pub(super) fn names_for<'a>(
     }
 }
 
-/// A name as it is compared with others: without its case.
+/// A name for comparison: without case.
 pub(super) fn folded(name: &str) -> String {
     name.to_lowercase()
 }
 
-/// A name as it is shown and kept: visible letters alone, no blanks at the ends, no more
-/// than [`LONGEST_NAME`] letters.
+/// A name as it is shown and stored: only visible letters, no blanks at the ends, at most
+/// [`LONGEST_NAME`] letters.
 pub(super) fn tidy(name: &str) -> String {
     short_name(name, LONGEST_NAME)
 }
 
-/// A name from a file. One without a visible letter, as earlier versions took it, is replaced
-/// by one that nobody of these has.
+/// A name from a file. A name without a visible letter, which earlier versions accepted, is
+/// replaced by one that none of these has.
 pub(super) fn kept_name(name: &str, taken: &[&str]) -> String {
     match is_blank_name(name) {
         true => free_name(NO_NAME, taken),
@@ -88,7 +87,7 @@ pub(super) fn kept_name(name: &str, taken: &[&str]) -> String {
     }
 }
 
-/// A name like this one that nobody of these has: "Ada 2".
+/// A similar name that none of these has: "Ada 2".
 pub(super) fn free_name(name: &str, taken: &[&str]) -> String {
     let taken: BTreeSet<String> = taken.iter().map(|it| folded(it)).collect();
     let numbered = |number: usize| {

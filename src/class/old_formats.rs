@@ -1,5 +1,6 @@
-//! Files of the formats 1 to 5, as earlier versions wrote them: names in a list, votes in a table a
-//! question, and changes in a language of their own. They open for ever, so this never changes.
+//! Files of the formats 1 to 5, as earlier versions wrote them: names in a list, votes in one table
+//! per question, and changes in a syntax of their own. They must always open, so this never
+//! changes.
 
 use super::ballot::{Said, Vote};
 use super::change::ClassChange;
@@ -18,7 +19,7 @@ pub(super) const FIELDS: [&str; 14] = [
 /// The fields of a question in it.
 const OF_QUESTION: [&str; 4] = ["first", "second", "first_counts", "second_counts"];
 
-/// Reads people, votes and changes into a round that nobody plays yet.
+/// Reads people, votes and changes into an empty round.
 pub(super) fn read(fields: &Fields, round: &mut ClassRound) -> Option<()> {
     read_people(fields, round)?;
     let tables = |name, known: &[&'static str]| {
@@ -47,7 +48,7 @@ pub(super) fn read(fields: &Fields, round: &mut ClassRound) -> Option<()> {
         }
     }
     for then in tables("then", &["changes"])? {
-        // What a machine that stopped has left may lack them.
+        // A file left by a crash may lack them.
         let changes = then.or("changes", Vec::new(), |name| then.any_texts(name))?;
         for (at, text) in changes.into_iter().enumerate() {
             let change = change(text)
@@ -102,7 +103,7 @@ fn read_people(fields: &Fields, round: &mut ClassRound) -> Option<()> {
     Some(())
 }
 
-/// Who was removed: what would bring them back, or a hyphen, and their name.
+/// A removed participant: the seat token, or a hyphen, and the name.
 fn removed_of(text: &str) -> Option<Removed> {
     let (seat, name) = text.split_once(' ')?;
     let seat = match seat {
@@ -113,7 +114,7 @@ fn removed_of(text: &str) -> Option<Removed> {
     (tidy(&name) == name && !name.is_empty()).then_some(Removed { seat, name })
 }
 
-/// Takes a vote; one that does not fit its question is dropped and counted.
+/// Adds a vote; one that does not fit its question is dropped and counted.
 fn take_vote(
     round: &mut ClassRound,
     question: usize,
@@ -148,8 +149,8 @@ fn with_kept_name(round: &ClassRound, mut change: ClassChange) -> ClassChange {
     change
 }
 
-/// What the text of a change says, such as "vote 3 first 17 rays 60 still"; `None` if it is none.
-/// It counts from 1.
+/// Reads the text of a change, such as "vote 3 first 17 rays 60 still", which counts from 1; `None`
+/// if it is not one.
 fn change(text: &str) -> Option<ClassChange> {
     let from_one = |text: &str| text.parse::<usize>().ok()?.checked_sub(1);
     let (what, rest) = text.split_once(' ')?;

@@ -1,13 +1,12 @@
-//! What a pupil's device and the host say to each other, in JSON.
+//! The messages between a pupil's device and the host, in JSON.
 //!
-//! Every message of the host is the pupil's whole state, so that taking a vote, coming late,
-//! coming back and going back a question are one and the same; a device shows what it was told
-//! last. `n` is a number that a device counts up with each vote and gets back with its state:
-//! a state whose `n` is not smaller says that the vote is in, on the disk of the host, or with
-//! `misfit` that it does not fit the question and was not taken. `rev`
-//! counts the states of one connection. What was answered alone can be handed in: a file with
-//! an `n` of its own, which comes back in `handed` once the file is on the disk of the host, or
-//! with why it is not.
+//! Every message of the host is the pupil's whole state, so that voting, joining late, reconnecting
+//! and going back a question all work the same way; a device shows the latest state. `n` is a
+//! number that a device increments with each vote and receives back with its state: a state whose
+//! `n` is not smaller confirms that the vote is on the host's disk or, with `misfit`, that it does
+//! not fit the question and was not counted. `rev` counts the states of one connection. Answers
+//! given alone can be handed in: a file with an `n` of its own, which comes back in `handed` once
+//! the file is on the host's disk, or with the reason why it is not.
 //!
 //! ```text
 //! > {"t":"join","v":1,"code":"BCDFGH","name":"Ada","seat":TOKEN?}
@@ -27,20 +26,20 @@ use super::ballot::Vote;
 use super::door::SeatToken;
 use super::step::ClassStep;
 
-/// The version of what is said.
+/// The version of the protocol.
 pub const VERSION: u32 = 1;
 
-/// Most bytes of what a device says at once.
+/// The most bytes of one message of a device.
 pub const LARGEST_SAYING: usize = 1024;
 
-/// Most bytes of what is handed in, some two thousand answers.
+/// The most bytes of a hand-in, some two thousand answers.
 pub const LARGEST_HAND_IN: usize = 1 << 20;
 
-/// What a pupil's device says.
+/// A message of a pupil's device.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "t", rename_all = "kebab-case")]
 pub enum Saying {
-    /// May I come in? Comes first.
+    /// A request to join, which comes first.
     Join {
         /// The version it speaks.
         v: u32,
@@ -48,7 +47,7 @@ pub enum Saying {
         code: String,
         /// The pupil's name, as typed.
         name: String,
-        /// What brings the pupil back to their place, if they were here.
+        /// The pupil's seat token, if they were here before.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         seat: Option<SeatToken>,
     },
@@ -58,28 +57,28 @@ pub enum Saying {
         q: usize,
         /// Which vote.
         vote: Vote,
-        /// What is said, as [`Said::to_text`](super::Said::to_text) writes it; nothing takes
-        /// it back.
+        /// The vote, as [`Said::to_text`](super::Said::to_text) writes it; an empty text takes it
+        /// back.
         said: String,
         /// Larger than that of each vote before.
         n: u64,
     },
-    /// What was answered alone, for the teacher.
+    /// Answers given alone, for the teacher.
     HandIn {
         /// Larger than that of each before.
         n: u64,
         /// The file, as the gradebook reads it.
         file: Value,
     },
-    /// Good bye.
+    /// The device leaves.
     Leave,
 }
 
 impl Saying {
-    /// What a message says.
+    /// Reads a message.
     ///
     /// # Errors
-    /// If it is none, one of another version, or too long: only what is handed in may be longer
+    /// If it is not a message, has another version, or is too long: only a hand-in may be longer
     /// than [`LARGEST_SAYING`].
     pub fn read(text: &str) -> Result<Self, Refusal> {
         if text.len() > LARGEST_HAND_IN {
@@ -100,30 +99,30 @@ impl Saying {
     }
 }
 
-/// Why somebody is not let in, or no longer.
+/// Why a pupil is refused or removed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum Refusal {
-    /// The code is another one.
+    /// The code is wrong.
     Code,
-    /// There is no room.
+    /// The class is full.
     Full,
-    /// Nothing is left of the name.
+    /// The name has no visible letter.
     Name,
     /// They speak another version.
     Version,
-    /// What was said is none of what can be said.
+    /// The message is not valid.
     Format,
-    /// Something else was said before joining, or nothing for too long.
+    /// Another message came before joining, or none for too long.
     Join,
-    /// They are here on another device, or in another tab.
+    /// The pupil has joined on another device or in another tab.
     Elsewhere,
-    /// The teacher lets nobody in any more, or the round is over.
+    /// Nobody can join any more, or the round is over.
     Closed,
-    /// The teacher has removed them.
+    /// The teacher has removed the pupil.
     Kicked,
-    /// Too many have come from where they are, or have said wrong codes there.
+    /// Too many devices at this address have joined or sent wrong codes.
     Later,
 }
 
@@ -151,25 +150,25 @@ impl Refusal {
                  again."
             }
             Self::Later => {
-                "Too many devices on your network are joining at once or typing wrong codes. carrom \
-                 tries again by itself."
+                "Too many devices on your network are joining at once or typing wrong codes. \
+                 carrom tries again by itself."
             }
         }
     }
 
-    /// Whether another try may go better, without anybody doing anything.
+    /// Whether another try may succeed without any action by the user.
     pub const fn is_passing(self) -> bool {
         matches!(self, Self::Join | Self::Later)
     }
 }
 
-/// What the host says.
+/// A message of the host.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "t", rename_all = "kebab-case")]
 pub enum HostSaying {
-    /// How things stand for this pupil.
+    /// The state of this pupil.
     State(Box<PupilState>),
-    /// They are not let in, or no longer.
+    /// The pupil is refused or removed.
     No {
         /// Why.
         why: Refusal,
@@ -177,7 +176,7 @@ pub enum HostSaying {
 }
 
 impl HostSaying {
-    /// What a message says; `None` if it is none.
+    /// Reads a message; `None` if it is not one.
     pub fn read(text: &str) -> Option<Self> {
         serde_json::from_str(text).ok()
     }
@@ -189,16 +188,16 @@ impl HostSaying {
     }
 }
 
-/// How things stand for one pupil.
+/// The state of one pupil.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PupilState {
     /// The version.
     pub v: u32,
     /// Counts the states of this connection.
     pub rev: u64,
-    /// What brings this pupil back.
+    /// The pupil's seat token.
     pub seat: SeatToken,
-    /// What they are called here.
+    /// The pupil's name in this class.
     pub name: String,
     /// The question, counted from 0.
     pub q: usize,
@@ -206,9 +205,9 @@ pub struct PupilState {
     pub of: usize,
     /// The step at which the class is.
     pub step: PupilStep,
-    /// The last of their votes that was handled.
+    /// The number of the pupil's last vote that was handled.
     pub n: u64,
-    /// Whether their last vote does not fit the question: it was not taken.
+    /// Whether the last vote does not fit the question and was not counted.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub misfit: bool,
     /// Their first vote on this question, as text; empty if there is none.
@@ -217,39 +216,39 @@ pub struct PupilState {
     /// Their second vote.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub second: String,
-    /// What is asked, where something is.
+    /// The question, if one is open.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub question: Option<AskedQuestion>,
-    /// While the class talks: how many were for each choice, where there are any.
+    /// During the discussion: the number of votes for each choice, if there are any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub spread: Vec<u32>,
-    /// The truth, once it is told.
+    /// The right answer, once it is revealed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub told: Option<ToldTruth>,
-    /// Their points in the round so far, and their place, once there are any.
+    /// The pupil's points so far and rank, once there are any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub score: Option<(f64, usize)>,
-    /// What came of the last that they handed in.
+    /// The result of the last hand-in.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub handed: Option<HandedIn>,
 }
 
-/// What came of the last that a pupil handed in.
+/// The result of a pupil's last hand-in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct HandedIn {
     /// Its number.
     pub n: u64,
-    /// How many answers are on the disk of the host, or why none are.
+    /// The number of answers on the host's disk, or the reason why there are none.
     pub kept: Result<usize, NotTaken>,
 }
 
-/// Why the host does not take what is handed in.
+/// Why the host refuses a hand-in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum NotTaken {
-    /// It is no such file, or one of another version.
+    /// It is not a hand-in, or has another version.
     Format,
-    /// They have handed in too often, or all of them too much.
+    /// This pupil has handed in too often, or the class too much.
     TooMany,
     /// It could not be written.
     NotWritten,
@@ -263,13 +262,13 @@ impl NotTaken {
                 "The teacher's carrom could not read what yours has sent. Open the page from the \
                  address on the board."
             }
-            Self::TooMany => "The teacher's carrom takes no more of it today.",
-            Self::NotWritten => "The teacher's carrom could not keep it. Tell your teacher.",
+            Self::TooMany => "The teacher's carrom accepts no more today.",
+            Self::NotWritten => "The teacher's carrom could not save it. Tell your teacher.",
         }
     }
 }
 
-/// Where a class is, for a pupil.
+/// The phase of a round, for a pupil.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PupilStep {
@@ -297,7 +296,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_said_is_read_as_it_is_written() {
+    fn messages_read_back_as_written() {
         let join = r#"{"t":"join","v":1,"code":"bcdfgh","name":"Ada"}"#;
         let saying = Saying::read(join).unwrap();
         assert_eq!(saying.to_text(), join);

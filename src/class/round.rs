@@ -1,4 +1,4 @@
-//! A round that a class plays: who plays it, how they come in, and all their votes.
+//! A round of a class: its participants, how they join, and all their votes.
 
 use std::net::SocketAddrV4;
 use std::sync::Arc;
@@ -12,40 +12,40 @@ use super::way::WayOfVoting;
 use crate::progress::Tally;
 use crate::quiz::{Answer, Clue, Code, Diagnosis, Grade, Misconception, Question, Response, Round};
 
-/// Somebody who votes: a team, or a pupil on a device of their own.
+/// A participant: a team, or a pupil on a device of their own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Participant {
     name: String,
-    /// What brings them back to their place; nothing for a team, or where no device was seen.
+    /// The seat token; none for a team, or if no device was seen.
     pub(super) seat: Option<SeatToken>,
     /// One a question.
     ballots: Vec<Ballot>,
-    /// How they are reached; it is not kept.
+    /// The device, which is not stored.
     pub(super) device: Device,
 }
 
 impl Participant {
-    /// What they are called.
+    /// The name.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Whether their device is connected.
+    /// Whether the device is connected.
     pub fn is_present(&self) -> bool {
         self.device.line.is_some()
     }
 
-    /// Whether something that they handed in is kept.
+    /// Whether a hand-in of theirs is stored.
     pub fn has_handed_in(&self) -> bool {
         self.device.has_handed_in
     }
 
-    /// What they said to a question; nothing where there is no such question.
+    /// The votes on a question; empty if there is no such question.
     pub fn ballot(&self, question: usize) -> Ballot {
         self.ballots.get(question).copied().unwrap_or_default()
     }
 
-    /// Whether they never voted, nor handed anything in.
+    /// Whether they have never voted or handed anything in.
     pub(super) fn is_idle(&self) -> bool {
         !self.device.has_handed_in && self.ballots.iter().all(|it| it.counts().is_none())
     }
@@ -58,30 +58,29 @@ pub struct ClassRound {
     round: Arc<Round>,
     way: WayOfVoting,
     pub(super) participants: Vec<Participant>,
-    /// For each question the counts of both votes, one a choice; empty where nobody has
-    /// counted.
+    /// For each question the counts of both votes, one per choice; empty if nothing was counted.
     pub(super) tallies: Vec<[Vec<u32>; 2]>,
-    /// How pupils come in on devices of their own, as long as they may come back.
+    /// How pupils join on devices of their own, as long as they may return.
     pub(super) door: Option<Door>,
     place: ClassPlace,
-    /// What the class is called; perhaps nothing.
+    /// The name of the class; may be empty.
     class: String,
-    /// How many votes in its file fit none of its questions and were dropped.
+    /// How many votes in its file did not fit their questions and were dropped.
     pub(super) dropped: usize,
 }
 
-/// How pupils come in.
+/// How pupils join.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Door {
-    /// The code that lets them in.
+    /// The code for joining.
     pub(super) code: DoorCode,
-    /// Where their devices found it last.
+    /// The address where their devices last found it.
     pub(super) address: Option<SocketAddrV4>,
-    /// Who was removed and has not been let in again.
+    /// The participants who were removed and have not been let in again.
     pub(super) removed: Vec<Removed>,
 }
 
-/// Somebody whom the teacher has removed: the device, if it was seen, and the name.
+/// A removed participant: the device, if it was seen, and the name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Removed {
     pub(super) seat: Option<SeatToken>,
@@ -104,12 +103,12 @@ impl ClassRound {
         Self::voting(WayOfVoting::Tally, code)
     }
 
-    /// A round on devices of their own, to which nobody has come yet.
+    /// A round on pupils' own devices, which nobody has joined yet.
     pub fn with_devices(code: Code) -> Self {
         Self::voting(WayOfVoting::Devices, code)
     }
 
-    /// A round that nobody plays yet.
+    /// A round without participants.
     pub(super) fn voting(way: WayOfVoting, code: Code) -> Self {
         let round = Round::of(code);
         Self {
@@ -124,7 +123,7 @@ impl ClassRound {
         }
     }
 
-    /// Seats somebody behind all who are there.
+    /// Adds a participant at the end.
     pub(super) fn seat_new(&mut self, name: String, seat: Option<SeatToken>) {
         self.participants.push(Participant {
             name,
@@ -141,12 +140,12 @@ impl ClassRound {
         Self { class, ..self }
     }
 
-    /// What the class is called; perhaps nothing.
+    /// The name of the class; may be empty.
     pub fn class(&self) -> &str {
         &self.class
     }
 
-    /// Whether it is of a class of this name, tidied.
+    /// Whether the class has this name, tidied.
     pub fn is_of_class(&self, name: &str) -> bool {
         self.class == tidy(name)
     }
@@ -161,18 +160,17 @@ impl ClassRound {
         self.way
     }
 
-    /// The code that lets pupils in on devices of their own, while the door is there.
+    /// The code for joining on devices, while joining is possible.
     pub fn door(&self) -> Option<DoorCode> {
         self.door.as_ref().map(|door| door.code)
     }
 
-    /// Where pupils' devices found the round last, and look for it.
+    /// The address where pupils' devices last found the round, and look for it.
     pub fn address(&self) -> Option<SocketAddrV4> {
         self.door.as_ref()?.address
     }
 
-    /// Puts a door in: from now on pupils may come in with this code, at this address. A code
-    /// that is there already stays as it is.
+    /// Makes joining possible, with this code and at this address. An existing code stays.
     pub fn open(&mut self, code: DoorCode, address: Option<SocketAddrV4>) {
         let door = self.door.get_or_insert(Door {
             code,
@@ -182,7 +180,7 @@ impl ClassRound {
         door.address = address;
     }
 
-    /// Takes the door away with all that would bring somebody back; names and votes stay.
+    /// Ends joining and forgets all seat tokens; names and votes stay.
     pub fn close(&mut self) {
         self.door = None;
         self.participants.iter_mut().for_each(|it| it.seat = None);
@@ -200,7 +198,7 @@ impl ClassRound {
         removed.map(|it| it.name.as_str())
     }
 
-    /// Whether somebody with this token or this name was removed and has not been let in again.
+    /// Whether a participant with this token or name was removed and has not been let in again.
     pub fn is_removed(&self, token: Option<SeatToken>, name: &str) -> bool {
         let name = folded(&tidy(name));
         let mut removed = self.door.iter().flat_map(|door| &door.removed);
@@ -210,8 +208,7 @@ impl ClassRound {
         })
     }
 
-    /// Another name for somebody, tidied; `None` if nothing of it is left, or somebody else
-    /// has it.
+    /// A new name for a participant, tidied; `None` if nothing of it is left, or it is taken.
     pub fn renamed(&self, person: usize, name: &str) -> Option<String> {
         let name = tidy(name);
         let mut others = self.participants.iter().enumerate();
@@ -219,21 +216,21 @@ impl ClassRound {
         (!name.is_empty() && !taken).then_some(name)
     }
 
-    /// The name that somebody who calls themselves so would have here: tidied, and with a
-    /// number where it is taken; `None` if nothing of it is left.
+    /// The name that a newcomer with this name would get: tidied, and with a number if it is taken;
+    /// `None` if nothing of it is left.
     pub fn name_for(&self, name: &str) -> Option<String> {
         let name = tidy(name);
         (!name.is_empty()).then(|| free_name(&name, &self.teams()))
     }
 
-    /// Somebody by their number.
+    /// A participant by index.
     fn participant(&mut self, person: usize) -> Result<&mut Participant, String> {
         let count = self.participants.len();
         let found = self.participants.get_mut(person);
         found.ok_or_else(|| format!("expected one of {count} people"))
     }
 
-    /// Lets somebody in under a name that nobody has. What brings them back needs a door.
+    /// Adds a participant with a unique name. A seat token requires that joining is possible.
     pub(super) fn join(&mut self, name: &str, seat: Option<SeatToken>) -> Result<(), String> {
         if self.participants.len() >= self.way.most() {
             return Err(format!("expected {} people at most", self.way.most()));
@@ -248,7 +245,7 @@ impl ClassRound {
         Ok(())
     }
 
-    /// Gives somebody another name.
+    /// Renames a participant.
     pub(super) fn rename(&mut self, person: usize, name: &str) -> Result<(), String> {
         if self.renamed(person, name).as_deref() != Some(name) {
             return Err(format!("expected a name that nobody has, found {name:?}"));
@@ -257,7 +254,7 @@ impl ClassRound {
         Ok(())
     }
 
-    /// Removes somebody with all they said; they stay out until they are let in again.
+    /// Removes a participant with all votes; they stay out until they are let in again.
     pub(super) fn remove(&mut self, person: usize) -> Result<(), String> {
         let Participant { seat, name, .. } = self.participant(person)?.clone();
         self.vacate(person)?;
@@ -269,7 +266,7 @@ impl ClassRound {
         Ok(())
     }
 
-    /// Lets somebody come in again who was removed.
+    /// Lets a removed participant join again.
     pub(super) fn readmit(&mut self, removed: usize) -> Result<(), String> {
         let all = self.door.as_mut().map(|door| &mut door.removed);
         match all.filter(|all| removed < all.len()) {
@@ -281,15 +278,15 @@ impl ClassRound {
         }
     }
 
-    /// Frees somebody's place, with all they said; they may come in again.
+    /// Frees a participant's seat, with all votes; they may join again.
     pub(super) fn vacate(&mut self, person: usize) -> Result<(), String> {
         self.participant(person)?;
         self.participants.remove(person);
         Ok(())
     }
 
-    /// Makes one of two: somebody came back as a stranger. What the stranger said goes before
-    /// what was said earlier, and their device keeps its place.
+    /// Merges two participants: one joined twice. The votes of the duplicate replace earlier ones,
+    /// and its device keeps the seat.
     pub(super) fn merge(&mut self, from: usize, into: usize) -> Result<(), String> {
         let people = self.participants.len();
         if from == into || from.max(into) >= people {
@@ -317,7 +314,7 @@ impl ClassRound {
         self.round.questions()
     }
 
-    /// Who plays it, in the order in which they came.
+    /// The participants, in the order in which they joined.
     pub fn participants(&self) -> &[Participant] {
         &self.participants
     }
@@ -327,38 +324,37 @@ impl ClassRound {
         self.participants.iter().map(Participant::name).collect()
     }
 
-    /// What somebody is called; nothing where there is nobody.
+    /// The name of a participant; empty if there is none.
     pub fn name_of(&self, person: usize) -> &str {
         self.participants.get(person).map_or("", Participant::name)
     }
 
-    /// Where in the round the class is.
+    /// The current place in the round.
     pub fn place(&self) -> ClassPlace {
         self.place
     }
 
-    /// Goes to a place in the round; to one behind the last question it does not.
+    /// Goes to a place in the round, unless it is after the last question.
     pub fn go(&mut self, place: ClassPlace) {
         if place.question < self.questions().len() {
             self.place = place;
         }
     }
 
-    /// What a team said to a question, both counted from 0; nothing where there is no
-    /// such team or question.
+    /// The votes of a team on a question, both counted from 0; empty if there is no such team or
+    /// question.
     pub fn ballot(&self, question: usize, team: usize) -> Ballot {
         let team = self.participants.get(team);
         team.map(|it| it.ballot(question)).unwrap_or_default()
     }
 
-    /// Takes a team's vote on a question, in the place of an earlier one; `None` takes it
-    /// back. A vote that the question's form does not [accept](crate::quiz::Form::accepts) is
-    /// not taken.
+    /// Sets a team's vote on a question, replacing an earlier one; `None` takes it back. A vote
+    /// that the question's form does not [accept](crate::quiz::Form::accepts) is ignored.
     pub fn vote(&mut self, question: usize, team: usize, vote: Vote, said: Option<Response>) {
         self.put(question, team, vote, said.map(Said::from));
     }
 
-    /// The same with how sure they are; says whether it was taken.
+    /// The same with the confidence; returns whether the vote was accepted.
     pub(super) fn put(
         &mut self,
         question: usize,
@@ -378,7 +374,7 @@ impl ClassRound {
         ballot.map(|ballot| ballot.put(vote, said)).is_some()
     }
 
-    /// The ballots on a question, one a team; none where there is no such question.
+    /// The ballots on a question, one per team; none if there is no such question.
     fn ballots(&self, question: usize) -> impl Iterator<Item = &Ballot> {
         let all = self.participants.iter();
         all.filter_map(move |it| it.ballots.get(question))
@@ -394,13 +390,13 @@ impl ClassRound {
         given.count()
     }
 
-    /// What those who have voted say to a question at a vote, as [`Ballot::said`]: one a team,
-    /// or one a hand that was counted.
+    /// The answers to a question at a vote, as [`Ballot::said`]: one per team, or one per counted
+    /// hand.
     pub fn said(&self, question: usize, vote: Vote) -> impl Iterator<Item = Response> {
         self.answers(question, vote).into_iter().map(|it| it.said)
     }
 
-    /// The same as answers: with how sure they were, where that was asked.
+    /// The same as [`Answer`]s: with the confidence, if that was asked.
     fn answers(&self, question: usize, vote: Vote) -> Vec<Answer> {
         match self.way {
             WayOfVoting::Tally => self.counted(question, vote).map(unsure).collect(),
@@ -411,13 +407,13 @@ impl ClassRound {
         }
     }
 
-    /// What the answers at a vote come to.
+    /// The results of a vote.
     pub fn results(&self, question: usize, vote: Vote) -> Tally {
         let said = self.said(question, vote);
         Tally::of_grades(said.filter_map(|said| self.grade(question, Some(said))))
     }
 
-    /// The misconceptions that it fitted, each with what was said.
+    /// The misconceptions that answers fit, each with the answer.
     pub fn held(
         &self,
         question: usize,
@@ -429,7 +425,7 @@ impl ClassRound {
         })
     }
 
-    /// What the votes on a question say of misconceptions, one a team that has voted.
+    /// The evidence of the votes on a question for misconceptions, one per team that has voted.
     pub fn clues(&self, question: usize, vote: Vote) -> Vec<Clue> {
         let Some(asked) = self.questions().get(question) else {
             return Vec::new();
@@ -438,7 +434,7 @@ impl ClassRound {
         answers.iter().map(|it| Clue::new(asked, it)).collect()
     }
 
-    /// What the votes of a team say of misconceptions, one a question on which it has voted.
+    /// The evidence of a team's votes for misconceptions, one per question on which it has voted.
     pub fn clues_of(&self, team: usize, vote: Vote) -> Vec<Clue> {
         let asked = self.questions().iter().enumerate();
         let said = asked.filter_map(|(i, asked)| Some((asked, self.ballot(i, team).answer(vote)?)));
@@ -450,7 +446,7 @@ impl ClassRound {
         (0..self.questions().len()).any(|question| self.has_votes(question))
     }
 
-    /// Questions on which anybody has voted, from the first on without a gap.
+    /// The number of questions with votes, from the first on without a gap.
     pub fn begun(&self) -> usize {
         let empty = (0..self.questions().len()).find(|question| !self.has_votes(*question));
         empty.unwrap_or(self.questions().len())
@@ -475,8 +471,8 @@ impl ClassRound {
         self.questions().get(question)?.diagnose(&unsure(said?))
     }
 
-    /// Points of a team for a question, 0 to [`Grade::MOST`], by how near its vote is;
-    /// how sure a team is, is not asked.
+    /// Points of a team for a question, 0 to [`Grade::MOST`], by how close its vote is; teams are
+    /// not asked how sure they are.
     pub fn points(&self, question: usize, team: usize) -> f64 {
         let said = self.ballot(question, team).counts();
         let credit = self.grade(question, said).map_or(0.0, |grade| grade.credit);

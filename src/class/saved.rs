@@ -1,5 +1,5 @@
-//! A class round as it is kept in a file, so that it can be taken up again: where it stands, then
-//! all that has happened in it, a change each.
+//! A class round in a file, from which it can be resumed: its state, then everything that has
+//! happened since, one change per line.
 
 use std::sync::Arc;
 
@@ -17,12 +17,12 @@ use crate::files::{Fields, FileErrors, Source, is_blank_name};
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, CourseKind, Question};
 
-/// The format of the files that are written now: since the sixth all of people and votes is changes
-/// in JSON. [`old_formats`] reads those before.
+/// The format of new files: since the sixth, people and votes are changes in JSON. [`old_formats`]
+/// reads earlier ones.
 const FORMAT: u32 = 6;
 
-/// Largest file that is read, in bytes; the fullest round takes some 600 kB, and the changes
-/// behind it are taken into it at each step.
+/// The largest file that is read, in bytes; the fullest round takes some 600 kB, and its changes
+/// are merged into the state at each step.
 const LARGEST: usize = 1 << 22;
 
 /// What stands in a file.
@@ -37,13 +37,13 @@ struct Written<'a> {
     /// The question the class is at, counted from 1.
     number: usize,
     step: &'a str,
-    /// The ids of questions of the teacher's own, whose files may change.
+    /// The ids of the teacher's own questions, whose files may change.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     asked: Vec<&'a str>,
-    /// The code that lets pupils in.
+    /// The code for joining.
     #[serde(skip_serializing_if = "Option::is_none")]
     door: Option<String>,
-    /// Where their devices found it last: "192.168.43.117:8090".
+    /// The address where their devices last found it: "192.168.43.117:8090".
     #[serde(skip_serializing_if = "Option::is_none")]
     address: Option<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -55,7 +55,7 @@ const FIELDS: [&str; 10] = [
     "format", "code", "class", "way", "number", "step", "asked", "door", "address", "then",
 ];
 
-/// What of a file is whole: a machine that stops may leave a part of what was appended last.
+/// The complete part of a file: a crash may leave a partial last line.
 fn whole(bytes: &[u8]) -> &[u8] {
     let end = bytes.iter().rposition(|byte| *byte == b'\n');
     let is_changes = |end: usize| bytes[..=end].windows(8).any(|it| it == b"[[then]]");
@@ -69,10 +69,10 @@ impl ClassRound {
     /// Largest file that is read, in bytes.
     pub const LARGEST_FILE: usize = LARGEST;
 
-    /// The text of the file that keeps it.
+    /// The text of its file.
     ///
     /// # Errors
-    /// None that can be met in practice; the reason, should it not be writable.
+    /// None in practice; the reason if it cannot be written.
     pub fn text(&self) -> Result<String, String> {
         let written = Written {
             format: FORMAT,
@@ -131,14 +131,14 @@ impl ClassRound {
         ids.filter_map(|id| id?.as_str()).collect()
     }
 
-    /// Reads such a file; `name` stands for it in messages, and `own` are the questions of
-    /// the teacher's own there are.
+    /// Reads such a file; `name` stands for it in messages, and `own` are the teacher's own
+    /// questions.
     ///
     /// # Errors
-    /// All that is wrong with it: that it is no such file, or a newer one; that its code or
-    /// its teams are none; that it asks questions of the teacher's own that are not there
-    /// or have changed. A vote that does not fit its question is no such fault: it is dropped,
-    /// and [`dropped_votes`](Self::dropped_votes) counts it.
+    /// All faults: it is not such a file, or a newer one; its code or its teams are invalid; it
+    /// asks teacher's questions that are missing or have changed. A vote that does not fit its
+    /// question is not a fault: it is dropped, and [`dropped_votes`](Self::dropped_votes) counts
+    /// it.
     pub fn read(name: &str, bytes: &[u8], own: &Arc<Library>) -> Result<Self, FileErrors> {
         let source = Source::of_bytes(name, whole(bytes), LARGEST)?;
         let formats = old_formats::OLDEST..=FORMAT;
@@ -163,7 +163,7 @@ impl ClassRound {
         })
     }
 
-    /// The round of a file before anybody has come.
+    /// The round of a file before anybody has joined.
     fn begun_in(fields: &Fields, own: &Arc<Library>) -> Option<Self> {
         let code = fields.text_as("code", |code| match Code::parse(code) {
             Some(code) => code.with_own(own)?.same_for_all(),
@@ -202,13 +202,13 @@ impl ClassRound {
         Some(round)
     }
 
-    /// What has happened in the round of a file.
+    /// The changes in the file of a round.
     fn read_changes(&mut self, fields: &Fields) -> Option<()> {
         let then = fields.or("then", Vec::new(), |name| {
             fields.tables(name, 0..=usize::MAX, &["change"])
         })?;
         for then in then {
-            // What a machine that stopped has left may lack it.
+            // A file left by a crash may lack it.
             let line = then.or("change", None, |name| then.text_as(name, Ok).map(Some))?;
             if let Some(line) = line
                 && let Err(message) =
@@ -220,8 +220,8 @@ impl ClassRound {
         Some(())
     }
 
-    /// Lets something change that a file says. A vote that does not fit is dropped and counted:
-    /// nothing after it depends on it.
+    /// Applies a change from a file. A vote that does not fit is dropped and counted, because no
+    /// later change depends on it.
     pub(super) fn take_from_file(
         &mut self,
         change: Result<ClassChange, String>,
@@ -236,7 +236,7 @@ impl ClassRound {
         }
     }
 
-    /// Goes where the class was; without a place to the first question that nobody has voted on.
+    /// Goes to the stored place, or without one to the first question without votes.
     fn goes_where_it_was(&mut self, fields: &Fields) -> Option<()> {
         let last = self.questions().len().saturating_sub(1);
         let question = fields.or("number", self.begun().min(last), |name| {

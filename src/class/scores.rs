@@ -2,21 +2,21 @@
 
 use super::round::ClassRound;
 
-/// Where a team stands.
+/// The standing of a team.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Standing {
     /// The team, counted from 0.
     pub team: usize,
-    /// Its place, from 1; teams that are level share one.
+    /// Its rank, from 1; teams with equal points share one.
     pub place: usize,
     /// Points so far.
     pub points: f64,
-    /// How many of them the last question brought.
+    /// Points for the last question.
     pub gain: f64,
 }
 
-/// Where the teams stand after the first `asked` questions, the best first; teams that
-/// are level in the order in which they were named.
+/// The standings after the first `asked` questions, the best first; teams with equal points in the
+/// order in which they were named.
 pub fn standings(round: &ClassRound, asked: usize) -> Vec<Standing> {
     let sum = |team: usize, questions: usize| -> f64 {
         let each = (0..questions).map(|question| round.points(question, team));
@@ -33,7 +33,7 @@ pub fn standings(round: &ClassRound, asked: usize) -> Vec<Standing> {
             },
         })
         .collect();
-    // As shown: nobody is ahead by a hair that cannot be seen.
+    // Rounded as shown, so that nobody leads by an invisible difference.
     let tenths = |points: f64| (10.0 * points).round() as i64;
     standings.sort_by_key(|it| (std::cmp::Reverse(tenths(it.points)), it.team));
     let points: Vec<i64> = standings.iter().map(|it| tenths(it.points)).collect();

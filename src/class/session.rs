@@ -1,8 +1,8 @@
-//! A round as it is played: where the class is, who is in and what they say, and, on devices of
-//! their own, what each of them is told.
+//! A round in progress: the step, the participants and their votes and, on devices, the state sent
+//! to each.
 //!
-//! Nothing is told of a vote before it is kept: changes are collected, asked to be kept all
-//! at once, and whoever they are of hears of it when that is done.
+//! No vote is confirmed before it is saved: changes are collected, saved together, and then
+//! reported to the participants concerned.
 
 use std::collections::BTreeSet;
 use std::net::IpAddr;
@@ -24,32 +24,32 @@ use super::told::Told;
 use super::way::WayOfVoting;
 use crate::gradebook::HandIn;
 
-/// How long nobody may have come before it is said what may be in the way.
+/// How long the screen waits for the first pupil before it shows what may be wrong.
 const PATIENCE: Duration = Duration::from_secs(60);
-/// How often somebody may hand in while the door is open.
+/// How often a pupil may hand in during a session.
 const MOST_HAND_INS: usize = 20;
-/// Most bytes that all may hand in while it is open.
+/// The most bytes of all hand-ins of a session.
 const MOST_BYTES: usize = 1 << 26;
 
 /// A round as it is played.
 #[derive(Debug, Clone)]
 pub struct Session {
     round: Arc<ClassRound>,
-    /// Whether the last question is behind.
+    /// Whether the last question is over.
     over: bool,
     /// Whether the class still gathers.
     gathers: bool,
     door: DoorState,
-    /// Whether nobody new is let in.
+    /// Whether the round is closed to newcomers.
     shut: bool,
-    /// Whether the round has a file: one that nobody has joined needs none.
+    /// Whether the round has a file: a round that nobody has joined needs none.
     has_file: bool,
     keeping: Keeping,
-    /// How many bytes all have handed in, and the folder where that is.
+    /// The bytes handed in so far, and their folder.
     handed_bytes: usize,
     handed_in_where: Option<String>,
     new_seats: NewSeats,
-    /// How long the door has been open without anybody coming in.
+    /// How long joining has been possible without anybody joining.
     waited: Duration,
     effects: Vec<SessionEffect>,
 }
@@ -57,7 +57,7 @@ pub struct Session {
 /// Whether pupils can come in.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum DoorState {
-    /// It is being opened, where one is needed.
+    /// The server is starting, if one is needed.
     Opening,
     /// They can.
     Open(OpenDoor),
@@ -65,33 +65,33 @@ pub enum DoorState {
     Failed(String),
 }
 
-/// What is on its way to the disk, and who waits for it.
+/// The changes that are being saved, and the connections that wait for them.
 #[derive(Debug, Clone, Default)]
 struct Keeping {
-    /// Changes that nobody was asked to keep yet, and the connections that they came by.
+    /// Changes without a request to save them yet, and the connections they came from.
     changes: Vec<ClassChange>,
     later: BTreeSet<LineId>,
-    /// How many requests are under way, and the connections to be told when they are done.
+    /// The number of requests in progress, and the connections to notify when they are done.
     asked: usize,
     waiting: BTreeSet<LineId>,
 }
 
-/// What a session asks of the world.
+/// A request of a session.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SessionEffect {
-    /// Something of whoever serves the class.
+    /// A request to the server of the class.
     Host(HostCall),
-    /// That the round be kept as it stands.
+    /// Save the round as it is.
     Save(Arc<ClassRound>),
-    /// That these changes be kept, after which the round stands so.
+    /// Save these changes, which lead to this round.
     Note(Vec<ClassChange>, Arc<ClassRound>),
-    /// That something handed in be kept.
+    /// Save a hand-in.
     KeepHandIn(HandInOnItsWay, Box<HandIn>),
-    /// That the teacher be told something.
+    /// Show the teacher a notice.
     Tell(String),
 }
 
-/// Something handed in that is on its way to the disk.
+/// A hand-in that is being saved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct HandInOnItsWay {
     line: LineId,
@@ -100,7 +100,7 @@ pub struct HandInOnItsWay {
 }
 
 impl Session {
-    /// A round as it was left; its door is asked to be opened, if it needs one.
+    /// Continues a round, and requests a server if it needs one.
     pub fn new(round: ClassRound) -> Self {
         let is_hosted = round.way() == WayOfVoting::Devices;
         let open = is_hosted.then(|| HostCall::Open {
@@ -128,7 +128,7 @@ impl Session {
         &self.round
     }
 
-    /// The same, to be kept by somebody else.
+    /// The same, shared for saving.
     pub fn shared_round(&self) -> Arc<ClassRound> {
         Arc::clone(&self.round)
     }
@@ -137,7 +137,7 @@ impl Session {
         Arc::make_mut(&mut self.round)
     }
 
-    /// What it asks of the world since the last call.
+    /// The requests since the last call.
     pub fn take_effects(&mut self) -> Vec<SessionEffect> {
         std::mem::take(&mut self.effects)
     }
@@ -157,7 +157,7 @@ impl Session {
         self.round.way() == WayOfVoting::Devices
     }
 
-    /// Whether the last question is behind.
+    /// Whether the last question is over.
     pub fn is_over(&self) -> bool {
         self.over
     }
@@ -172,12 +172,12 @@ impl Session {
         &self.door
     }
 
-    /// Whether nobody new is let in.
+    /// Whether the round is closed to newcomers.
     pub fn is_shut(&self) -> bool {
         self.shut
     }
 
-    /// Lets nobody new in, or lets them in again.
+    /// Closes the round to newcomers, or opens it again.
     pub fn turn_key(&mut self) {
         self.shut = !self.shut;
     }
@@ -187,26 +187,26 @@ impl Session {
         self.handed_in_where.as_deref()
     }
 
-    /// How many are in just now.
+    /// How many are connected now.
     pub fn present(&self) -> usize {
         let all = self.round.participants().iter();
         all.filter(|it| it.is_present()).count()
     }
 
-    /// How many have handed in something that is kept.
+    /// How many have a stored hand-in.
     pub fn handed_in(&self) -> usize {
         let all = self.round.participants().iter();
         all.filter(|it| it.has_handed_in()).count()
     }
 
-    /// Those who are away and never voted, nor handed anything in.
+    /// Those who are away and have never voted or handed anything in.
     pub fn away(&self) -> Vec<usize> {
         let all = self.round.participants().iter().enumerate();
         let away = all.filter(|(_, it)| !it.is_present() && it.is_idle());
         away.map(|(person, _)| person).collect()
     }
 
-    /// "27 of 32 have voted": of those who are in, and those who have voted and are away.
+    /// "27 of 32 have voted": of those who are connected, and those who have voted and are away.
     pub fn turnout(&self, vote: Vote) -> String {
         let question = self.round.place().question;
         let voted = |it: &Participant| it.ballot(question).said(vote).is_some();
@@ -224,8 +224,8 @@ impl Session {
         }
     }
 
-    /// How many questions have their points: those before this one, this one once the
-    /// truth is told, and at the end all.
+    /// How many questions have points: those before this one, this one once the answer is revealed,
+    /// and at the end all.
     pub fn with_points(&self) -> usize {
         let ClassPlace { question, step } = self.round.place();
         match step {
@@ -235,7 +235,7 @@ impl Session {
         }
     }
 
-    /// Where the class is, for pupils.
+    /// The phase for pupils.
     fn step(&self) -> PupilStep {
         match () {
             () if self.gathers => PupilStep::Lobby,
@@ -249,7 +249,7 @@ impl Session {
         self.step().vote()
     }
 
-    /// Goes to a place of the round, and tells all.
+    /// Goes to a place of the round, and notifies all.
     pub fn go(&mut self, place: ClassPlace) {
         self.over = false;
         self.round_mut().go(place);
@@ -257,7 +257,7 @@ impl Session {
         self.moved();
     }
 
-    /// Goes to the end, and tells all.
+    /// Goes to the end, and notifies all.
     pub fn end(&mut self) {
         self.over = true;
         self.moved();
@@ -270,7 +270,7 @@ impl Session {
         }
     }
 
-    /// Lets pupils go: those of a round that is over cannot come back.
+    /// Disconnects the pupils: after the end of a round they cannot return.
     pub fn close(&mut self) {
         if !self.is_hosted() {
             return;
@@ -282,7 +282,7 @@ impl Session {
         }
     }
 
-    /// Takes or takes back a vote of a team or a count, which the teacher enters; says whether it
+    /// Sets or takes back a vote of a team or a count that the teacher enters; returns whether it
     /// fits.
     pub fn enter(&mut self, change: &ClassChange) -> bool {
         let fits = self.round_mut().change(change).is_ok();
@@ -290,7 +290,7 @@ impl Session {
         fits
     }
 
-    /// Takes in what was heard of the class.
+    /// Handles news from the class.
     pub fn take_news(&mut self, news: &[HostNews]) {
         for it in news {
             match it {
@@ -339,7 +339,7 @@ impl Session {
         self.save();
     }
 
-    /// Who is reached by a connection.
+    /// The participant of a connection.
     fn person(&self, line: LineId) -> Option<usize> {
         let mut all = self.round.participants().iter();
         all.position(|it| it.device.line == Some(line))
@@ -349,7 +349,7 @@ impl Session {
         &mut self.round_mut().participants[person]
     }
 
-    /// The place of somebody, and whether it is a new one.
+    /// The seat of a participant, and whether it is new.
     fn place_for(
         &mut self,
         seat: Option<SeatToken>,
@@ -381,7 +381,7 @@ impl Session {
         Ok((self.round.participants().len() - 1, true))
     }
 
-    /// Puts somebody in their place; whoever sat there has to leave.
+    /// Connects a device to a seat and disconnects the one that was there.
     fn seat(&mut self, person: usize, line: LineId, address: IpAddr, is_new: bool) {
         let device = &mut self.participant(person).device;
         device.rev = 0;
@@ -394,10 +394,10 @@ impl Session {
         }
     }
 
-    /// In a full class, the person whose seat goes to a newcomer from this address. Only somebody who
-    /// has never voted nor handed anything in loses a seat: if they are away, or if more than half of
-    /// all seats belong to their address, which may be one device. The address with the most seats
-    /// gives way first, and of its seats the last.
+    /// In a full class, the person whose seat goes to a newcomer from this address. Only a
+    /// participant who has never voted or handed anything in loses a seat: if they are away, or if
+    /// more than half of all seats belong to their address, which may be one device. The address
+    /// with the most seats loses one first, and of its seats the last.
     fn who_gives_way(&self, address: IpAddr) -> Option<usize> {
         let people = self.round.participants();
         let held = |by: &Participant| {
@@ -414,7 +414,7 @@ impl Session {
         last.map(|(person, _)| person)
     }
 
-    /// Takes a vote. One that does not fit the question changes nothing and is not kept.
+    /// Handles a vote. One that does not fit the question changes nothing and is not saved.
     fn voted(&mut self, line: LineId, (question, vote): (usize, Vote), text: &str, n: u64) {
         let Some(person) = self.person(line) else {
             return;
@@ -441,8 +441,7 @@ impl Session {
         }
     }
 
-    /// Takes what somebody hands in: read as what may come from anybody, and kept before they are
-    /// told so.
+    /// Handles a hand-in: reads it as untrusted input, and saves it before it is confirmed.
     fn hand_in(&mut self, line: LineId, n: u64, file: &Value) {
         let Some(person) = self.person(line) else {
             return;
@@ -453,7 +452,7 @@ impl Session {
             let times = device.times;
             match self.read_hand_in(times, file) {
                 Ok(mut hand_in) => {
-                    // Under the name that the class knows, whatever stands in the file.
+                    // Under the name in the class, whatever the file contains.
                     self.round.name_of(person).clone_into(&mut hand_in.name);
                     if !self.round.class().is_empty() {
                         self.round.class().clone_into(&mut hand_in.class);
@@ -472,7 +471,7 @@ impl Session {
         self.keeping.wait(line);
     }
 
-    /// What is in a file that may be anything, unless there were too many.
+    /// The contents of an untrusted file, unless there were too many.
     fn read_hand_in(&mut self, times: usize, file: &Value) -> Result<HandIn, NotTaken> {
         let bytes = self.handed_bytes + file.to_string().len();
         if times > MOST_HAND_INS || bytes > MOST_BYTES {
@@ -486,7 +485,7 @@ impl Session {
         }
     }
 
-    /// What was handed in is kept in this folder, or why it is not; whoever it is of is told.
+    /// A hand-in was saved in this folder, or could not be; the pupil is notified.
     pub fn keeps_hand_in(&mut self, it: HandInOnItsWay, folder: &Result<String, String>) {
         let kept = match folder {
             Ok(folder) => {
@@ -495,12 +494,12 @@ impl Session {
             }
             Err(reason) => {
                 self.effects.push(SessionEffect::Tell(format!(
-                    "What a pupil handed in cannot be kept: {reason}."
+                    "What a pupil handed in cannot be saved: {reason}."
                 )));
                 Err(NotTaken::NotWritten)
             }
         };
-        // Who has lost the connection meanwhile hands in again.
+        // A pupil who has lost the connection meanwhile hands in again.
         if let Some(person) = self.person(it.line) {
             let device = &mut self.participant(person).device;
             device.handed = Some(HandedIn { n: it.n, kept });
@@ -510,21 +509,21 @@ impl Session {
         }
     }
 
-    /// Lets something change, to be kept.
+    /// Applies a change and marks it for saving.
     fn change(&mut self, change: ClassChange) -> Result<(), String> {
         self.round_mut().change(&change)?;
         self.keeping.changes.push(change);
         Ok(())
     }
 
-    /// Has the round kept as it stands, if it has a file or there is something in it.
+    /// Requests that the round be saved, if it has a file or is not empty.
     fn save(&mut self) {
         let is_needed = match self.round.way() {
             WayOfVoting::Devices => self.has_file || !self.round.participants().is_empty(),
             WayOfVoting::Teams | WayOfVoting::Tally => self.round.is_begun(),
         };
         if is_needed {
-            // What has changed is in it.
+            // It includes all changes.
             self.keeping.changes.clear();
             self.has_file = true;
             self.keeping.ask();
@@ -532,13 +531,13 @@ impl Session {
         }
     }
 
-    /// The round is kept, or it cannot be: the teacher was told so, and the class goes on.
+    /// The round was saved, or could not be: the teacher has been notified, and the class goes on.
     pub fn saved(&mut self) {
         self.keeping.asked = self.keeping.asked.saturating_sub(1);
         self.go_on();
     }
 
-    /// The class is somewhere else: everybody is told, once all is kept.
+    /// The step has changed: everybody is notified once everything is saved.
     fn moved(&mut self) {
         let lines = self
             .round
@@ -549,8 +548,8 @@ impl Session {
         self.go_on();
     }
 
-    /// While nothing is on its way to the disk: tells those who wait for what is there, and
-    /// sends what has changed since.
+    /// If nothing is being saved: notifies the connections that wait, and sends the changes since
+    /// then.
     fn go_on(&mut self) {
         if self.keeping.asked > 0 {
             return;
@@ -566,7 +565,7 @@ impl Session {
         }
     }
 
-    /// Tells pupils how things stand.
+    /// Sends pupils their states.
     fn tell(&mut self, lines: &BTreeSet<LineId>) {
         if lines.is_empty() {
             return;
@@ -585,7 +584,7 @@ impl Session {
         self.host(HostCall::Tell(states));
     }
 
-    /// Lets the list of people change; whoever loses their place hears why.
+    /// Applies a change of the list of people; a pupil who loses the seat is told why.
     pub fn change_people(&mut self, change: &ClassChange) {
         let line = |person: usize| self.round.participants().get(person)?.device.line;
         let (lost, renewed) = match change {
@@ -609,60 +608,60 @@ impl Session {
         }
     }
 
-    /// Does what the teacher does to the list of people.
+    /// Carries out the teacher's changes to the list of people.
     pub fn edit_people(&mut self, change: &ClassChange) {
         self.change_people(change);
         self.go_on();
     }
 
-    /// Takes all off the list who are away and never voted.
+    /// Removes all who are away and have never voted.
     pub fn remove_away(&mut self) {
-        // From the last on, so that nobody moves up before it is their turn.
+        // From the last to the first, so that the remaining indices stay valid.
         for person in self.away().into_iter().rev() {
             self.change_people(&ClassChange::Vacate { person });
         }
         self.go_on();
     }
 
-    /// Lets time pass.
+    /// Advances the time.
     pub fn advance(&mut self, passed: Duration) {
         if self.waits() {
             self.waited += passed;
         }
     }
 
-    /// When it next needs time: when it may have to say what is in the way.
+    /// When it next needs time: to show what may prevent pupils from joining.
     pub fn wake(&self) -> Option<Duration> {
         let left = PATIENCE.checked_sub(self.waited)?;
         (self.waits() && !left.is_zero()).then_some(left)
     }
 
-    /// Whether the door is open and nobody has come yet.
+    /// Whether joining is possible and nobody has joined yet.
     fn waits(&self) -> bool {
         matches!(self.door, DoorState::Open(_)) && self.round.participants().is_empty()
     }
 
-    /// Whether nobody has come for so long that something may be in the way.
+    /// Whether nobody has joined for so long that something may be wrong.
     pub fn waits_long(&self) -> bool {
         self.waits() && self.waited >= PATIENCE
     }
 }
 
 impl Keeping {
-    /// Somebody is to be told when all is kept that was asked for so far.
+    /// A connection to notify once everything requested so far is saved.
     fn wait(&mut self, line: LineId) {
         if !self.later.contains(&line) {
             self.waiting.insert(line);
         }
     }
 
-    /// Somebody is to be told when what has changed last is kept.
+    /// A connection to notify once the latest change is saved.
     fn wait_for_changes(&mut self, line: LineId) {
         self.waiting.remove(&line);
         self.later.insert(line);
     }
 
-    /// One more request is under way, with all that has changed.
+    /// One more request is in progress, with all changes.
     fn ask(&mut self) {
         self.asked += 1;
         self.waiting.append(&mut self.later);

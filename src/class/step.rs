@@ -29,7 +29,7 @@ pub enum ClassStep {
     Predict,
     /// The teams give their first vote.
     FirstVote,
-    /// The teams see how the votes are spread, and talk.
+    /// The teams see the distribution of votes, and discuss.
     Talk,
     /// The teams may change their vote.
     SecondVote,
@@ -60,7 +60,7 @@ impl ClassStep {
     }
 }
 
-/// Where in a round a class is.
+/// A place in a round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct ClassPlace {
     /// The question, counted from 0.

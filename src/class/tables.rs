@@ -1,4 +1,4 @@
-//! The tables a teacher takes home, as comma-separated values.
+//! The tables for the teacher, as comma-separated values.
 
 use super::ballot::Vote;
 use super::items::{ItemAnalysis, items};
@@ -7,7 +7,7 @@ use crate::files::csv_table;
 use crate::numbers::{self, bare_degrees};
 use crate::quiz::{Form, Grade, Question, Response, letter};
 
-/// The columns that both tables begin with: what was asked.
+/// The columns that both tables begin with: the question.
 const ASKED: [&str; 6] = [
     "code",
     "number",
@@ -29,11 +29,11 @@ fn asked(round: &ClassRound, number: usize, question: &Question) -> Vec<String> 
     ]
 }
 
-/// A row a team and question: both votes, the truth, how good they were; `date` is that of the
+/// One row per team and question: both votes, the right answer, the grades; `date` is that of the
 /// lesson, as 2026-11-22.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should a row not be writable.
+/// None in practice; the reason if a row cannot be written.
 pub fn answers_csv(round: &ClassRound, date: &str) -> Result<String, String> {
     let heads = [
         "team",
@@ -64,7 +64,7 @@ pub fn answers_csv(round: &ClassRound, date: &str) -> Result<String, String> {
             }
             let points = |_| numbers::points(round.points(i, team));
             row.push(cell(ballot.counts(), points));
-            // What talking brought.
+            // The gain from the discussion.
             let [first, last] = [ballot.vote(Vote::First), ballot.counts()]
                 .map(|said| round.grade(i, said).map(|grade| Grade::MOST * grade.credit));
             row.push(cell(first, numbers::points));
@@ -77,8 +77,8 @@ pub fn answers_csv(round: &ClassRound, date: &str) -> Result<String, String> {
     csv_table(&[&ASKED[..], &heads].concat(), &rows)
 }
 
-/// A vote, whether it was right, its credit, how far off it was, the misconception; five
-/// empty cells where there is none.
+/// A vote, whether it was right, its credit, its error, the misconception; five empty cells if
+/// there is none.
 fn judged(round: &ClassRound, question: usize, said: Option<Response>) -> [String; 5] {
     let words = said.and_then(|said| Some(round.questions().get(question)?.form.words(&said)));
     let grade = round.grade(question, said);
@@ -92,15 +92,15 @@ fn judged(round: &ClassRound, question: usize, said: Option<Response>) -> [Strin
     ]
 }
 
-/// What a cell says of something; nothing where that is not there.
+/// The text of a cell; empty if there is no value.
 fn cell<T>(of: Option<T>, text: impl Fn(T) -> String) -> String {
     of.map(text).unwrap_or_default()
 }
 
-/// A row a question: what it showed about the class; `date` is that of the lesson.
+/// One row per question with its results; `date` is that of the lesson.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should a row not be writable.
+/// None in practice; the reason if a row cannot be written.
 pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
     let heads = [
         "first_votes",
@@ -154,7 +154,7 @@ pub fn items_csv(round: &ClassRound, date: &str) -> Result<String, String> {
     csv_table(&[&ASKED[..], &heads].concat(), &rows)
 }
 
-/// What was said at a vote with how many said it: "A 4, B 17, C 9, D 2".
+/// The answers at a vote with their numbers: "A 4, B 17, C 9, D 2".
 fn counted(question: &Question, item: &ItemAnalysis, vote: Vote) -> String {
     let is_choice = matches!(question.form, Form::Choice { .. });
     let each = item.counts.iter().enumerate().map(|(i, (said, counts))| {

@@ -6,15 +6,14 @@ use super::round::ClassRound;
 use super::way::WayOfVoting;
 use crate::quiz::{Form, Response};
 
-/// The most choices that are offered where a question has none of its own: as many as a
-/// sheet of cards has.
+/// The most choices for a question that has none of its own: as many as a sheet of cards has.
 const MOST_CHOICES: usize = 4;
 
 impl ClassRound {
-    /// What a class without devices chooses from: the choices of a question that has any; else
-    /// the true answer among those of misconceptions, so that each choice *is* a belief. They
-    /// stand in an order that says nothing of which is true: rays, numbers and offsets from
-    /// the least. None where there is no such question.
+    /// The choices for a class without devices: those of the question if it has any; otherwise the
+    /// right answer and those of misconceptions, so that each choice *is* a belief. Their order
+    /// does not reveal the right one: rays, numbers and offsets are sorted. None if there is no
+    /// such question.
     pub fn choices(&self, question: usize) -> Vec<Response> {
         let Some(asked) = self.questions().get(question) else {
             return Vec::new();
@@ -32,16 +31,16 @@ impl ClassRound {
         choices
     }
 
-    /// How many were for each of the [`choices`](Self::choices) at a vote; `None` where
-    /// nobody has counted.
+    /// The number of votes for each of the [`choices`](Self::choices); `None` if nothing was
+    /// counted.
     pub fn tally(&self, question: usize, vote: Vote) -> Option<&[u32]> {
         let counts = self.tallies.get(question)?[vote as usize].as_slice();
         (!counts.is_empty()).then_some(counts)
     }
 
-    /// Takes what was counted at a vote, in the place of an earlier count; `None` takes that
-    /// back. Says whether it was taken: there must be a count for each choice, and in a vote
-    /// no more than [`MOST_PEOPLE`].
+    /// Sets the counts at a vote, replacing earlier ones; `None` takes them back. Returns whether
+    /// they were accepted: there must be one count per choice, and at most [`MOST_PEOPLE`] votes in
+    /// all.
     pub fn count(&mut self, question: usize, vote: Vote, counts: Option<&[u32]>) -> bool {
         let choices = self.choices(question).len();
         let fits = counts.is_none_or(|counts| {
@@ -54,8 +53,8 @@ impl ClassRound {
             .is_some()
     }
 
-    /// What was counted at a vote, one a hand; at the second vote, where nobody has counted
-    /// again, as at the first.
+    /// The counted votes, one per hand; at the second vote, if nothing was counted again, those of
+    /// the first.
     pub(super) fn counted(&self, question: usize, vote: Vote) -> impl Iterator<Item = Response> {
         let counts = match (vote, self.tally(question, vote)) {
             (Vote::Second, None) => self.tally(question, Vote::First),
@@ -67,7 +66,7 @@ impl ClassRound {
     }
 }
 
-/// By what choices are sorted: of rays the coin's direction, then the striker's.
+/// The sort key of choices: for rays the coin's direction, then the striker's.
 fn size(said: &Response) -> [f64; 2] {
     match said {
         Response::Rays(rays) => {

@@ -1,4 +1,4 @@
-//! What pupils on devices are told: each how things stand for them.
+//! The states that pupils on devices receive.
 
 use super::asked::{AskedQuestion, ToldTruth};
 use super::ballot::{Said, Vote};
@@ -8,19 +8,19 @@ use super::scores::standings;
 use super::step::ClassStep;
 use crate::quiz::{Answer, Confidence, Form, Question, Response, explain};
 
-/// What all pupils are told alike.
+/// The part of the state that is the same for all pupils.
 pub(super) struct Told<'r> {
     round: &'r ClassRound,
     step: PupilStep,
     question: Option<&'r Question>,
     asked: Option<AskedQuestion>,
     spread: Vec<u32>,
-    /// Points and place of each, once there are any.
+    /// Points and rank of each, once there are any.
     scores: Vec<Option<(f64, usize)>>,
 }
 
 impl<'r> Told<'r> {
-    /// How things stand at a step, when so many questions have their points.
+    /// The common state at a step, when this many questions have points.
     pub(super) fn new(round: &'r ClassRound, step: PupilStep, with_points: usize) -> Self {
         let number = round.place().question;
         let question = round.questions().get(number);
@@ -57,7 +57,7 @@ impl<'r> Told<'r> {
         }
     }
 
-    /// How things stand for one of them.
+    /// The state of one pupil.
     pub(super) fn state(&self, person: usize, one: &Participant) -> Option<PupilState> {
         let q = self.round.place().question;
         let ballot = one.ballot(q);
@@ -83,7 +83,7 @@ impl<'r> Told<'r> {
         })
     }
 
-    /// The truth, with what is to be said to what this pupil said.
+    /// The right answer, with the feedback on this pupil's answer.
     fn truth(&self, question: &Question, person: usize, one: &Participant) -> ToldTruth {
         let number = self.round.place().question;
         let said = one.ballot(number).counts();

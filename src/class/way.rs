@@ -25,7 +25,7 @@ pub enum WayOfVoting {
 }
 
 impl WayOfVoting {
-    /// Those who vote: "one team", "3 teams"; "3 of you" where each votes alone.
+    /// The voters: "one team", "3 teams"; "3 of you" if each votes alone.
     pub fn voters(self, count: usize) -> String {
         match (self, count) {
             (Self::Teams, 1) => "one team".into(),
@@ -35,7 +35,7 @@ impl WayOfVoting {
         }
     }
 
-    /// The most teams or people that have a ballot of their own.
+    /// The most teams or people with a ballot of their own.
     pub const fn most(self) -> usize {
         match self {
             Self::Teams => super::MOST_TEAMS,

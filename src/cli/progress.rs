@@ -78,7 +78,7 @@ pub(super) fn recall(store: &mut Store, whose: Option<String>) -> anyhow::Result
             let history = recalled.map_err(|reason| anyhow!(reason))?;
             Ok(*history)
         }
-        _ => Err(anyhow!("the answers could not be looked up")),
+        _ => Err(anyhow!("the answers could not be read")),
     }
 }
 
@@ -101,11 +101,11 @@ fn reports(
     for player in players {
         let stars = match ask(store, StoreRequest::Stars(player.clone())) {
             StoreReply::Stars(stars) => stars.map_err(|reason| anyhow!(reason))?,
-            _ => return Err(anyhow!("the stars could not be looked up")),
+            _ => return Err(anyhow!("the stars could not be read")),
         };
         let marks = match ask(store, StoreRequest::Marks(player.clone())) {
             StoreReply::Marks(marks) => marks.map_err(|reason| anyhow!(reason))?,
-            _ => return Err(anyhow!("the bookmarks could not be looked up")),
+            _ => return Err(anyhow!("the bookmarks could not be read")),
         };
         let own = history.attempts.iter().filter(|it| it.player == *player);
         let history = History {

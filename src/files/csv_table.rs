@@ -1,5 +1,5 @@
 //! Tables of comma-separated values. Every table that carrom writes is written here, so that no
-//! text from a pupil, a player or a file does anything in the program that opens it.
+//! text from a pupil, a player or a file can act as code in the program that opens it.
 
 use unicode_width::UnicodeWidthChar;
 
@@ -13,7 +13,7 @@ use super::is_invisible;
 /// they are.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should a row not be writable.
+/// None in practice; the reason if a row cannot be written.
 pub fn csv_table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String> {
     let mut table = csv::Writer::from_writer(Vec::new());
     let in_words = |error: csv::Error| error.to_string();
@@ -29,11 +29,11 @@ pub fn csv_table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String>
     String::from_utf8(bytes).map_err(|error| error.to_string())
 }
 
-/// A text that no spreadsheet takes for a formula and that gives no orders to a terminal.
+/// A text that no spreadsheet takes for a formula and that cannot control a terminal.
 ///
-/// What begins like a formula gets an apostrophe before it. So does what comes after a line
-/// break, a tab or a semicolon: a spreadsheet in many languages expects semicolons between cells,
-/// and begins a new cell there.
+/// A text that begins like a formula gets an apostrophe before it. So does the text after a line
+/// break, a tab or a semicolon: in many languages spreadsheets expect semicolons between cells, and
+/// begin a new cell there.
 fn safe_cell(text: &str) -> String {
     let visible: String = { text.chars() }
         .filter(|letter| breaks_line(*letter) || !is_invisible(*letter))
@@ -47,7 +47,7 @@ fn safe_cell(text: &str) -> String {
         if begins && is_formula_sign(letter) {
             safe.push('\'');
         }
-        // Spreadsheets pass over blanks and characters without a width.
+        // Spreadsheets skip blanks and zero-width characters.
         begins = breaks_line(letter)
             || letter == ';'
             || (begins && (letter.is_whitespace() || letter.width().unwrap_or(0) == 0));

@@ -1,4 +1,4 @@
-//! Writes whole files: under a name there is the old file or the new one, never a part.
+//! Writes files atomically: a name has the old file or the new one, never a part.
 
 use std::fs;
 use std::io::{self, ErrorKind, Write};
@@ -8,26 +8,25 @@ use std::path::Path;
 
 use tempfile::{Builder, TempPath};
 
-/// How the names of files begin that are not finished, or not yet in their place.
+/// The prefix of the names of unfinished files.
 pub(crate) const UNFINISHED: &str = ".new-";
 
-/// A whole file that is not yet in its place: it was brought to the disk beside that
-/// place, in the same folder, and is removed again if it is never put there.
+/// A complete file under a temporary name: it was synced to the disk in the folder of its final
+/// name, and is removed if it is never renamed.
 #[derive(Debug)]
 pub(crate) struct UnplacedFile(TempPath);
 
 impl UnplacedFile {
-    /// Writes a text to a file in `folder` that is not there yet, and brings it to the
-    /// disk. Whoever may read other new files may read this one: the umask decides.
+    /// Writes a text to a new file in `folder`, and syncs it to the disk. The umask decides who may
+    /// read it.
     ///
     /// # Errors
-    /// If it cannot be written as a whole; then nothing of it is left.
+    /// If it cannot be written completely; then nothing of it is left.
     pub(crate) fn write(folder: &Path, text: &str) -> io::Result<Self> {
         Self::write_with_mode(folder, text, 0o666)
     }
 
-    /// The same, and at no moment can anybody else on this computer read it, where files have
-    /// such permissions.
+    /// The same, readable only by this user from the start, if the system has such permissions.
     ///
     /// # Errors
     /// As for [`Self::write`].
@@ -47,11 +46,10 @@ impl UnplacedFile {
         Ok(Self(file.into_temp_path()))
     }
 
-    /// Puts it in the place of what is there, if anything is, with the permissions that
-    /// had.
+    /// Renames it over an existing file, whose permissions it keeps.
     ///
     /// # Errors
-    /// If that cannot be done, such as for a folder.
+    /// If that fails, for example because a folder has the name.
     pub(crate) fn replace(self, path: &Path) -> io::Result<()> {
         if let Ok(old) = fs::metadata(path) {
             fs::set_permissions(&self.0, old.permissions())?;
@@ -60,13 +58,12 @@ impl UnplacedFile {
         Ok(())
     }
 
-    /// Puts it in a place where nothing is, a link that leads nowhere included; says
-    /// `false` if something is.
+    /// Renames it to an unused name; returns `false` if anything has that name, even a broken link.
     ///
     /// # Errors
     /// If that cannot be done.
     pub(crate) fn place(&self, path: &Path) -> io::Result<bool> {
-        // A link is refused where there is something; a rename would replace it.
+        // A hard link fails if the name exists; a rename would replace it.
         match fs::hard_link(&self.0, path) {
             // The other name goes when this is dropped.
             Ok(()) => Ok(true),
@@ -78,17 +75,17 @@ impl UnplacedFile {
     }
 }
 
-/// Whether there is anything of this name, a link that leads nowhere included.
+/// Whether anything has this name, even a broken link.
 pub(super) fn is_there(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok()
 }
 
-/// Brings to the disk which files there are in a folder.
+/// Syncs the entries of a folder to the disk.
 ///
 /// # Errors
 /// If that cannot be done.
 pub(crate) fn fsync_dir(folder: &Path) -> io::Result<()> {
-    // Only Unix lets a folder be opened; elsewhere the rename has to do.
+    // Only Unix can open a folder; elsewhere the rename has to be enough.
     #[cfg(unix)]
     fs::File::open(folder)?.sync_all()?;
     #[cfg(not(unix))]

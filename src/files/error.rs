@@ -1,4 +1,4 @@
-//! What is wrong with a file, in words.
+//! Errors of files, in words.
 
 use std::fmt;
 
@@ -7,28 +7,27 @@ use unicode_segmentation::UnicodeSegmentation;
 use super::is_invisible;
 use super::letters::{hides, is_picture};
 
-/// Most errors of a file that are told; of one that is something else altogether there
-/// is no end.
+/// The most errors of a file that are reported; a file of another kind could have any number.
 const MOST_TOLD: usize = 20;
 
-/// Most characters of what is said of one error.
+/// The most characters of one message.
 const LONGEST_MESSAGE: usize = 400;
-/// What stands before the part of a message that is quoted.
+/// The words before the quoted part of a message.
 const FOUND: &str = ", found ";
 
-/// Most characters of a line, a word or a name from outside that a message quotes.
+/// The most characters of a text from outside that a message quotes.
 pub const LONGEST_QUOTE: usize = 200;
 
-/// One thing that is wrong with a file.
+/// An error in a file.
 ///
 /// Shown as `my.toml:7: disc.mass_g: expected a mass from 0.001 to 100000 g, found -3`.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub struct FileError {
-    /// Name of the file, as it was given.
+    /// The name of the file, as given.
     pub file: String,
-    /// The line, counted from 1; `None` where the file could not be read at all.
+    /// The line, from 1; `None` if the file could not be read at all.
     pub line: Option<usize>,
-    /// The field with the path of its tables; `None` where no field is to blame.
+    /// The field with the path of its tables; `None` if no field is at fault.
     pub field: Option<String>,
     /// What was expected and what was found.
     pub message: String,
@@ -53,7 +52,7 @@ impl FileError {
         }
     }
 
-    /// What is wrong and where in the file, for those who know which file it is.
+    /// The error and its place, without the name of the file.
     pub(crate) fn without_file(&self) -> String {
         match self.line {
             Some(line) => format!("line {line}: {}", self.what()),
@@ -80,13 +79,12 @@ impl fmt::Display for FileError {
     }
 }
 
-/// All that is wrong with a file, at least one thing. Shown a line each.
+/// All errors of a file, at least one, shown one per line.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub struct FileErrors(Vec<FileError>);
 
 impl FileErrors {
-    /// The errors of a `file` in the order in which they are told, the first few of them;
-    /// `None` if there are none.
+    /// The first few errors of a `file`, in the order of reporting; `None` if there are none.
     pub(super) fn of(file: &str, mut errors: Vec<FileError>) -> Option<Self> {
         if errors.len() > MOST_TOLD {
             errors.truncate(MOST_TOLD);
@@ -95,7 +93,7 @@ impl FileErrors {
         (!errors.is_empty()).then_some(Self(errors))
     }
 
-    /// What is wrong and where in the file, for those who know which file it is.
+    /// The error and its place, without the name of the file.
     pub(crate) fn without_file(&self) -> String {
         let errors: Vec<_> = self.0.iter().map(FileError::without_file).collect();
         errors.join("; ")
@@ -124,16 +122,16 @@ impl fmt::Display for FileErrors {
     }
 }
 
-/// A message of one or more lines that may quote anything, likewise without control
-/// characters: what is written to the terminal outside of its screen goes through this.
+/// A message of one or more lines that may quote anything, without control characters: everything
+/// printed outside the game's screen passes through this.
 pub fn escape_control_lines(text: &str) -> String {
     let lines = text.lines().map(|line| escape_control(line, usize::MAX));
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// A message that says what was expected, in carrom's words, and what was found, which is quoted from
-/// outside: on one line, without control characters, and with no more than [`LONGEST_QUOTE`] of what
-/// was found.
+/// A message with what was expected, in carrom's words, and what was found, which is quoted from
+/// outside: on one line, without control characters, and with no more than [`LONGEST_QUOTE`] of
+/// what was found.
 pub(crate) fn brief(message: &str) -> String {
     let message = match message.split_once(FOUND) {
         Some((expected, found)) => {
@@ -153,8 +151,8 @@ pub fn quoted(text: &str) -> String {
     }
 }
 
-/// Text from outside on one line, without control characters and not endless, so
-/// that a message cannot play tricks on the terminal that shows it.
+/// Text from outside on one line, truncated and without control characters, so that a message
+/// cannot control the terminal.
 pub fn escape_control(text: &str, most: usize) -> String {
     let mut kept = String::new();
     let mut left = most;

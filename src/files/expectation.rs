@@ -1,4 +1,4 @@
-//! What serde says of a value that does not fit, in words of people who write files.
+//! Serde's messages about invalid values, in the words of people who write files.
 
 /// A message of serde's, with what was expected first and in plain words: "expected a whole
 /// number, found NaN" for "invalid type: floating point `NaN`, expected usize".
@@ -24,7 +24,7 @@ fn wanted(expected: &str) -> &str {
     }
 }
 
-/// What was found, without the name of its type where it speaks for itself.
+/// What was found, without the name of its type if that is obvious.
 fn plain(found: &str) -> String {
     match found {
         "map" => "a table".into(),
@@ -42,7 +42,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_serde_says_is_told_in_plain_words() {
+    fn serde_messages_become_plain_words() {
         for (said, told) in [
             (
                 "invalid type: floating point `NaN`, expected usize",

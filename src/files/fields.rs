@@ -1,9 +1,8 @@
-//! Reading TOML from outside field by field, so that every error names file, line and
-//! field, and says what was expected and what was found.
+//! Reading TOML from outside field by field, so that every error names file, line and field, what
+//! was expected and what was found.
 //!
-//! What is wrong is noted and the reading goes on: who asks for a value that is none gets
-//! `None`, asks for the others all the same, and gives up only when it needs the value. So
-//! one run tells all that is wrong with a file.
+//! Errors are noted and reading continues: the caller gets `None` for an invalid value, reads the
+//! others too, and stops only when it needs the value. So one run reports all errors of a file.
 
 use std::ops::RangeInclusive;
 
@@ -16,12 +15,12 @@ use super::number::{NumberSpec, Range};
 use super::source::Rank;
 use super::{FileErrors, Source, escape_control};
 
-/// What word processors make of straight quotes.
+/// The quotes that word processors use instead of straight ones.
 const TYPOGRAPHIC_QUOTES: [char; 8] = ['“', '”', '„', '‟', '‘', '’', '«', '»'];
 
 type Value<'a> = &'a Spanned<DeValue<'a>>;
 
-/// A table whose fields are asked for one by one.
+/// A table whose fields are read one by one.
 #[derive(Debug, Clone)]
 pub(crate) struct Fields<'a> {
     source: &'a Source<'a>,
@@ -29,16 +28,16 @@ pub(crate) struct Fields<'a> {
     /// Where the table begins in the text.
     at: usize,
     table: &'a DeTable<'a>,
-    /// The fields it may have; `[]` where their names are free.
+    /// The fields it may have; `[]` if any names are allowed.
     known: Vec<&'static str>,
 }
 
 impl Source<'_> {
-    /// Reads TOML that says `format = FORMAT`, or one of the older `formats` that still open. `what`
-    /// it is to be stands in messages, as "a saved game"; `known` are its fields.
+    /// Reads TOML with `format = FORMAT`, or one of the older `formats` that still open. `what`
+    /// names it in messages, such as "a saved game"; `known` are its fields.
     ///
     /// # Errors
-    /// All that is wrong with it; of a file of a newer format only that.
+    /// All errors; for a file of a newer format only that.
     pub(crate) fn document<T>(
         self,
         what: &str,
@@ -50,7 +49,7 @@ impl Source<'_> {
         self.finish(made)
     }
 
-    /// As [`Self::document`], with what is wrong noted in the source.
+    /// As [`Self::document`], with errors noted in the source.
     pub(crate) fn tables<T>(
         &self,
         what: &str,
@@ -63,7 +62,7 @@ impl Source<'_> {
         let mut broken = None;
         for error in errors {
             let at = error.span().map_or(0, |span| span.start);
-            // What else is wrong on the same line mostly follows from the first.
+            // Further errors on the same line are mostly consequences of the first.
             let line = self.line_near(at).as_ptr();
             if broken.replace(line) == Some(line) {
                 continue;
@@ -75,7 +74,7 @@ impl Source<'_> {
         fields.known = known.into();
         let expected = format!("{what} with `format = {format}`");
         if !fields.has("format") && !fields.is_misspelt("format") {
-            // Then it is something else, and so are its fields.
+            // Then it is a different kind of file, with different fields.
             return fields.refuse("format", format!("expected {expected}, found nothing"));
         }
         let fields = fields.only(known);
@@ -90,7 +89,7 @@ impl Source<'_> {
         }
     }
 
-    /// What a reader of TOML found wrong at a byte, with a hint where the reason is likely.
+    /// A TOML syntax error at a byte, with a hint if the cause is likely.
     fn syntax_error(&self, at: usize, message: &str) -> String {
         let line = self.line_near(at);
         let values = values(line);
@@ -110,7 +109,7 @@ impl Source<'_> {
     }
 }
 
-/// What a line gives to its key, or to each key of the table in it: "hit = { alpha_deg = 30 }".
+/// The value of a line's key, or the values of an inline table: "hit = { alpha_deg = 30 }".
 fn values(line: &str) -> Vec<&str> {
     let value = line.split_once('=').map_or("", |(_, value)| value.trim());
     match value.strip_prefix('{') {
@@ -126,7 +125,7 @@ fn with_a_point(text: &str) -> Option<String> {
     is_one.then_some(number)
 }
 
-/// The number of a value with a unit behind it, which the field's name says: "40 g".
+/// The number of a value with a unit, which is part of the field's name: "40 g".
 fn without_a_unit(value: &str) -> Option<&str> {
     let unit = value.find(|c: char| !c.is_ascii_digit() && !matches!(c, '.' | '-' | '+'))?;
     let (number, unit) = value.split_at(unit);
@@ -136,7 +135,7 @@ fn without_a_unit(value: &str) -> Option<&str> {
     (is_unit && number.parse::<f64>().is_ok()).then_some(number)
 }
 
-/// What is said of a file of a newer format than the one that is read.
+/// The message for a file of a newer format.
 pub fn newer(found: impl std::fmt::Display, format: u32) -> String {
     format!(
         "{found} is newer than the {format} this carrom reads; a newer carrom may open the file"
@@ -187,20 +186,20 @@ impl<'a> Fields<'a> {
             .map(|(_, it)| it)
     }
 
-    /// Notes what is wrong with a field, at its value, or at the table where it is
-    /// missing; always `None`, for whoever wanted its value.
+    /// Notes an error of a field, at its value, or at the table if it is missing; always `None`,
+    /// for the caller.
     pub(crate) fn refuse<T>(&self, name: &str, message: impl Into<String>) -> Option<T> {
         let at = self.table.get(name).map_or(self.at, |v| v.span().start);
         self.refuse_at(at, name, message)
     }
 
-    /// Notes what is wrong with the table itself; always `None`.
+    /// Notes an error of the table itself; always `None`.
     pub(crate) fn refuse_table<T>(&self, message: impl Into<String>) -> Option<T> {
         self.source.note(Rank::Value, self.at, &self.path, message);
         None
     }
 
-    /// Notes what is wrong with an item of a list, counted from 0; always `None`.
+    /// Notes an error of an item of a list, counted from 0; always `None`.
     pub(crate) fn refuse_item<T>(
         &self,
         name: &str,
@@ -236,7 +235,7 @@ impl<'a> Fields<'a> {
         self.table.contains_key(name)
     }
 
-    /// What `read` makes of a field, or `usual` where it is left out.
+    /// The result of `read` for a field, or `usual` if it is left out.
     pub(crate) fn or<T>(
         &self,
         name: &'static str,
@@ -250,7 +249,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// What `read` makes of a field that must be there; `expected` says what it is to be.
+    /// The result of `read` for a required field; `expected` describes it.
     fn value<T>(
         &self,
         name: &str,
@@ -260,7 +259,7 @@ impl<'a> Fields<'a> {
         debug_assert!(self.is_known(name), "{name} is not among the known fields");
         match self.table.get(name) {
             Some(value) => read(value).or_else(|| self.unlike(name, expected, value)),
-            // It has been asked whether the unknown one was meant.
+            // The message about the unknown field already suggests it.
             None if self.is_misspelt(name) => None,
             None => self.refuse(name, format!("expected {expected}, found nothing")),
         }
@@ -277,7 +276,7 @@ impl<'a> Fields<'a> {
         let mut message = format!("expected {expected}, found {}", shown(value));
         let number = match value {
             DeValue::String(text) => with_a_point(text.trim()),
-            // Two numbers that became three or four.
+            // Two numbers with decimal commas became three or four.
             DeValue::Array(list) if list.len() > 2 => {
                 let written = self.source.text().get(found.span()).unwrap_or_default();
                 let mut words = written.trim_matches(['[', ']']).split_whitespace();
@@ -291,7 +290,7 @@ impl<'a> Fields<'a> {
         self.refuse_at(at, name, message)
     }
 
-    /// A table that must be there, with the fields it may have.
+    /// A required table, with the fields it may have.
     pub(crate) fn table(&self, name: &str, known: &[&'static str]) -> Option<Self> {
         let table = self.value(name, &format!("a table [{name}]"), |value| {
             self.inner(name, value)
@@ -299,7 +298,7 @@ impl<'a> Fields<'a> {
         Some(table.only(known))
     }
 
-    /// So many tables of the same name, with the fields they may have.
+    /// This many tables of the same name, with the fields they may have.
     pub(crate) fn tables(
         &self,
         name: &str,
@@ -328,7 +327,7 @@ impl<'a> Fields<'a> {
         Some(Self::new(self.source, &path, value.span().start, table))
     }
 
-    /// A list of so many items.
+    /// A list of this many items.
     fn list<T>(
         &self,
         name: &str,
@@ -382,7 +381,7 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// A list of so many different whole numbers below `end`.
+    /// A list of this many different whole numbers below `end`.
     pub(crate) fn different(
         &self,
         name: &str,
@@ -405,7 +404,7 @@ impl<'a> Fields<'a> {
         self.value(name, &expected, |value| text(value.get_ref(), most))
     }
 
-    /// A list of so many texts, with no blanks around them.
+    /// A list of this many texts, without surrounding blanks.
     pub(crate) fn texts(
         &self,
         name: &str,
@@ -420,7 +419,7 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// What `read` makes of a text, or the message that it gives.
+    /// The result of `read` for a text, or its message as an error.
     pub(crate) fn text_as<T>(
         &self,
         name: &str,
@@ -459,8 +458,8 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// Gives every field to `set` as it is written, a number in decimals; what that says is
-    /// wrong with it is noted.
+    /// Passes every field to `set` as it is written, a number in decimals; errors it returns are
+    /// noted.
     pub(crate) fn each(&self, mut set: impl FnMut(&str, &str) -> Result<(), String>) -> Option<()> {
         let fields = self
             .table
@@ -589,7 +588,7 @@ mod tests {
     }
 
     #[test]
-    fn what_people_type_gets_a_hint_in_a_table_of_one_line_too() {
+    fn common_mistakes_get_a_hint_in_inline_tables_too() {
         for (line, hint) in [
             ("hit = 35,0", "write 35.0 with a point"),
             ("hit = { m = 5.5, a = 35,0 }", "write 35.0 with a point"),

@@ -9,7 +9,7 @@ use serde_json::ser::Formatter;
 use super::is_invisible;
 
 /// Writes one JSON object. Texts in it may come from anybody, and a terminal may show them:
-/// characters that are invisible or give orders are written as escapes, which read back the same.
+/// invisible and control characters are written as escapes, which read back the same.
 ///
 /// # Errors
 /// If it cannot be written.

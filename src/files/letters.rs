@@ -1,15 +1,13 @@
-//! Which characters of a text from outside are letters, and which play tricks.
+//! Which characters of a text from outside are visible letters, and which are not safe.
 
 use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthChar;
 
-/// The most marks without a width of their own, such as accents, that may stand upon one
-/// letter of a name.
+/// The most zero-width marks, such as accents, on one letter of a name.
 const MOST_UPON: usize = 2;
 
-/// Whether a character is no letter but an order to whoever shows it, or nothing at all:
-/// control characters, marks that turn the direction of all that follows, blanks without a
-/// width, and what is no character.
+/// Whether a character is not a letter but a control or nothing at all: control characters, marks
+/// that change the direction of the following text, zero-width blanks, and unassigned code points.
 pub fn is_invisible(letter: char) -> bool {
     letter.is_control()
         || matches!(letter,
@@ -19,7 +17,7 @@ pub fn is_invisible(letter: char) -> bool {
         || u32::from(letter) & 0xfffe == 0xfffe
 }
 
-/// Whether a character is seen only as a part of a picture of several.
+/// Whether a character is visible only as part of a sequence.
 pub(super) fn hides(letter: char) -> bool {
     matches!(letter, '\u{200d}' | '\u{e0000}'..='\u{e007f}')
 }
@@ -59,11 +57,11 @@ pub(crate) fn percent_encoded(path: &[u8]) -> String {
     written.collect()
 }
 
-/// What somebody is called whose name in a file has no visible letter.
+/// The name shown for a stored name without a visible letter.
 pub(crate) const NO_NAME: &str = "No name";
 
-/// Whether a character takes room and shows nothing, as a blank does, though Unicode counts it
-/// among letters, signs or accents: fillers, empty patterns, vowels that are not written.
+/// Whether a character is invisible like a blank although Unicode counts it among letters, signs or
+/// accents: fillers, empty patterns, unwritten vowels.
 fn is_blank(letter: char) -> bool {
     matches!(letter,
         '\u{034f}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}' | '\u{180b}'..='\u{180f}'
@@ -71,14 +69,14 @@ fn is_blank(letter: char) -> bool {
         | '\u{1d159}' | '\u{1d173}'..='\u{1d17a}')
 }
 
-/// Whether a name is made of characters that show nothing. Earlier versions took such a name, so
-/// it may stand in a file.
+/// Whether a name consists of invisible characters. Earlier versions accepted such names, so files
+/// may contain them.
 pub(crate) fn is_blank_name(name: &str) -> bool {
     name.chars().any(is_blank) && tidy_name(name).is_empty()
 }
 
-/// The name of somebody as it is shown and kept: its letters, with one blank between words.
-/// Accents stay on their letters, but do not pile up. Empty if no letter of it is visible.
+/// A person's name as it is shown and stored: its letters, with one blank between words. Accents
+/// stay, but only a few per letter. Empty if no letter of it is visible.
 pub fn tidy_name(name: &str) -> String {
     let mut tidy = String::new();
     let mut upon = 0;
@@ -107,7 +105,8 @@ pub fn tidy_name(name: &str) -> String {
     tidy
 }
 
-/// The same of so many letters at most; a letter may be made of several signs, but not of many.
+/// The same with at most this many letters; a letter may consist of several characters, but not of
+/// many.
 pub(crate) fn short_name(name: &str, letters: usize) -> String {
     const BYTES: usize = 8;
     let name = tidy_name(name);

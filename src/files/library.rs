@@ -1,10 +1,10 @@
-//! What is read from many files: chapters, packs of levels, questions.
+//! Collections read from many files: chapters, packs of levels, questions.
 
 use std::path::{Path, PathBuf};
 
 use super::{FileError, LARGEST, List, list, read};
 
-/// A collection that is read from files. A file that is no good is left out and reported.
+/// A collection that is read from files. An invalid file is left out and reported.
 pub trait FileLibrary: Default {
     /// How the names of its files end.
     const ENDING: &'static str;
@@ -14,10 +14,10 @@ pub trait FileLibrary: Default {
     /// What comes with the program.
     fn embedded() -> Self;
 
-    /// Where what is wrong with files is reported.
+    /// Where errors of files are reported.
     fn problems_mut(&mut self) -> &mut Vec<FileError>;
 
-    /// Adds what the bytes of a file hold.
+    /// Adds the contents of a file.
     fn add_bytes(&mut self, path: &Path, bytes: &[u8]);
 
     /// Adds one file.

@@ -2,8 +2,8 @@
 
 use std::io::{self, BufRead, Read};
 
-/// Reads the next line into `line`, without its break, and no more than `most` bytes of it: what
-/// is beyond them is passed over. `None` at the end, else whether the line is whole.
+/// Reads the next line into `line`, without its break, and at most `most` bytes of it: the rest is
+/// skipped. `None` at the end, otherwise whether the line is complete.
 pub fn read_line(
     input: &mut (impl BufRead + ?Sized),
     most: usize,

@@ -13,15 +13,14 @@ use super::FileError;
 pub struct List {
     /// The folders in it.
     pub folders: Vec<PathBuf>,
-    /// The plain files whose names have the ending that was asked for: opening a pipe
-    /// would wait for whoever writes to it.
+    /// The plain files whose names have the requested ending: opening a pipe would wait for its
+    /// writer.
     pub files: Vec<PathBuf>,
-    /// What else has such a name and is no folder: pipes, devices, links that lead nowhere.
+    /// Other things with such names: pipes, devices, broken links.
     pub odd: Vec<FileError>,
 }
 
-/// The folders in a folder, and at most so many files there with this ending (without
-/// its dot).
+/// The folders in a folder, and at most this many files there with this ending (without its dot).
 ///
 /// # Errors
 /// If the folder cannot be read, or there are more files.
@@ -61,7 +60,7 @@ pub fn embedded<'a>(folder: &'a Dir<'a>, ending: &str) -> Vec<&'a File<'a>> {
     files
 }
 
-/// The fault of what should be a file and is none.
+/// The error for something that should be a file but is not.
 pub(crate) fn not_a_file(path: &Path) -> FileError {
     let found = match fs::metadata(path) {
         Ok(about) if about.is_dir() => "a folder",

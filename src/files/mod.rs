@@ -1,5 +1,5 @@
-//! What all files have in common: how those from outside are read, how one says what is
-//! wrong with them, and how whole ones are written.
+//! What all files have in common: reading files from outside, reporting their errors, and writing
+//! files atomically.
 
 mod csv_table;
 mod draft;

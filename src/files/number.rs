@@ -1,4 +1,4 @@
-//! Numbers of a file: what they stand for and how large they may be.
+//! Numbers of a file: their meaning and range.
 
 use std::fmt;
 
@@ -51,7 +51,7 @@ impl Range {
         number.max(self.from).min(self.to)
     }
 
-    /// The number that divides the range as `share`, 0 to 1, says.
+    /// The number at the `share`, 0 to 1, of the range.
     pub(crate) fn at(&self, share: f64) -> f64 {
         self.from + share * (self.to - self.from)
     }

@@ -1,4 +1,4 @@
-//! Writes documents where someone wants them, all of them or none.
+//! Writes documents to the given places, all of them or none.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
@@ -11,7 +11,7 @@ use super::draft::{UnplacedFile, is_there};
 /// A text, and the file that is to hold it.
 pub type Document = (PathBuf, String);
 
-/// What becomes of files that are there already.
+/// What to do with existing files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Existing {
     /// They stay, and nothing is written.
@@ -23,7 +23,7 @@ pub enum Existing {
 /// Why documents were not written.
 #[derive(Debug, Error)]
 pub enum Unwritten {
-    /// There is something of this name.
+    /// The name already exists.
     #[error("{} already exists", .0.display())]
     There(PathBuf),
     /// It cannot be written, or its folder cannot be made.
@@ -33,9 +33,8 @@ pub enum Unwritten {
 
 /// Writes documents; folders that are not there are made.
 ///
-/// None is put in its place before all of them are written as a whole, so that a disk
-/// that fills up leaves what was there before, and nothing else. What is no file but takes
-/// what is written to it, such as a pipe, is written to; a link is followed.
+/// All of them are written completely before any gets its final name, so that a full disk leaves
+/// the previous files, and nothing else. Pipes and the like are written to; links are followed.
 ///
 /// # Errors
 /// The first that is there and stays, or that cannot be written.
@@ -78,7 +77,7 @@ pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> 
     Ok(())
 }
 
-/// What is at a place where a document is to be.
+/// What exists at the place of a document.
 enum PathState {
     /// Nothing.
     Free,
@@ -103,7 +102,7 @@ fn folder(path: &Path) -> &Path {
     folder.unwrap_or(Path::new("."))
 }
 
-/// Folders that were made, to be removed again if nothing comes into them.
+/// New folders, which are removed again if they stay empty.
 #[derive(Default)]
 struct Folders(Vec<PathBuf>);
 
@@ -136,7 +135,7 @@ impl Folders {
 impl Drop for Folders {
     fn drop(&mut self) {
         for folder in self.0.iter().rev() {
-            // One that somebody else has filled stays.
+            // A folder that another program has filled stays.
             let _ = fs::remove_dir(folder);
         }
     }

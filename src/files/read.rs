@@ -6,11 +6,11 @@ use std::path::Path;
 
 use super::FileError;
 
-/// Largest text file that is looked at where nothing else is said, in bytes.
+/// The default limit on the size of a text file, in bytes.
 pub(crate) const LARGEST: usize = 1 << 20;
 
-/// The bytes of a file, up to one more than the `most` that may be read: who takes them
-/// for text by `Source::of_bytes` refuses that many.
+/// The bytes of a file, up to one more than the `most` that may be read, which `Source::of_bytes`
+/// then refuses.
 ///
 /// # Errors
 /// If it cannot be read.

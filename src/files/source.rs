@@ -1,4 +1,4 @@
-//! The text of a file, and what is wrong with it where.
+//! The text of a file, and its errors with their places.
 
 use std::cell::RefCell;
 
@@ -7,26 +7,26 @@ use super::{FileError, FileErrors};
 /// U+FEFF in UTF-8.
 pub(crate) const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// Most errors that are looked for in a file: each takes a walk to its line.
+/// The most errors that are sought in a file, because finding the line of each takes time.
 const MOST_NOTED: usize = 200;
 
-/// A file's text, and all that is found wrong with it while it is read.
+/// A file's text, and all errors found while it is read.
 #[derive(Debug)]
 pub(crate) struct Source<'a> {
     name: &'a str,
     text: &'a str,
     /// The line of the file that the text begins with, from 1.
     first_line: usize,
-    /// Each with its place among the others.
+    /// Each with its rank for reporting.
     errors: RefCell<Vec<(Rank, FileError)>>,
 }
 
-/// Which of the errors of a file are told first.
+/// The order in which the errors of a file are reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Rank {
-    /// A field that nobody knows: it often is a wanted one misspelt.
+    /// An unknown field: often a required one misspelt.
     UnknownField,
-    /// Text that is no TOML. What follows from it on the same line is not told.
+    /// Text that is not TOML. Its consequences on the same line are not reported.
     Syntax,
     /// Anything else.
     Value,
@@ -51,7 +51,7 @@ impl<'a> Source<'a> {
             let message = format!("expected a file of at most {}, found more", size(most));
             return Err(Self::new(name, "", 1).error_at(0, "", message));
         }
-        // Some editors begin with a mark that says nothing about UTF-8.
+        // Some editors begin a file with a byte order mark.
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         std::str::from_utf8(bytes)
             .map(|text| Self::new(name, text, 1))
@@ -76,7 +76,7 @@ impl<'a> Source<'a> {
         (self.first_line..).zip(self.text.lines())
     }
 
-    /// A stretch of it as a source of its own, whose errors are of the same file.
+    /// A part of it as a separate source, whose errors belong to the same file.
     pub(crate) fn part(&self, bytes: std::ops::Range<usize>) -> Self {
         let first_line = self.line_of(bytes.start);
         Self::new(
@@ -99,7 +99,7 @@ impl<'a> Source<'a> {
         FileError::on_line(self.name, line, message)
     }
 
-    /// Notes what is wrong at a byte of the text.
+    /// Notes an error at a byte of the text.
     pub(super) fn note(&self, rank: Rank, at: usize, field: &str, message: impl Into<String>) {
         let mut errors = self.errors.borrow_mut();
         if errors.len() < MOST_NOTED {
@@ -107,19 +107,19 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Notes what is wrong at a line; always `None`, for whoever wanted something there.
+    /// Notes an error at a line; always `None`, for the caller.
     pub(crate) fn refuse<T>(&self, line: usize, message: impl Into<String>) -> Option<T> {
         let error = self.error_on(line, message);
         self.errors.borrow_mut().push((Rank::Value, error));
         None
     }
 
-    /// Forgets what was found wrong so far.
+    /// Forgets the errors so far.
     pub(super) fn forget(&self) {
         self.errors.borrow_mut().clear();
     }
 
-    /// What was made of a line, or its message noted.
+    /// The result for a line, or `None` with its message noted.
     pub(crate) fn accept<T>(&self, line: usize, made: Result<T, String>) -> Option<T> {
         match made {
             Ok(made) => Some(made),
@@ -127,13 +127,13 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Takes over what was found wrong with a [part](Self::part).
+    /// Adds the errors of a [part](Self::part).
     pub(crate) fn absorb(&self, part: Self) {
         let mut errors = self.errors.borrow_mut();
         errors.extend(part.errors.into_inner());
     }
 
-    /// What was made of the text, unless something was found wrong with it.
+    /// The result for the text, unless it has errors.
     ///
     /// # Errors
     /// All that was found.
@@ -151,7 +151,7 @@ impl<'a> Source<'a> {
         match (FileErrors::of(self.name, errors), made) {
             (None, Some(made)) => Ok(made),
             (Some(errors), _) => Err(errors),
-            // Nothing is refused without a word; were it so, this would still be true.
+            // A refusal always has a message; without one this would still be true.
             (None, None) => Err(FileError::of_file(self.name, "cannot be understood").into()),
         }
     }
@@ -177,7 +177,7 @@ impl<'a> Source<'a> {
         if key.chars().all(bare) { key } else { "" }
     }
 }
-/// So many bytes, in the unit that suits them.
+/// A number of bytes in a suitable unit.
 fn size(bytes: usize) -> String {
     match bytes {
         0..1024 => format!("{bytes} bytes"),

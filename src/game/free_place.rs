@@ -1,16 +1,14 @@
-//! Where a coin that is put back comes to lie.
+//! Where a coin that is put back is placed.
 //!
-//! The place is the free one nearest to where it is wanted, found exactly: it is
-//! either the wanted place itself, or touches one circle that bars the way at
-//! the point nearest to it, or lies where two such circles cross.
+//! The place is the free one nearest to the required point, found exactly: the point itself, or the
+//! nearest point of a circle that blocks it, or a crossing of two such circles.
 
 use glam::DVec2;
 
 use super::pieces::{CENTRE_CIRCLE_RADIUS, Coin, GAP, OUTER_CIRCLE_RADIUS, PieceSet};
 use super::seat::Seat;
 
-/// Rounding allowed when a place is checked, in metres: far less than the gap
-/// that is left between coins.
+/// Rounding allowed when a place is checked, in metres: far less than the gap between coins.
 const SLACK: f64 = 1e-9;
 
 /// A circle that a centre may touch but not cross.
@@ -19,12 +17,11 @@ struct Circle {
     radius: f64,
 }
 
-/// The place for a coin that the player at `seat` gives back: inside the outer
-/// circle, off the centre circle (62b), as far from that player as can be, as an
-/// opponent would put it.
+/// The place for a coin that the player at `seat` gives back: inside the outer circle, off the
+/// centre circle (62b), as far from that player as possible, where an opponent would put it.
 ///
-/// Should the outer circle be full, the coin goes to the free place nearest to
-/// that one instead of waiting for room (52a).
+/// If the outer circle is full, the coin goes to the nearest free place instead of waiting for room
+/// (52a).
 pub(crate) fn for_a_due(set: PieceSet, coins: &[Coin], seat: Seat) -> DVec2 {
     let radius = set.coin_radius();
     let rim = OUTER_CIRCLE_RADIUS - radius;
@@ -71,8 +68,8 @@ fn nearest(set: PieceSet, coins: &[Coin], wanted: DVec2, hole: f64, rim: f64) ->
     })
 }
 
-/// The point of a circle nearest to `to`; straight up from the centre where
-/// every point is as near.
+/// The point of a circle nearest to `to`; straight up from the centre if all points are equally
+/// near.
 fn closest_on(circle: &Circle, to: DVec2) -> DVec2 {
     let way = (to - circle.centre).try_normalize().unwrap_or(DVec2::Y);
     circle.centre + way * circle.radius

@@ -1,9 +1,8 @@
 //! Carrom itself: pieces, the pack, placing the striker, the laws, the score.
 //!
-//! A pure room: no screen and no clock. A [`Stroke`] comes in as data,
-//! [`Game::apply`] answers with [`Ruling`]s, and a game is a plain value: keep
-//! the old one and you can undo. Two know the engine: a [`Record`], to play its
-//! moves again, and the opponent, to play shots in its head.
+//! A pure module: no screen and no clock. A [`Stroke`] is data, [`Game::apply`] returns
+//! [`Ruling`]s, and a game is a plain value: keep the old one to undo. Two parts use the engine: a
+//! [`Record`], to replay its moves, and the opponent, to simulate shots.
 //!
 //! | file | holds |
 //! |---|---|

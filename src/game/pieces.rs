@@ -1,9 +1,8 @@
 //! The pieces, the sets they come in, and the lines drawn on the board.
 //!
-//! Dimensions are metres and kilograms. Where the Laws of Carrom give a range for
-//! a piece, its upper end is taken. Base circles, centre circle and outer circle
-//! have their customary sizes. Side, pockets and friction are those of the default
-//! [`Board`](crate::physics::Board).
+//! Dimensions are metres and kilograms. Where the Laws of Carrom give a range for a piece, the
+//! upper end is used. Base circles, centre circle and outer circle have their customary sizes.
+//! Side, pockets and friction are those of the default [`Board`](crate::physics::Board).
 
 use std::fmt;
 
@@ -29,11 +28,11 @@ pub(crate) const CENTRE_CIRCLE_RADIUS: f64 = 0.0159;
 /// Radius of the outer circle, 8.5 cm: it holds the pack (14) and receives the
 /// coins that are put back.
 pub(crate) const OUTER_CIRCLE_RADIUS: f64 = 0.085;
-/// Air left between coins that are laid out, 0.1 mm. Discs that touch exactly
-/// make an impact with no single answer.
+/// The gap between coins that are laid out, 0.1 mm. An impact of discs that touch exactly has no
+/// unique result.
 pub(crate) const GAP: f64 = 0.0001;
 
-/// One of the four kinds of piece; "white" where there is little room for its name.
+/// One of the four kinds of piece; "white" is its short name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "lowercase")]
@@ -140,8 +139,8 @@ pub enum PieceSet {
     /// 5.5 g and 31.8 mm across.
     #[default]
     Tournament,
-    /// Tournament sizes with every piece 15 g, so that striker and coin part at
-    /// a right angle.
+    /// Tournament sizes with every piece 15 g, so that the paths of striker and coin are at a right
+    /// angle.
     EqualMass,
 }
 

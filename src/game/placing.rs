@@ -19,7 +19,7 @@ use crate::physics::Board;
 /// allows discs to overlap.
 pub(super) const SLACK: f64 = 1e-10;
 
-/// Why the striker may not stand where it was put.
+/// Why a position of the striker is not legal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum Misplaced {
     /// It misses one of the base lines.
@@ -39,7 +39,7 @@ pub enum Misplaced {
     OverAPocket,
 }
 
-/// A side's base lines, with all that limits the striker there.
+/// A side's base lines, with everything that restricts the striker there.
 #[derive(Debug, Clone, Copy)]
 pub struct BaseLines<'a> {
     set: PieceSet,
@@ -47,14 +47,14 @@ pub struct BaseLines<'a> {
     coins: &'a [Coin],
 }
 
-/// Where between the base lines the striker stands, as it is seen on the screen.
+/// The striker's position between the base lines, as seen on the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stand {
     /// In the middle, to the millimetre.
     Middle,
     /// On a base circle: "left" or "upper".
     Circle(&'static str),
-    /// So many millimetres beside the middle: "left" or "above".
+    /// This many millimetres from the middle: "left" or "above".
     Beside(f64, &'static str),
 }
 
@@ -87,8 +87,8 @@ impl<'a> BaseLines<'a> {
         Self { set, seat, coins }
     }
 
-    /// The place `along` metres to the player's right of the middle, halfway
-    /// between the base lines. It need not be a legal one.
+    /// The position `along` metres to the player's right of the middle, halfway between the base
+    /// lines. It may be illegal.
     pub fn at(&self, along: f64) -> DVec2 {
         self.seat.turn(DVec2::new(along, self.middle()))
     }
@@ -111,10 +111,10 @@ impl<'a> BaseLines<'a> {
         BASE_LINE_LENGTH / 2.0 - BASE_CIRCLE_RADIUS
     }
 
-    /// Where a striker at `at` stands, as it is seen on the screen.
+    /// The position of a striker at `at`, as seen on the screen.
     pub(crate) fn stand(&self, at: DVec2) -> Stand {
         let along = self.along(at);
-        // What the player has on the left hand and on the right.
+        // The sides to the player's left and right.
         let (sides, circles) = match self.seat {
             Seat::South => (["left", "right"], ["left", "right"]),
             Seat::East => (["below", "above"], ["lower", "upper"]),
@@ -159,15 +159,15 @@ impl<'a> BaseLines<'a> {
     /// The legal place nearest to `at`, measured along the base lines and
     /// halfway between them.
     ///
-    /// `None` if coins bar the whole length, which takes at least seven of them
-    /// on the base lines.
+    /// `None` if coins block the whole length, which requires at least seven of them on the base
+    /// lines.
     pub fn nearest(&self, at: DVec2) -> Option<DVec2> {
         let (end, circle) = (self.end_of_the_lines(), Self::base_circle_along());
         let ends = [self.along(at).clamp(-end, end), circle, -circle];
         self.nearest_of(ends.into_iter().chain(self.barred().flatten()), at)
     }
 
-    /// The legal one nearest to `at` of these places, in metres along.
+    /// The legal position among these that is nearest to `at`, in metres along.
     pub(super) fn nearest_of(&self, places: impl Iterator<Item = f64>, at: DVec2) -> Option<DVec2> {
         let wanted = self.along(at);
         let apart = |along: &f64| (along - wanted).abs();
@@ -176,9 +176,8 @@ impl<'a> BaseLines<'a> {
         nearest.map(|along| self.at(along))
     }
 
-    /// Legal places from left to right: `steps` of them spread evenly between
-    /// the base circles and the two that cover a circle, less those that coins
-    /// bar.
+    /// Legal places from left to right: `steps` of them spread evenly between the base circles and
+    /// the two that cover a circle, without those that coins block.
     pub(crate) fn candidates(&self, steps: u16) -> Vec<DVec2> {
         let end = self.end_of_the_lines();
         let spread = (0..steps).map(|i| {
@@ -198,7 +197,7 @@ impl<'a> BaseLines<'a> {
         Self::base_circle_along() - BASE_CIRCLE_RADIUS - self.set.striker_radius()
     }
 
-    /// The open stretches of the middle line that coins bar, as distances along.
+    /// The intervals of the middle line that coins block, as distances along.
     fn barred(&self) -> impl Iterator<Item = [f64; 2]> {
         let reach = self.set.striker_radius() + self.set.coin_radius() + GAP;
         let middle = self.middle();

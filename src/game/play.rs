@@ -11,19 +11,18 @@ use super::score::Score;
 use super::seat::{ByTeam, Hands, Seat, Team};
 use super::stroke::Stroke;
 
-/// A board in play: what lies where, whose turn it is, what is owed.
+/// A board in play: the positions, whose turn it is, what is owed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoardInPlay {
     /// The coins on the board; the striker is never among them.
     pub coins: Vec<Coin>,
-    /// Whose turn it is; once the board has ended, who struck last.
+    /// Whose turn it is; after the end of the board, who struck last.
     pub seat: Seat,
-    /// Strokes spent on the unbroken pack in this turn; `None` once the break is
-    /// made.
+    /// Strokes made at the unbroken pack in this turn; `None` after the break.
     pub(super) break_tries: Option<u8>,
-    /// Coins each team owes, for want of a pocketed one to give (45b).
+    /// Coins each team owes, because it has no pocketed one to give (45b).
     pub owed: ByTeam<u8>,
-    /// Whose coins have been pocketed at all, be they put back since.
+    /// The teams with a coin pocketed in this board, even if it was put back.
     pub(super) pocketed_before: ByTeam<bool>,
     /// Who has pocketed and covered the queen.
     pub queen_covered_by: Option<Team>,
@@ -98,7 +97,7 @@ impl BoardInPlay {
         self.won.is_none() && !self.queen_on_board() && self.queen_covered_by.is_none()
     }
 
-    /// The numbers the rules look at.
+    /// The facts that the rules use.
     pub(super) fn case(&self, terms: &Terms, stroke: &Stroke) -> Case {
         let team = terms.hands.team(self.seat);
         let colour = terms.colour(team);
@@ -125,7 +124,7 @@ impl BoardInPlay {
         }
     }
 
-    /// Takes in what lies where after a stroke, before the referee speaks.
+    /// Sets the positions after a stroke, before the verdict.
     pub(super) fn take_in(&mut self, terms: &Terms, stroke: &Stroke) {
         self.coins.clone_from(&stroke.left);
         self.break_tries = self
@@ -155,7 +154,7 @@ impl BoardInPlay {
             let winner = if won { team } else { team.other() };
             let won = BoardWon { winner, points };
             self.won = Some(won);
-            // Whatever is owed is written off (28).
+            // All dues are cancelled (28).
             self.owed = ByTeam::default();
             main.effects.push(RulingEffect::BoardWon(won));
             return vec![main];
@@ -198,7 +197,7 @@ impl BoardInPlay {
         rulings
     }
 
-    /// Pays what was owed before, as far as there are coins to pay with (51a).
+    /// Pays earlier dues, as far as there are coins (51a).
     fn pay_old_dues(&mut self, terms: &Terms) -> Vec<Ruling> {
         let mut rulings = Vec::new();
         for team in Team::BOTH {
@@ -236,8 +235,8 @@ impl BoardInPlay {
         can
     }
 
-    /// The seat a coin of `team` is laid away from: the player who struck, or
-    /// for the other team the one across or to the right.
+    /// The seat from which a coin of `team` is laid as far as possible: the player who struck, or
+    /// for the other team the one opposite or to the right.
     fn owner_seat(&self, terms: &Terms, team: Team) -> Seat {
         if terms.hands.team(self.seat) == team {
             self.seat

@@ -14,21 +14,21 @@ use super::table::{Game, GameSetup};
 use super::validity::GameError;
 use crate::physics::{self, Board, EngineError, Limits, Motion, Shot};
 
-/// What was agreed and every move since. All else follows from them.
+/// The agreed rules and every move since. Everything else follows from them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
     setup: GameSetup,
     moves: Vec<Move>,
 }
 
-/// One thing that a player does.
+/// A move of a player.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, IntoStaticStr)]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]
 pub enum Move {
     /// Strikes.
     Strike(Strike),
-    /// Finds every place for the striker barred by coins, and passes.
+    /// Passes, because coins block every position of the striker.
     NoPlace,
     /// Lays the pack for the next board.
     NextBoard,
@@ -46,14 +46,14 @@ pub struct Strike {
     /// Its velocity in m/s.
     #[serde(rename = "velocity_m_s", with = "metres")]
     pub velocity: DVec2,
-    /// What the player said of the first impact beforehand.
+    /// The player's call of the first impact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub call: Option<Call>,
 }
 
-/// Where the two of the first impact were said to go, in degrees from the striker's
-/// direction, with the signs of physics: the striker's positive anticlockwise, the
-/// coin's positive clockwise. `None` is a disc that stays still.
+/// The predicted directions after the first impact, in degrees from the striker's direction, with
+/// the signs of physics: the striker's positive anticlockwise, the coin's positive clockwise.
+/// `None` is a disc that stays still.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Call {
@@ -74,13 +74,13 @@ pub enum MoveError {
     /// The engine cannot play it.
     #[error("this stroke cannot be played: {0}")]
     Engine(#[from] EngineError),
-    /// The laws know no such stroke.
+    /// The laws do not allow such a stroke.
     #[error(transparent)]
     Stroke(#[from] StrokeError),
     /// The game does not allow it.
     #[error(transparent)]
     Game(#[from] GameError),
-    /// There is a place for the striker after all.
+    /// There is a legal position for the striker.
     #[error("there is a place for the striker on the base lines")]
     RoomLeft,
 }
@@ -102,7 +102,7 @@ impl Record {
         Self::of(setup, Vec::new())
     }
 
-    /// A game with these moves, be they possible or not.
+    /// A game with these moves, which may be impossible.
     pub const fn of(setup: GameSetup, moves: Vec<Move>) -> Self {
         Self { setup, moves }
     }
@@ -125,8 +125,7 @@ impl Record {
             .count()
     }
 
-    /// Writes a move down. Whether it can be made shows when it is
-    /// [made](Move::make).
+    /// Adds a move. Whether it is possible shows when it is [made](Move::make).
     pub fn push(&mut self, made: Move) {
         self.moves.push(made);
     }
@@ -139,16 +138,16 @@ impl Record {
     /// Plays the whole record and gives the game it leads to.
     ///
     /// # Errors
-    /// The first thing that is wrong with it.
+    /// Its first fault.
     pub fn replay(&self) -> Result<Game, RecordError> {
         self.play_through(|_, _, _, _| {})
     }
 
-    /// Plays the whole record and shows each move on the way: the game before it, the
-    /// move, its shot if it was a stroke, what the referee announced.
+    /// Plays the whole record and reports each move on the way: the game before it, the move, its
+    /// shot if it was a stroke, what the referee announced.
     ///
     /// # Errors
-    /// The first thing that is wrong with it.
+    /// Its first fault.
     pub fn play_through(
         &self,
         mut each: impl FnMut(Game, &Move, Option<Shot>, Vec<Ruling>),
@@ -194,7 +193,7 @@ impl Move {
 }
 
 impl Strike {
-    /// The shot this is on the board as it lies.
+    /// The shot of this stroke on the present board.
     ///
     /// # Errors
     /// If the striker may not stand there or the engine cannot play it.
@@ -272,7 +271,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_played_is_refused_with_the_move_it_fails_at() {
+    fn an_impossible_record_is_refused_with_the_move_at_fault() {
         let mut record = Record::new(GameSetup::default());
         let breaking = Strike {
             place: DVec2::new(0.0, -0.2526),

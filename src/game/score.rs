@@ -22,8 +22,8 @@ pub struct Score {
 }
 
 impl Score {
-    /// The score after `boards`, the last of them just finished: a game it
-    /// decided still shows its points.
+    /// The score after `boards`, the last of them just finished: a game that it decided still shows
+    /// its points.
     pub(crate) fn after<'a>(rules: Rules, boards: impl IntoIterator<Item = &'a BoardWon>) -> Self {
         boards.into_iter().fold(Self::default(), |score, board| {
             let mut score = score.before_next_board(rules);
@@ -34,8 +34,7 @@ impl Score {
         })
     }
 
-    /// The score with which the next board starts: a game that has been won is
-    /// put away.
+    /// The score at the start of the next board, after a won game is counted.
     pub(crate) fn before_next_board(mut self, rules: Rules) -> Self {
         if let Some(winner) = self.game_winner(rules) {
             self.points = ByTeam::default();

@@ -1,7 +1,6 @@
 //! The steps in which a player sets a stroke.
 //!
-//! What the keys of the table turn by, and so what a hint may ask for: a stroke that
-//! cannot be set is no help.
+//! The keys of the table use these steps, and so do hints: a stroke that cannot be set is useless.
 
 use glam::DVec2;
 
@@ -13,15 +12,15 @@ use crate::physics::units::deg_from_rad;
 
 /// A step of the striker along the base lines, in metres.
 pub(crate) const PLACE_STEP: f64 = 0.002;
-/// What rounding leaves of a step of nothing, in metres.
+/// Rounding error of a step, in metres.
 const SLACK: f64 = 1e-9;
 /// Steps of the direction in a degree.
 pub(crate) const STEPS_PER_DEGREE: f64 = 10.0;
 /// Steps of the speed in 1 m/s.
 pub(crate) const STEPS_PER_SPEED: f64 = 10.0;
 
-/// The same stroke with direction and speed on the nearest steps, seen from `seat`;
-/// at least one step of speed. `None` for one that does not move.
+/// The same stroke with direction and speed on the nearest steps, as seen from `seat`; at least one
+/// step of speed. `None` for a stroke without motion.
 pub(crate) fn on_steps(stroke: Motion, seat: Seat) -> Option<Motion> {
     let way = seat.turn_back(stroke.velocity.try_normalize()?);
     let degrees = deg_from_rad(way.to_angle());
@@ -43,12 +42,12 @@ impl BaseLines<'_> {
         self.nearest_of(Self::steps(), at)
     }
 
-    /// The next legal place on the steps at least `metres` to the player's right of
-    /// `from` (negative: to the left), over all that are not legal; where there is none
-    /// so far, the last one. `None` if there is none any more.
+    /// The next legal place on the steps at least `metres` to the player's right of `from`
+    /// (negative: to the left), skipping illegal ones; if there is none that far, the last one.
+    /// `None` if there is none at all.
     pub(crate) fn next_on_steps(&self, from: DVec2, metres: f64) -> Option<DVec2> {
         let (here, sense) = (self.along(from), metres.signum());
-        // From between two steps the nearer one does.
+        // Between two steps the nearer one counts.
         let least = here + metres - sense * PLACE_STEP / 2.0;
         let ahead: Vec<f64> = Self::steps()
             .filter(|along| (along - here) * sense > SLACK)

@@ -5,8 +5,8 @@ use thiserror::Error;
 use super::pieces::{Coin, Piece, count, piece_of};
 use crate::physics::{Board, DiscState, Shot};
 
-/// A stroke as the referee sees it: what was touched, what fell and what lies
-/// where afterwards. How it came about is the engine's business.
+/// A stroke as the referee sees it: what was touched, what fell and the positions afterwards. The
+/// engine determines them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stroke {
     /// Whether the striker touched any piece.
@@ -18,7 +18,7 @@ pub struct Stroke {
     pub left: Vec<Coin>,
 }
 
-/// Why a stroke cannot be one of this board.
+/// Why a stroke is impossible on this board.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum StrokeError {
     /// Pieces appeared or vanished.
@@ -33,13 +33,13 @@ pub enum StrokeError {
         /// How many lie there now or were pocketed.
         after: u8,
     },
-    /// The striker was pocketed more than once, or left lying as a coin.
+    /// The striker was pocketed more than once, or is on the board as a coin.
     #[error("there is only one striker, and it is lifted after the stroke")]
     Striker,
-    /// A coin fell though the striker is said to have touched none.
+    /// A coin fell although the striker touched none.
     #[error("a coin cannot fall when the striker touched none")]
     Untouched,
-    /// A coin is said to lie off the board.
+    /// A coin is off the board.
     #[error("a coin cannot come to rest off the board")]
     OffTheBoard,
     /// The shot was not played with the discs of this board.

@@ -15,7 +15,7 @@ use super::stroke::{Stroke, StrokeError};
 use super::validity::{GameError, check_coins};
 use crate::physics::{Disc, Motion};
 
-/// What is agreed before the first break.
+/// The agreement before the first break.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct GameSetup {
@@ -33,7 +33,7 @@ pub struct GameSetup {
     pub seed: Option<u64>,
 }
 
-/// A seed as the signed number of the same bits: files know no larger ones.
+/// A seed as the signed number with the same bits, because TOML has no unsigned numbers.
 mod seed_bits {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -46,7 +46,7 @@ mod seed_bits {
     }
 }
 
-/// Where a game stands.
+/// The state of a game.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
 #[strum(serialize_all = "snake_case")]
 pub enum GameStage {
@@ -90,7 +90,7 @@ impl Game {
         }
     }
 
-    /// What was agreed before the first break.
+    /// The agreement before the first break.
     pub fn setup(&self) -> &GameSetup {
         &self.setup
     }
@@ -194,8 +194,8 @@ impl Game {
         Ok(self.carry_out(&terms, verdict))
     }
 
-    /// The player whose turn it is finds no place for the striker, because coins
-    /// bar them all.
+    /// The player whose turn it is has no legal position for the striker, because coins block all
+    /// of them.
     ///
     /// # Errors
     /// If the board has ended.
@@ -231,8 +231,7 @@ impl Game {
     /// Lays `coins` out as they are, in practice.
     ///
     /// # Errors
-    /// If this is no practice, or the coins cannot lie so; the game is then
-    /// unchanged.
+    /// If this is not practice, or the coins cannot lie like this; the game is then unchanged.
     pub(crate) fn lay_out(&mut self, coins: Vec<Coin>) -> Result<(), GameError> {
         if self.setup.rules != Rules::Practice {
             return Err(GameError::NotInPractice);
@@ -300,7 +299,7 @@ impl Game {
                 games.saturating_add(score.boards)
             }
         };
-        // Four turns lead back to where they began, in doubles and in singles.
+        // After four turns the order repeats, in doubles and in singles.
         (0..turns % 4).fold(self.setup.first_breaker, |seat, _| {
             self.setup.hands.next(seat)
         })

@@ -1,4 +1,4 @@
-//! What a game refuses, and how coins cannot lie.
+//! What a game refuses, and impossible positions of coins.
 
 use thiserror::Error;
 
@@ -6,7 +6,7 @@ use super::pieces::{COINS_EACH, Coin, Piece, PieceSet, count};
 use super::placing::SLACK;
 use crate::physics::Board;
 
-/// Why a game cannot do what it is asked.
+/// Why a game refuses a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum GameError {
     /// The board has not ended yet.

@@ -11,7 +11,7 @@ use crate::quiz::{Code, Course, CourseKind, Family, Topic};
 
 /// The format that is written.
 const FORMAT: u32 = 1;
-/// What says that a file is one.
+/// The mark of such a file.
 const KIND: &str = "hand-in";
 /// Most letters of a name.
 const LONGEST: usize = 60;
@@ -19,18 +19,18 @@ const LONGEST: usize = 60;
 /// Most letters of a topic, which may be the title of a chapter.
 const LONGEST_TOPIC: usize = 200;
 
-/// All answers of a pupil, with who that is.
+/// All answers of a pupil, with name and class.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HandIn {
     /// The pupil's name.
     pub name: String,
     /// The class, as the pupil calls it; perhaps empty.
     pub class: String,
-    /// What was answered, in the order of the answers.
+    /// The answers, in their order.
     pub attempts: Vec<Attempt>,
 }
 
-/// What stands in a file; an answer is an [`Attempt`], of which each is read by itself.
+/// The contents of a file; each answer is an [`Attempt`], read separately.
 #[derive(Serialize, Deserialize)]
 struct HandInFile<A> {
     format: u32,
@@ -38,10 +38,10 @@ struct HandInFile<A> {
     name: String,
     #[serde(default)]
     class: String,
-    /// The codes of the rounds, for who looks into the file.
+    /// The codes of the rounds, for human readers of the file.
     #[serde(default)]
     codes: Vec<String>,
-    /// 0 to 10 for each answer, by how near it was, for who looks into the file.
+    /// 0 to 10 for each answer, by how close it was, for human readers of the file.
     #[serde(default)]
     points: f64,
     answers: Vec<A>,
@@ -51,9 +51,9 @@ impl HandIn {
     /// Largest file that is read, in bytes; ten thousand answers take some 6 MB.
     pub(crate) const LARGEST_FILE: usize = 1 << 24;
 
-    /// The file of a pupil. Names are made presentable; one without a visible letter stays
-    /// empty. Answers that no teacher's carrom would read are left out: damage may have changed
-    /// them, and they would spoil all others.
+    /// The file of a pupil. Names are tidied; one without a visible letter stays empty. Answers
+    /// that a teacher's carrom would refuse are left out: damage may have changed them, and the
+    /// whole file would be refused.
     pub fn new(name: &str, class: &str, attempts: Vec<Attempt>) -> Self {
         let mut known = KnownTopics::default();
         let sound = attempts.into_iter();
@@ -69,7 +69,7 @@ impl HandIn {
         }
     }
 
-    /// What the file is called: letters and digits that any system takes.
+    /// The name of the file: letters and digits that any system accepts.
     pub fn file_name(&self) -> String {
         format!("{}.json", self.file_stem())
     }
@@ -90,14 +90,14 @@ impl HandIn {
     /// The text of the file.
     ///
     /// # Errors
-    /// None that can be met in practice; the reason, should it not be writable.
+    /// None in practice; the reason if it cannot be written.
     pub fn text(&self) -> Result<String, String> {
         let text = serde_json::to_string_pretty(&self.written());
         text.map(|text| text + "\n")
             .map_err(|error| error.to_string())
     }
 
-    /// The same, to be sent.
+    /// The same, for sending.
     ///
     /// # Errors
     /// As for [`Self::text`].
@@ -127,21 +127,21 @@ impl HandIn {
     /// Reads such a file.
     ///
     /// # Errors
-    /// Why it is none, in words: not a whole hand-in, a newer one, one without a name, an answer
-    /// that cannot be.
+    /// The reason in words: not a complete hand-in, a newer one, one without a name, an impossible
+    /// answer.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         if bytes.len() > Self::LARGEST_FILE {
             return Err("it is too large for a hand-in".into());
         }
         // Some editors and mail programs put a byte order mark before a text.
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
-        // Whatever else is in it: what it is and how new it is comes first.
+        // Whatever else is wrong, the kind of file and its format come first.
         let value = serde_json::from_slice(bytes)
-            .map_err(|error| format!("it is damaged or no hand-in: {}", short(&error)))?;
+            .map_err(|error| format!("it is damaged or not a hand-in: {}", short(&error)))?;
         Self::of_value(value)
     }
 
-    /// Reads what was sent.
+    /// Reads a hand-in that was sent.
     ///
     /// # Errors
     /// As for [`Self::read`].
@@ -161,7 +161,7 @@ impl HandIn {
             let read = serde_json::from_value(answer).map_err(|error| short(&error));
             let player = written.name.clone();
             read.and_then(|read| checked(Attempt { player, ..read }, &mut known))
-                .map_err(|why| format!("it is damaged: answer {number} cannot be: {why}"))
+                .map_err(|why| format!("it is damaged: answer {number} is impossible: {why}"))
         });
         let attempts = attempts.collect::<Result<_, _>>()?;
         let hand_in = Self::of(&written.name, &written.class, attempts);
@@ -172,17 +172,16 @@ impl HandIn {
     }
 }
 
-/// Which topics belong to which families, as far as was asked: a file has thousands of answers
-/// about few topics.
+/// Which topics belong to which families, cached: a file has thousands of answers about few topics.
 type KnownTopics = HashMap<(Family, String), bool>;
 
-/// An answer that some carrom can have noted, with its round and its topic as carrom writes them.
+/// An answer that a carrom can have stored, with its round and its topic as carrom writes them.
 ///
-/// What pupils hand in becomes heads and cells of their teacher's tables: no name comes into them
-/// that is not known or tidied here.
+/// Hand-ins become headings and cells of the teacher's tables, so every name is checked or tidied
+/// here.
 ///
 /// # Errors
-/// What about it cannot be.
+/// What is impossible about it.
 fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, String> {
     if let Some(fault) = attempt.fault() {
         return Err(fault.into());
@@ -204,11 +203,11 @@ fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, Str
             )
         })?;
         let is_own = code.is_some_and(|code| matches!(code.course.kind, CourseKind::Own(_)));
-        // A teacher's own questions are about what their files are called.
+        // The topic of a teacher's own question is the name of its file.
         let is_free = is_own && family == Family::Concept;
         if !is_free && !is_topic_of(&attempt.topic, family, known) {
             return Err(format!(
-                "its topic is {}, which is none of its family",
+                "its topic is {}, which is not in its family",
                 quoted(&attempt.topic)
             ));
         }
@@ -217,16 +216,16 @@ fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, Str
     Ok(attempt)
 }
 
-/// Writes the name of an answer's round as carrom does; gives its code.
+/// Writes the name of an answer's round as carrom does; returns its code.
 fn name_round(attempt: &mut Attempt) -> Result<Option<Code>, String> {
-    // Before codes were noted with the figures the seed was all there was.
+    // Earlier versions stored only the seed.
     let Some(round) = attempt.question.get_mut(ROUND) else {
         return Ok(None);
     };
     let noted = round.as_str().unwrap_or_default();
     let (name, code) = Code::read_noted(noted).map_err(|_| {
         let shown = round.as_str().map_or_else(|| round.to_string(), Into::into);
-        format!("its round is {}, which is no code", quoted(&shown))
+        format!("its round is {}, which is not a code", quoted(&shown))
     })?;
     if name != noted {
         *round = name.into();
@@ -243,7 +242,7 @@ fn is_topic_of(topic: &str, family: Family, known: &mut KnownTopics) -> bool {
     *known.entry((family, topic.to_owned())).or_insert_with(asks)
 }
 
-/// What serde says of a file. It may quote all of it.
+/// The message of serde about a file, which may quote all of it.
 fn short(error: &serde_json::Error) -> String {
     let message = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());

@@ -1,4 +1,4 @@
-//! What each question showed about all who answered it.
+//! The results of each question over all pupils who answered it.
 
 use std::collections::BTreeMap;
 
@@ -6,25 +6,25 @@ use super::ClassResults;
 use crate::progress::{Attempt, LESSON, Tally, discrimination};
 use crate::quiz::{Code, Misconception, Round};
 
-/// What a question showed.
+/// The results of a question.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ItemStatistics {
     /// The round, and the question's number in it, from 1.
     pub round: String,
     /// The number.
     pub number: u32,
-    /// What was asked, where that follows from the code.
+    /// The question, if it follows from the code.
     pub question: Option<String>,
-    /// The answers to it; there is one at least.
+    /// The answers to it, at least one.
     pub tally: Tally,
-    /// How well it tells pupils apart.
+    /// How well it separates pupils.
     pub discrimination: Option<f64>,
-    /// The misconception that most answers fitted, and how many did.
+    /// The misconception that most answers fit, and how many.
     pub commonest: Option<(Misconception, usize)>,
 }
 
-/// What the questions of all rounds showed; those of chapters and of rounds that follow from the
-/// answers differ from pupil to pupil.
+/// The results of the questions of all rounds, except chapters and rounds that depend on the
+/// answers, which differ from pupil to pupil.
 pub fn items(results: &ClassResults<'_>) -> Vec<ItemStatistics> {
     let mut answers: BTreeMap<(&str, u32), Vec<(&Attempt, f64)>> = BTreeMap::new();
     for pupil in &results.pupils {
@@ -65,7 +65,7 @@ pub fn items(results: &ClassResults<'_>) -> Vec<ItemStatistics> {
     each.collect()
 }
 
-/// The misconception that most of these fitted; of equals the first of all.
+/// The misconception that most of these fit; of equals the first in order.
 fn commonest<'a>(answers: impl Iterator<Item = &'a Attempt>) -> Option<(Misconception, usize)> {
     let shown = answers.filter_map(Attempt::shows);
     let shown: Vec<Misconception> = shown.collect();

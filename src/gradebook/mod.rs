@@ -1,8 +1,8 @@
-//! What a class has handed in: files of single pupils, put together.
+//! The hand-ins of a class: files of single pupils, combined.
 //!
-//! A pupil's [`HandIn`] holds every answer that was given, so that a second one holds the first.
-//! A [`Gradebook`] counts each pupil and each answer once. For a question of a round the first
-//! answer counts: who plays a round again has seen what is true.
+//! A pupil's [`HandIn`] holds every answer that was given, so that a second one holds the first. A
+//! [`Gradebook`] counts each pupil and each answer once. For a question of a round the first answer
+//! counts, because a pupil who plays a round again has seen the right answers.
 
 mod beliefs;
 mod hand_in;

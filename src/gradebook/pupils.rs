@@ -1,4 +1,4 @@
-//! Who has handed in, each pupil and each answer once.
+//! The pupils who have handed in, each pupil and each answer once.
 
 use std::collections::HashSet;
 
@@ -8,7 +8,7 @@ use crate::numbers::counted;
 use crate::progress::Attempt;
 use crate::quiz::Figures;
 
-/// A pupil with all that was handed in.
+/// A pupil with all answers handed in.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pupil {
     /// The name; a second pupil of the same name is "Ada (2)".
@@ -17,13 +17,13 @@ pub struct Pupil {
     pub class: String,
     /// Every answer, in the order of their times.
     pub attempts: Vec<Attempt>,
-    /// The name without what tells two apart.
+    /// The name without the number that distinguishes two pupils.
     own_name: String,
 }
 
 impl Pupil {
-    /// Whether this is who handed that in: the same name and class, as far as a class is named,
-    /// and an answer in common, or none on one side.
+    /// Whether this pupil handed that in: the same name and class, if a class is named, and an
+    /// answer in common, or no answers on one side.
     fn is(&self, other: &HandIn) -> bool {
         let shares = || {
             let handed_in: HashSet<_> = other.attempts.iter().map(identity).collect();
@@ -33,7 +33,7 @@ impl Pupil {
         self.is_called_as(other) && (empty || shares())
     }
 
-    /// Whether both are called the same and may be of one class.
+    /// Whether both have the same name and may be in one class.
     fn is_called_as(&self, other: &HandIn) -> bool {
         let alike = |a: &str, b: &str| a.to_lowercase() == b.to_lowercase();
         let unnamed = self.class.is_empty() || other.class.is_empty();
@@ -41,8 +41,7 @@ impl Pupil {
     }
 }
 
-/// What an answer has in common with itself in another file, and with no other answer: when it
-/// was given and its place; what was asked and answered.
+/// The identity of an answer across files: its time and place, the question and the answer.
 type Identity<'a> = ((Option<i64>, u64, u32), &'a str, [&'a Figures; 2]);
 
 fn identity(it: &Attempt) -> Identity<'_> {
@@ -58,13 +57,13 @@ fn identity(it: &Attempt) -> Identity<'_> {
 pub struct Gradebook {
     /// The pupils.
     pub pupils: Vec<Pupil>,
-    /// What a teacher should know of the files, a sentence each.
+    /// Notes on the files for the teacher, one sentence each.
     pub notes: Vec<String>,
 }
 
 impl Gradebook {
-    /// Adds what a file held, or why it could not be read. The same pupil, or the same answer,
-    /// a second time is counted once.
+    /// Adds the contents of a file, or why it could not be read. The same pupil, or the same
+    /// answer, a second time is counted once.
     pub fn add(&mut self, file: &str, read: Result<HandIn, String>) {
         let hand_in = match read {
             Ok(hand_in) => hand_in,
@@ -121,7 +120,8 @@ impl Gradebook {
         classes.join("; ")
     }
 
-    /// Notes who of these names has handed in nothing; case and blanks around them do not matter.
+    /// Notes which of these names have handed in nothing; case and surrounding blanks do not
+    /// matter.
     pub(crate) fn look_for<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
         let known = |name: &str| {
             let name = name.to_lowercase();
@@ -142,7 +142,7 @@ impl Gradebook {
         }
     }
 
-    /// What the answers of every pupil come to.
+    /// The results of every pupil.
     pub fn results(&self) -> ClassResults<'_> {
         ClassResults::of(self)
     }

@@ -1,5 +1,5 @@
-//! What the answers of a class come to, worked out once for all tables and pages: reading the
-//! figures of an answer takes far longer than counting it.
+//! The results of a class, computed once for all tables and pages: reading the figures of an answer
+//! takes far longer than counting it.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -17,7 +17,7 @@ pub struct ClassResults<'a> {
     pub pupils: Vec<PupilResults<'a>>,
 }
 
-/// What the answers of one pupil come to.
+/// The results of one pupil.
 #[derive(Debug, Clone)]
 pub struct PupilResults<'a> {
     /// Whose they are.

@@ -4,10 +4,10 @@ use super::{BeliefCount, ClassResults, ItemStatistics, beliefs, items};
 use crate::files::csv_table;
 use crate::numbers::fixed;
 
-/// A row a pupil: what was answered in all, in each round and on each topic.
+/// One row per pupil: the results in all, in each round and on each topic.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should a row not be writable.
+/// None in practice; the reason if a row cannot be written.
 pub fn pupils_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let (rounds, topics) = (results.rounds(), results.topics());
     let mut heads: Vec<String> = [
@@ -58,15 +58,15 @@ pub fn pupils_csv(results: &ClassResults<'_>) -> Result<String, String> {
     csv_table(&heads, &rows)
 }
 
-/// A figure; nothing where there is none.
+/// A number; empty if there is none.
 fn figure(x: Option<f64>, decimals: usize) -> String {
     x.map_or(String::new(), |x| fixed(x, decimals))
 }
 
-/// A row a question: how all who answered it did.
+/// One row per question: the results of all who answered it.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should a row not be writable.
+/// None in practice; the reason if a row cannot be written.
 pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let class = results.book.classes();
     let columns: [(&str, CellOf<ItemStatistics>); 10] = [
@@ -90,10 +90,10 @@ pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
     table(&columns, &items(results))
 }
 
-/// What stands in a column of a row.
+/// The cell of a row in a column.
 type CellOf<'c, T> = &'c dyn Fn(&T) -> String;
 
-/// A table of these columns, each with its head.
+/// A table of these columns, each with its heading.
 fn table<T>(columns: &[(&str, CellOf<T>)], rows: &[T]) -> Result<String, String> {
     let heads: Vec<&str> = columns.iter().map(|(head, _)| *head).collect();
     let row = |it| columns.iter().map(|(_, cell)| cell(it)).collect();
@@ -101,10 +101,10 @@ fn table<T>(columns: &[(&str, CellOf<T>)], rows: &[T]) -> Result<String, String>
     csv_table(&heads, &rows)
 }
 
-/// A row a misconception: how many hold it.
+/// One row per misconception: how many hold it.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should a row not be writable.
+/// None in practice; the reason if a row cannot be written.
 pub fn beliefs_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let class = results.book.classes();
     let columns: [(&str, CellOf<BeliefCount>); 5] = [

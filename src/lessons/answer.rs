@@ -1,4 +1,4 @@
-//! How an answer at a checkpoint is kept.
+//! Stored answers at checkpoints.
 
 use serde_json::{Value, json};
 
@@ -8,13 +8,13 @@ use crate::quiz::{Rays, Response};
 /// Share of the credit that an answer after a hint earns.
 pub(crate) const AFTER_HINT: f64 = 0.5;
 
-/// An answer as it is kept: angles in degrees, a line of a choice counted from 1.
+/// A stored answer: angles in degrees, a choice counted from 1.
 pub(crate) fn answer_json(said: &Response) -> Value {
     match said {
         Response::Rays(rays) => rays.json(),
         Response::Number(number) => json!({"number": number}),
         Response::Choice(line) => json!({"choice": line + 1}),
-        // No checkpoint asks for one.
+        // No checkpoint asks for a shot.
         Response::Shot(_) => Value::Null,
     }
 }

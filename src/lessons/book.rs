@@ -1,4 +1,4 @@
-//! The chapters there are for this player, and how far they have been read.
+//! The chapters available to this player, and their bookmarks.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::{Bookmark, Chapter, ChapterLibrary};
 use crate::quiz::Passage;
 
-/// What is to be forgotten of bookmarks. The record of answers stays in any case.
+/// What to delete from bookmarks. The record of answers always stays.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Forget {
     /// The answer given on a page.
@@ -25,17 +25,16 @@ pub enum Forget {
 /// All chapters, with a bookmark in each.
 #[derive(Debug, Clone, Default)]
 pub struct Book {
-    /// `None` where there are those of the program alone, which are read only when
-    /// they are looked at.
+    /// `None` for the built-in ones alone, which are read only when they are needed.
     library: Option<Arc<ChapterLibrary>>,
-    /// The line of the contents that was looked at last.
+    /// The line of the contents that was chosen last.
     pub at: usize,
-    /// By the ids of the chapters; `None` until it is known what was kept.
+    /// By the ids of the chapters; `None` until the stored ones are known.
     marks: Option<BTreeMap<String, Bookmark>>,
 }
 
 impl Book {
-    /// A book of other chapters than those of the program alone.
+    /// A book with more than the built-in chapters.
     pub fn new(library: ChapterLibrary) -> Self {
         Self {
             library: Some(Arc::new(library)),
@@ -43,7 +42,7 @@ impl Book {
         }
     }
 
-    /// The chapters, and what was wrong with files that are left out.
+    /// The chapters, and the errors of files left out.
     pub fn library(&self) -> &ChapterLibrary {
         let own = self.library.as_deref();
         own.unwrap_or_else(|| ChapterLibrary::embedded_once())
@@ -76,17 +75,17 @@ impl Book {
         ))
     }
 
-    /// Whether it is known how far the chapters have been read.
+    /// Whether the bookmarks are known.
     pub(crate) fn is_known(&self) -> bool {
         self.marks.is_some()
     }
 
-    /// Takes the bookmarks that were kept; from then on the book knows them itself.
+    /// Sets the stored bookmarks; from then on the book keeps them itself.
     pub(crate) fn recall(&mut self, marks: BTreeMap<String, Bookmark>) {
         self.marks.get_or_insert(marks);
     }
 
-    /// Knows no bookmarks any more: another player's are to be asked for.
+    /// Forgets all bookmarks, because another player's will be requested.
     pub(crate) fn close(&mut self) {
         self.marks = None;
     }

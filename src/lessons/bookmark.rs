@@ -7,9 +7,9 @@ use crate::quiz::Response;
 
 /// How far a chapter has been read.
 ///
-/// It knows pages by their titles and answers by what was asked. So it fits a chapter
-/// that was changed since: what is no longer there is never asked for, and nobody is
-/// told an answer that was given to another question.
+/// It knows pages by their titles and answers by what was asked. So it still fits a chapter that
+/// has changed since: missing pages are ignored, and an answer to a different question is not
+/// shown.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Bookmark {
     /// The title of the page it is open at; `None` at the first.
@@ -79,7 +79,7 @@ impl Bookmark {
     pub fn given(&self, page: &ChapterPage) -> Option<&GivenAnswer> {
         let asked = page.checkpoint.as_ref()?;
         let given = self.pages.get(&page.title)?.as_ref();
-        // As a database that somebody has changed may hold it.
+        // A modified database may contain such an answer.
         let form = asked.form(None, |_| String::new());
         let fits = |said: &Response| form.accepts(said);
         given.filter(|given| {
@@ -130,8 +130,8 @@ impl Bookmark {
         }
     }
 
-    /// Adds what was done later: its place and angle, if it has any, take the place of
-    /// those before; a page stays seen, and answered until it is answered anew.
+    /// Adds later entries: their place and angle, if any, replace the earlier ones; a page stays
+    /// seen, and answered until it is answered again.
     pub(crate) fn merge(&mut self, later: Self) {
         self.place = later.place.or_else(|| self.place.take());
         self.alpha_deg = later.alpha_deg.or(self.alpha_deg);
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_read_adds_up() {
+    fn reading_progress_adds_up() {
         let chapter = chapter(CHAPTER);
         let mut mark = read(&chapter);
         assert_eq!(standing(&mark, &chapter), [1, 2, 1, 1]);
@@ -201,7 +201,7 @@ mod tests {
         assert_eq!(mark.words(&chapter), "read 3 of 3, right 0 of 1");
     }
 
-    /// As a database that somebody has changed may hold it.
+    /// A modified database may contain such an answer.
     #[test]
     fn an_answer_that_does_not_fit_what_is_asked_is_none() {
         let chapter = chapter(CHAPTER);

@@ -1,4 +1,4 @@
-//! Checkpoints: what is asked before it is shown.
+//! Checkpoints: questions that come before the outcome is shown.
 
 use super::inline::{self, Meaning};
 use super::words::Words;
@@ -12,19 +12,19 @@ const CHOICES: std::ops::RangeInclusive<usize> = 2..=5;
 /// Most letters of a unit.
 const UNIT: usize = 8;
 
-/// A question on a page, and what is said once it is answered.
+/// A question on a page, and the text after the answer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Checkpoint {
     /// What is asked for.
     pub asked: CheckpointKind,
     /// The question.
     pub question: Vec<TextBlock>,
-    /// What helps whoever was wrong, without telling the answer; a wrong line of a choice
-    /// may have it in what is said to it.
+    /// The hint after a wrong answer, which does not reveal the right one; the feedback on a wrong
+    /// choice can serve as the hint.
     pub hint: Vec<TextBlock>,
-    /// What is said after the answer.
+    /// The text after the answer.
     pub after: Vec<TextBlock>,
-    /// All that it asks, as it is written: an answer belongs to this and to nothing else.
+    /// Its source text, which identifies the question of a stored answer.
     pub written: String,
     /// Its line in the file.
     pub line: usize,
@@ -39,7 +39,7 @@ pub enum CheckpointKind {
     Number {
         /// The right one.
         expected: Expected,
-        /// How far off still counts as right, in the unit of the number.
+        /// The tolerance, in the unit of the number.
         tolerance: f64,
     },
     /// One of several lines.
@@ -81,14 +81,14 @@ impl Expected {
 pub struct CheckpointChoice {
     /// What it says.
     pub text: Vec<Inline>,
-    /// What is said to whoever chose it.
+    /// The feedback on this choice.
     pub why: Vec<Inline>,
     /// Whether it is right.
     pub right: bool,
 }
 
 impl Checkpoint {
-    /// The question as the quiz asks it, with what is true of the collision of the page's
+    /// The question in the form of the quiz, with the right answer for the collision of the page's
     /// figure; `spell` gives the text of a choice.
     pub fn form(&self, figure: Option<&Collision>, spell: impl Fn(&[Inline]) -> String) -> Form {
         match &self.asked {
@@ -118,8 +118,8 @@ impl Checkpoint {
         }
     }
 
-    /// Whether a first answer gets a hint and a second try: it is wrong, there is something
-    /// to say, and more than one answer is left.
+    /// Whether a first answer gets a hint and a second try: it is wrong, there is a hint, and more
+    /// than one answer is left.
     pub(crate) fn offers_second_try(&self, form: &Form, said: &Response) -> bool {
         let has_hint = match form {
             Form::Choice { options, .. } => options.len() > 2,
@@ -128,8 +128,8 @@ impl Checkpoint {
         has_hint && !form.is_right(said)
     }
 
-    /// The hint after a first wrong answer: what is said to the choice that was made where
-    /// the checkpoint has no hint of its own.
+    /// The hint after a first wrong answer: the feedback on the choice if the checkpoint has no
+    /// hint of its own.
     pub(crate) fn hint_to(&self, said: &Response) -> Vec<TextBlock> {
         match (said, &self.asked) {
             (Response::Choice(chosen), CheckpointKind::Choice(choices)) if self.hint.is_empty() => {
@@ -176,7 +176,7 @@ impl Checkpoint {
                 return source.refuse(line, message);
             }
         };
-        // Words that are left over after one that is wrong may belong to it.
+        // Words left over after an invalid one may belong to it.
         if asked.is_some() {
             source.accept(line, words.finish());
         }
@@ -286,7 +286,7 @@ fn read_choices(
         let (why, after) = rest.split_at(length);
         let told: Vec<_> = why.iter().map(|(_, text)| text.trim()).collect();
         if told.is_empty() {
-            let message = "expected indented lines that are said to whoever chooses this";
+            let message = "expected indented lines of feedback for this choice";
             source.refuse::<()>(*number, message);
         }
         let text = inline::read(source, *number, text, meaning);

@@ -10,7 +10,7 @@ use super::{CollisionSpec, header::Shots, words::Words};
 pub enum FigureKind {
     /// The hit, as in the lab.
     Lab,
-    /// The hit at the contact with n, t and the split of u.
+    /// The collision at the contact with n, t and the components of u.
     Split {
         /// Whether only the lines n and t are drawn.
         lines: bool,
@@ -20,7 +20,7 @@ pub enum FigureKind {
         /// The step, 1 to 3.
         step: u8,
     },
-    /// The hit from the board and from the centre of mass.
+    /// The collision in the laboratory frame and the centre-of-mass frame.
     Frames,
     /// Both speeds against α.
     Curves,
@@ -30,8 +30,7 @@ pub enum FigureKind {
     Energy,
     /// The worked solution.
     Worked {
-        /// The first step, from 1, whose results are left blank until the checkpoint
-        /// is answered.
+        /// The first step, from 1, whose results are blank until the checkpoint is answered.
         blank: Option<usize>,
     },
     /// The worked solution of numbers that the student sets.
@@ -40,12 +39,12 @@ pub enum FigureKind {
     Foil {
         /// The page of the foil: 1 a particle, 2 a beam, 3 what was counted in 1913.
         page: u8,
-        /// Whether the counts of 1913 stand above the law rather than against it.
+        /// Whether the counts of 1913 are shown relative to the law.
         levelled: bool,
         /// Whether a beam is counted in whole rings rather than on a small screen.
         rings: bool,
     },
-    /// Many shots at one disc, none of them aimed.
+    /// Many unaimed shots at one disc.
     Shots {
         /// Whether the offsets fill a disc, as in space, rather than a line.
         space: bool,
@@ -68,15 +67,15 @@ pub struct Figure {
 }
 
 impl FigureKind {
-    /// Whether it shows the very hit, so that rays can be turned in it.
+    /// Whether it shows the collision itself, so that rays can be turned in it.
     pub fn is_hit(self) -> bool {
         matches!(self, Self::Lab | Self::Split { .. })
     }
 }
 
 impl Figure {
-    /// Reads the words of a figure: `lab carrom alpha_deg=40`. What changes in its shot
-    /// once the page's question is answered stands behind `then`.
+    /// Reads the words of a figure: `lab carrom alpha_deg=40`. Changes of its shot once the page's
+    /// question is answered follow `then`.
     ///
     /// # Errors
     /// What was expected.

@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_figure_is_refused() {
+    fn a_text_that_is_not_a_figure_is_refused() {
         for text in [
             "", "abc", "nan", "inf", "1e999", "sqrt", "sqrt -2", "2 sqrt x", "1 2", "--1",
         ] {

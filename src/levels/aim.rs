@@ -1,18 +1,18 @@
-//! What a player may set before the shot of a level, and what was set.
+//! The settings before the shot of a level.
 
 use super::quantity as q;
 use crate::files::{Fields, NumberSpec, Range, all};
 
-/// Something a player may be free to set, in the units of the screen.
+/// A setting that a level may leave to the player, in the units of the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dial {
     /// Direction of the shot, in degrees from +x, anticlockwise.
     Direction,
     /// Speed of the shot, in m/s.
     Speed,
-    /// Where the disc that is set off starts: its x in mm.
+    /// The starting position of the disc that is shot: its x in mm.
     Place,
-    /// Mass of the disc that is set off, in grams.
+    /// Mass of the disc that is shot, in grams.
     Mass,
     /// Restitution of disc on disc.
     Restitution,
@@ -28,7 +28,7 @@ impl Dial {
         Self::Restitution,
     ];
 
-    /// Its name in a file, what one press of a key changes, and what it may be.
+    /// Its name in a file, its step, and its range.
     const fn facts(self) -> (&'static str, f64, &'static NumberSpec) {
         match self {
             Self::Direction => ("direction_deg", 0.5, &q::DIRECTION),
@@ -49,8 +49,8 @@ impl Dial {
         Self::ALL.map(Self::field)
     }
 
-    /// What one press of a key changes; every solution in the packs that come with
-    /// carrom is a whole number of these away from where the level starts.
+    /// Its step; every solution in the built-in packs is a whole number of steps away from the
+    /// initial aim.
     pub const fn step(self) -> f64 {
         self.facts().1
     }
@@ -90,7 +90,7 @@ impl LevelAim {
     }
 }
 
-/// Which dials a player may turn, and how far.
+/// The dials that the player may change, and their ranges.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Adjust(Vec<(Dial, Range)>);
 
@@ -100,7 +100,7 @@ impl Adjust {
         self.0.iter().copied()
     }
 
-    /// How far a dial may be turned; `None` if it is fixed.
+    /// The range of a dial; `None` if it is fixed.
     pub(crate) fn range(&self, dial: Dial) -> Option<Range> {
         self.dials()
             .find_map(|(d, range)| (d == dial).then_some(range))
@@ -117,7 +117,7 @@ impl Adjust {
         Some(Self(dials))
     }
 
-    /// Reads a setting of the dials; those that are left out stay as in `start`.
+    /// Reads a setting of the dials; those left out stay as in `start`.
     pub(super) fn read_setting(&self, fields: &Fields, start: LevelAim) -> Option<LevelAim> {
         let settings = Dial::named_in(fields).map(|dial| {
             let name = dial.field();

@@ -11,13 +11,12 @@ use crate::physics::{Engine, EngineError, Shot};
 pub struct Trial {
     /// What became of the goals.
     pub verdict: Judgement,
-    /// Whether the aim with which the level opens wins as well, so that there is
-    /// nothing to find out.
+    /// Whether the initial aim wins too, so that there is nothing to find out.
     pub opens_won: bool,
 }
 
 impl Trial {
-    /// Plays the stored solution and the opening aim of a level.
+    /// Plays the stored solution and the initial aim of a level.
     ///
     /// # Errors
     ///
@@ -34,9 +33,8 @@ impl Trial {
     }
 }
 
-/// The share, 0 to 1, of `tries` aims spread evenly over all a player may set that
-/// win: how easy the level is to win by chance. A shot that cannot be played counts
-/// as lost.
+/// The share, 0 to 1, of `tries` aims spread evenly over all possible settings that win, which
+/// measures how easy the level is to win by chance. A shot that cannot be played counts as lost.
 ///
 /// The aims are the points of an additive recurrence with the powers of the root of
 /// x^(d+1) = x + 1 (M. Roberts' R sequence), which fills d dimensions evenly and is

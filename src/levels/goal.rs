@@ -1,4 +1,4 @@
-//! What has to come about in a level.
+//! The goals of a level.
 
 use glam::DVec2;
 
@@ -7,10 +7,10 @@ use super::scene::{Scene, point, read_disc, read_discs, tidy};
 use crate::files::{Fields, Range};
 use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 
-/// One thing that has to come about; a level is won when all of its goals are met.
+/// A goal; a level is won when all of its goals are met.
 ///
-/// What is said of "the first hit" is said of the first time two discs meet. Body 1
-/// of it is always the disc that was set off, as all others are at rest until then.
+/// "The first hit" is the first collision of two discs. Body 1 is always the disc that was shot,
+/// because all others are at rest until then.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Goal {
     /// These discs fall into pockets, in this order.
@@ -36,7 +36,7 @@ pub enum Goal {
         disc: usize,
         /// The disc that hits it.
         by: usize,
-        /// How many times that one meets a cushion before, at least.
+        /// The least number of cushions that one hits before.
         least: usize,
     },
     /// A disc comes to rest with its centre in a circle.
@@ -53,47 +53,47 @@ pub enum Goal {
         /// The circle.
         circle: GoalCircle,
     },
-    /// A disc meets cushions before it meets another disc for the first time.
+    /// A disc hits cushions before it hits another disc for the first time.
     Bank {
         /// The disc.
         disc: usize,
-        /// The disc it then meets.
+        /// The disc it then hits.
         target: usize,
-        /// How many times it meets a cushion at least.
+        /// The least number of cushions.
         least: usize,
     },
-    /// A disc meets cushions, whatever else it does.
+    /// A disc hits cushions, whatever else it does.
     Cushions {
         /// The disc.
         disc: usize,
         /// How many times at least.
         least: usize,
     },
-    /// What the first hit shows lies between bounds.
+    /// A measure of the first collision lies in a range.
     FirstHit {
         /// What is measured.
         measure: HitMeasure,
-        /// Bounds, in the unit of what is measured.
+        /// The range, in the unit of the measure.
         range: Range,
     },
 }
 
-/// What the first hit shows right after it.
+/// A measure right after the first collision.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HitMeasure {
     /// The speed of a disc, in m/s.
     Speed(usize),
-    /// The angle between the line along which body 1 came and the velocity of a disc, to
-    /// either side, in radians.
+    /// The angle between the initial path of body 1 and the velocity of a disc, to either side, in
+    /// radians.
     Turn(usize),
     /// The angle between the velocities of the two, in radians.
     Separation,
-    /// The part of the energy body 1 brought that a disc takes away, as a fraction of one.
+    /// The share of body 1's energy that a disc has afterwards, 0 to 1.
     Energy(usize),
 }
 
 impl HitMeasure {
-    /// The disc that it is measured of; `None` where it is of both.
+    /// The disc concerned; `None` if it is both.
     pub(super) const fn disc(self) -> Option<usize> {
         match self {
             Self::Speed(disc) | Self::Turn(disc) | Self::Energy(disc) => Some(disc),
@@ -114,7 +114,7 @@ impl HitMeasure {
 }
 
 impl Goal {
-    /// Whether it is decided by the first hit alone.
+    /// Whether the first collision alone decides it.
     pub(crate) fn is_of_the_first_hit(&self) -> bool {
         matches!(self, Self::FirstHit { .. })
     }
@@ -286,7 +286,10 @@ impl Goal {
                     HitMeasure::Turn(_) => {
                         format!("Send {name} off at {between} from the line of the shot.")
                     }
-                    HitMeasure::Separation => format!("Make the two go {between} apart."),
+                    HitMeasure::Separation => format!(
+                        "Make the angle between the paths \
+                         {between}."
+                    ),
                     HitMeasure::Energy(_) => {
                         format!("Give {name} {between} of the energy in the first hit.")
                     }
@@ -296,7 +299,7 @@ impl Goal {
     }
 }
 
-/// So many cushions at least, in words.
+/// At least this many cushions, in words.
 fn cushions(least: usize) -> String {
     match least {
         1 => "a cushion".into(),

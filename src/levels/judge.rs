@@ -1,5 +1,5 @@
-//! Whether a shot meets the goals of a level, and what came about instead, in words: from the
-//! record of the shot alone.
+//! Whether a shot meets the goals of a level, or what happened instead, in words: from the record
+//! of the shot alone.
 
 use glam::DVec2;
 
@@ -11,14 +11,14 @@ use crate::physics::angle::angle_between;
 use crate::physics::units::mm_from_m;
 use crate::physics::{DiscState, Event, EventKind, Shot};
 
-/// What became of a level's goals, in their order.
+/// The results of a level's goals, in their order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Judgement {
     /// A finding for each goal.
     pub findings: Vec<Finding>,
 }
 
-/// What became of one goal.
+/// The result of one goal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
     /// Whether it is met.
@@ -141,14 +141,17 @@ impl Goal {
                 let told = match measure {
                     HitMeasure::Speed(_) => format!("{name} left the hit at {} m/s", tidy(number)),
                     HitMeasure::Turn(_) => format!("{name} left at {}", degrees(number)),
-                    HitMeasure::Separation => format!("they went {} apart", degrees(number)),
+                    HitMeasure::Separation => format!("the paths were {} apart", degrees(number)),
                     HitMeasure::Energy(_) => {
                         format!("{name} took {} % of the energy", tidy(100.0 * number))
                     }
                 };
                 match range.holds(number) {
                     true => found(true, told),
-                    false => found(false, format!("{told}, wanted {}", measure.between(range))),
+                    false => found(
+                        false,
+                        format!("{told}, required {}", measure.between(range)),
+                    ),
                 }
             }
         }
@@ -156,7 +159,7 @@ impl Goal {
 }
 
 impl GoalCircle {
-    /// Whether a disc that came to a point is inside; `came` says which and how.
+    /// Whether a disc at a point is inside; `came` is the beginning of the sentence.
     fn judge(&self, point: DVec2, came: &str) -> Finding {
         let outside = self.outside_mm(point);
         if outside > 0.0 {
@@ -173,7 +176,7 @@ impl GoalCircle {
     }
 }
 
-/// Why the first hit shows nothing of a measure.
+/// Why a measure of the first collision is undefined.
 enum Missing {
     /// The disc had no part in it, or there was none.
     Part,
@@ -188,7 +191,7 @@ impl Missing {
             (Self::Direction, "") => "one of the two stopped, so there is no angle".into(),
             (Self::Direction, _) => format!("{name} stopped, so it has no direction"),
             (Self::Part, "") => "no disc was hit".into(),
-            (Self::Part, _) => format!("{name} had no part in a first hit"),
+            (Self::Part, _) => format!("{name} was not in the first hit"),
         }
     }
 }
@@ -196,7 +199,7 @@ impl Missing {
 /// The first time two discs meet.
 struct FirstImpact {
     discs: [usize; 2],
-    /// Which of the two was set off: the other is at rest.
+    /// Which of the two was shot: the other is at rest.
     moving: usize,
     before: DVec2,
     afters: [DVec2; 2],
@@ -224,7 +227,7 @@ impl FirstImpact {
         })
     }
 
-    /// What it shows of a measure, in the unit of the goal's range.
+    /// The value of a measure, in the unit of the goal's range.
     fn shows(&self, measure: HitMeasure, shot: &Shot) -> Result<f64, Missing> {
         let after = |disc| {
             let both = self.discs.into_iter().zip(self.afters);
@@ -278,7 +281,7 @@ fn before_meeting(one: usize, other: usize, shot: &Shot) -> Option<&[Event]> {
     shot.events().get(..at)
 }
 
-/// How many times a disc meets a cushion.
+/// How many times a disc hits a cushion.
 fn cushions(disc: usize, events: &[Event]) -> usize {
     let met = |kind| matches!(kind, EventKind::Cushion { disc: met, .. } if met == disc);
     events.iter().filter(|event| met(event.kind)).count()
@@ -292,7 +295,7 @@ fn in_cushions(count: usize) -> String {
     }
 }
 
-/// The point of a disc's way that is nearest to a point.
+/// The point of a disc's path that is nearest to a point.
 fn nearest_on_path(shot: &Shot, disc: usize, point: DVec2) -> DVec2 {
     let distance = |p: &DVec2| p.distance(point);
     shot.path(disc)

@@ -2,7 +2,7 @@
 
 use crate::physics::Disc;
 
-/// What a disc is on the board; it gives its mass and size unless the file does.
+/// The kind of a disc, which determines its mass and size unless the file does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DiscKind {
     /// The disc that is flicked: 15 g and 41.3 mm across, the most the Laws allow.

@@ -14,12 +14,12 @@ pub(crate) const FORMAT: u32 = 1;
 /// The most goals a level may have.
 const MOST_GOALS: usize = 8;
 
-/// What stands in a file.
+/// The contents of a file.
 const FIELDS: [&str; 8] = [
     "format", "level", "board", "disc", "shot", "adjust", "goal", "solution",
 ];
 
-/// What stands in a file of the level itself.
+/// The table `[level]` of a file.
 const ABOUT: [&str; 6] = [
     "id",
     "title",
@@ -29,27 +29,26 @@ const ABOUT: [&str; 6] = [
     "unknown_mass",
 ];
 
-/// A scene with a goal, what the player may set, and what there is to learn.
+/// A scene with goals, settings for the player, and an explanation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
     /// Name that stays the same for good: lower-case letters, digits and hyphens.
     pub id: String,
     /// Its title.
     pub title: String,
-    /// Hints, each giving away more than the one before it.
+    /// Hints, each more direct than the one before.
     pub hints: Vec<String>,
-    /// What the level teaches, to read once it has been played: paragraphs with an
-    /// empty line between.
+    /// The explanation after the shot: paragraphs with an empty line between.
     pub explanation: String,
-    /// Discs whose direction after the first impact the player says first.
+    /// Discs whose direction after the first impact the player predicts.
     pub say_first: Vec<usize>,
-    /// Discs whose mass the player is not told until the level is won.
+    /// Discs whose mass is hidden until the level is won.
     pub(crate) unknown_mass: Vec<usize>,
-    /// The board and the discs, and the shot as it is set when the level opens.
+    /// The board, the discs, and the initial shot.
     pub scene: Scene,
     /// What the player may set.
     pub adjust: Adjust,
-    /// What has to come about, all of it.
+    /// The goals, all of which must be met.
     pub goals: Vec<Goal>,
     /// An aim that wins.
     pub solution: LevelAim,
@@ -92,7 +91,7 @@ impl Level {
         let about = about?;
         let id = about.id("id").and_then(|id| {
             if others.iter().any(|other| other.id == id) {
-                let message = format!("expected an id of its own, found \"{id}\" once more");
+                let message = format!("expected an id of its own, found \"{id}\" twice");
                 return about.refuse("id", message);
             }
             Some(id)
@@ -123,18 +122,18 @@ impl Level {
         })
     }
 
-    /// The aim with which the level opens.
+    /// The initial aim.
     pub fn start(&self) -> LevelAim {
         start(&self.scene)
     }
 
-    /// Whether nothing counts but the first hit: neither cushions nor pockets matter.
+    /// Whether only the first collision counts: neither cushions nor pockets matter.
     pub(crate) fn is_of_the_first_hit(&self) -> bool {
         let no_pockets = self.scene.board.pocket_diameter <= 0.0;
         no_pockets && self.goals.iter().all(Goal::is_of_the_first_hit)
     }
 
-    /// The scene with an aim, which is first brought within what the player may set.
+    /// The scene with an aim, clamped to the allowed ranges.
     pub fn aimed(&self, aim: &LevelAim) -> Scene {
         let mut within = self.start();
         for (dial, range) in self.adjust.dials() {
@@ -185,14 +184,14 @@ fn start(scene: &Scene) -> LevelAim {
     })
 }
 
-/// Reads what the player may set: it must hold what is set when the level opens,
-/// and the disc must find room wherever it may be placed.
+/// Reads the settings for the player: their ranges must contain the initial aim, and the disc must
+/// have room at every allowed position.
 fn read_adjust(fields: &Fields, scene: Option<&Scene>) -> Option<Adjust> {
     let adjust = Adjust::from_fields(fields)?;
     let scene = scene?;
     let start = start(scene);
     for (dial, range) in adjust.dials() {
-        // Millimetres and grams have been to SI and back.
+        // Millimetres and grams were converted to SI and back.
         let setting = start.get(dial);
         if (range.nearest(setting) - setting).abs() > 1e-9 * setting.abs() {
             let message = format!(

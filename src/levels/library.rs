@@ -14,8 +14,7 @@ static EMBEDDED: Dir = include_dir!("$CARGO_MANIFEST_DIR/levels");
 /// Levels that belong together, in the order of their file names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pack {
-    /// Name of its folder, without the number that may stand before it: the number
-    /// only says where the pack comes in the order.
+    /// The name of its folder, without the number before it, which only determines the order.
     pub name: String,
     /// Its levels; no two have the same id.
     pub levels: Vec<Level>,
@@ -38,8 +37,8 @@ pub struct LevelLibrary {
 }
 
 impl LevelLibrary {
-    /// The packs that come with the program, read when they are first asked for and
-    /// then kept for the whole process, as they never change.
+    /// The built-in packs, read once per process when they are first needed, because they never
+    /// change.
     pub fn embedded_once() -> &'static Self {
         static READ: LazyLock<LevelLibrary> = LazyLock::new(LevelLibrary::embedded);
         &READ
@@ -98,8 +97,8 @@ impl FileLibrary for LevelLibrary {
     }
 }
 
-/// Where the pack of a folder comes among others, and its name: `2-right-angle` is
-/// "right-angle" in the second place. Folders without a number come first.
+/// The position of the pack of a folder, and its name: `2-right-angle` is "right-angle" in the
+/// second place. Folders without a number come first.
 fn order(dir: &Path) -> (u32, String) {
     let name = dir
         .file_name()

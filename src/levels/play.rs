@@ -3,21 +3,18 @@
 use super::scene::Scene;
 use crate::physics::{Engine, EngineError, Limits, Shot};
 
-/// How long a board without friction is watched, in seconds: nothing on it would
-/// ever come to rest.
+/// How long a shot on a board without friction lasts, in seconds: nothing would ever come to rest.
 const WATCHED: f64 = 60.0;
 
-/// How long a shot may take to be worked out, counted in looks at a pair of discs (see
-/// [`Limits::work`]): nobody waits for one that takes longer, and none of carrom's own levels
-/// comes near.
+/// The work budget of a shot, counted in tests of a pair of discs (see [`Limits::work`]): nobody
+/// waits longer, and no built-in level comes near it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Patience {
-    /// Some seconds: for a shot that is all that was asked for.
+    /// Some seconds: for a shot that is the whole task.
     Seconds,
-    /// Five thousandths of a second: for a shot that is to be watched after a key.
+    /// Five thousandths of a second: for a shot that is watched after a key press.
     AKey,
-    /// A thousandth of a second: for one of thousands, and for what is shown while a player
-    /// aims.
+    /// A thousandth of a second: for one of thousands, and for the preview while a player aims.
     AMoment,
 }
 
@@ -43,7 +40,7 @@ impl Scene {
         Ok(shot)
     }
 
-    /// Plays the shot as far as a moment goes: the first that its disc meets is in that.
+    /// Plays the shot up to the end of the smallest budget, which includes its first contact.
     pub(crate) fn play_for_a_moment(&self) -> Shot {
         let mut shot = Shot::default();
         // What was played stands.

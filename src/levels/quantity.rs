@@ -1,4 +1,4 @@
-//! The numbers of a level and how large they may be.
+//! The numbers of a level and their ranges.
 
 use crate::files::NumberSpec;
 

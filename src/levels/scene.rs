@@ -13,8 +13,8 @@ use crate::physics::{Board, Disc, Motion};
 /// The most discs a scene may hold.
 pub(crate) const MOST_DISCS: usize = 256;
 
-/// How far discs may overlap each other or the frame, in metres: what rounding
-/// leaves of places meant to touch, and as much as the engine takes.
+/// How far discs may overlap each other or the frame, in metres: the rounding error of positions
+/// that are meant to touch, as in the engine.
 const SLACK: f64 = 1e-10;
 
 /// A disc and where it lies.
@@ -28,13 +28,13 @@ pub struct PlacedDisc {
     pub at: DVec2,
 }
 
-/// How one of the discs is set off.
+/// The shot of one of the discs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Launch {
     /// The disc.
     pub disc: usize,
-    /// Its direction in degrees from +x, anticlockwise. Kept as the file has it, so
-    /// that a quarter turn is exactly one.
+    /// Its direction in degrees from +x, anticlockwise. Stored as in the file, so that a quarter
+    /// turn is exact.
     pub direction_deg: f64,
     /// Its speed in m/s.
     pub speed: f64,
@@ -59,7 +59,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The scene, and how many discs the file has, be they good or not.
+    /// The scene, and the number of discs in the file, valid or not.
     pub(super) fn from_fields(fields: &Fields) -> (Option<Self>, usize) {
         let board = fields.or("board", Board::default(), |_| read_board(fields));
         let tables = fields.tables("disc", 1..=MOST_DISCS, &DISC_FIELDS);
@@ -93,7 +93,7 @@ impl Scene {
         self.pieces.iter().map(|piece| piece.disc).collect()
     }
 
-    /// How each disc starts: all at rest but the one that is set off.
+    /// The initial motion of each disc: all at rest except the one that is shot.
     pub fn motions(&self) -> Vec<Motion> {
         let mut motions: Vec<_> = self
             .pieces
@@ -106,8 +106,8 @@ impl Scene {
         motions
     }
 
-    /// What to call a disc: "the striker", or "white coin 2" where there are several
-    /// of its kind, counted in the order of their numbers.
+    /// The name of a disc: "the striker", or "white coin 2" if there are several of its kind,
+    /// numbered in their order.
     pub fn name(&self, disc: usize) -> String {
         let Some(kind) = self.pieces.get(disc).map(|piece| piece.kind) else {
             return format!("disc {disc}");
@@ -190,7 +190,7 @@ pub(super) fn point(mm: [f64; 2]) -> DVec2 {
     DVec2::from(mm.map(m_from_mm))
 }
 
-/// Reads the shot of a scene of so many discs.
+/// Reads the shot of a scene of this many discs.
 fn read_launch(fields: &Fields, count: usize) -> Option<Launch> {
     let fields = fields.table("shot", &["disc", "direction_deg", "speed"])?;
     let disc = read_disc(&fields, "disc", count);
@@ -203,7 +203,7 @@ fn read_launch(fields: &Fields, count: usize) -> Option<Launch> {
     })
 }
 
-/// Reads the number of one of `count` discs; where there are none, that has been told.
+/// Reads the number of one of `count` discs; if there are none, that has already been reported.
 pub(super) fn read_disc(fields: &Fields, name: &str, count: usize) -> Option<usize> {
     let last = count.checked_sub(1)?;
     fields.whole(name, &disc_number(last), 0..=last)
@@ -259,7 +259,7 @@ impl PlacedDisc {
     }
 }
 
-/// A length in millimetres with as many digits as say something.
+/// A length in millimetres with the significant digits.
 fn small(length: f64) -> String {
     let mm = mm_from_m(length);
     if mm < 0.01 {

@@ -1,4 +1,4 @@
-//! The levels there are for this player, and what has been done with them.
+//! The levels available to this player, and the results.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -7,20 +7,19 @@ use super::level::Level;
 use super::library::{LevelLibrary, Pack};
 use super::stars::{MOST_STARS, Starred, Win};
 
-/// All levels, numbered from 0 through all packs, with the best that was done in each.
+/// All levels, numbered from 0 through all packs, with the best result in each.
 #[derive(Debug, Clone, Default)]
 pub struct Shelf {
-    /// `None` where there are those of the program alone, which are read only when
-    /// they are looked at.
+    /// `None` for the built-in ones alone, which are read only when they are needed.
     library: Option<Arc<LevelLibrary>>,
     /// The most stars that were won, by the name of the pack and the id of the level.
     best: BTreeMap<(String, String), u8>,
-    /// The level, or after the last of them the problem, that was looked at last.
+    /// The level, or after the last of them the problem, that was chosen last.
     pub at: usize,
 }
 
 impl Shelf {
-    /// A shelf of other levels than those of the program alone, none of them won yet.
+    /// A shelf with more than the built-in levels, none of them won yet.
     pub fn new(library: LevelLibrary) -> Self {
         Self {
             library: Some(Arc::new(library)),
@@ -28,7 +27,7 @@ impl Shelf {
         }
     }
 
-    /// The levels and what was wrong with files that are left out.
+    /// The levels and the errors of files left out.
     pub fn library(&self) -> &LevelLibrary {
         let own = self.library.as_deref();
         own.unwrap_or_else(|| LevelLibrary::embedded_once())
@@ -75,8 +74,7 @@ impl Shelf {
         (0..self.count()).find(|number| self.stars(*number) == 0)
     }
 
-    /// Notes that a level was won, and gives what is worth keeping: the stars, if they
-    /// are more than before.
+    /// Notes that a level was won, and returns the stars to save, if they are more than before.
     pub fn won(&mut self, number: usize, win: Win) -> Option<Starred> {
         let (pack, level) = self.get(number)?;
         let starred = Starred {
@@ -87,12 +85,12 @@ impl Shelf {
         self.recall(&starred).then_some(starred)
     }
 
-    /// Knows of no stars any more: another player's are to be asked for.
+    /// Forgets all stars, because another player's will be requested.
     pub(crate) fn forget(&mut self) {
         self.best.clear();
     }
 
-    /// Notes stars that were won before; says whether they are more than was known.
+    /// Notes stars that were won before; returns whether they are more than known.
     pub(crate) fn recall(&mut self, starred: &Starred) -> bool {
         let key = (starred.pack.clone(), starred.level.clone());
         let best = self.best.entry(key).or_default();

@@ -3,7 +3,7 @@
 /// The most stars a level gives.
 pub(crate) const MOST_STARS: u8 = 3;
 
-/// Up to this many shots, without a hint, a win has the star for few shots.
+/// The most shots, without a hint, for the second star.
 pub(crate) const FEW_SHOTS: u32 = 3;
 
 /// A level won.
@@ -13,15 +13,14 @@ pub struct Win {
     pub shots: u32,
     /// Hints that were asked for by then.
     pub hints: usize,
-    /// Whether what the player said before the winning shot was right; `None` where
-    /// there was nothing to say.
+    /// Whether the prediction before the winning shot was right; `None` if there was nothing to
+    /// predict.
     pub(crate) said_right: Option<bool>,
 }
 
 impl Win {
-    /// One star for winning, one for finding the shot oneself in few shots, and one for
-    /// saying first what would come about; where there is nothing to say, for winning with
-    /// the first shot.
+    /// One star for winning, one for few shots without a hint, and one for a right prediction; if
+    /// there is nothing to predict, for winning with the first shot.
     pub(crate) fn stars(&self) -> u8 {
         1 + u8::from(self.has_few_shots()) + u8::from(self.is_accurate())
     }

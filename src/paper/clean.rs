@@ -1,4 +1,4 @@
-//! Names and titles from outside, made fit for a line of a document.
+//! Names and titles from outside, made safe for a line of a document.
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
@@ -11,10 +11,9 @@ const MOST_UPON: usize = 6;
 /// `text` as one line of at most `columns` columns (a wide letter takes two), cut with
 /// an ellipsis where it is longer.
 ///
-/// Line breaks and tabs become blanks, runs of blanks one. Control characters are left
-/// out, and so are the marks that turn the direction of all that follows: letters
-/// written from right to left stay and are set as they should be. What piles up on one
-/// letter without end is cut off.
+/// Line breaks and tabs become blanks, runs of blanks one. Control characters are left out, and so
+/// are marks that change the direction of the following text: letters written from right to left
+/// stay and are set correctly. Too many marks on one letter are cut off.
 pub fn clean(text: &str, columns: usize) -> String {
     let mut line = String::new();
     let (mut width, mut upon) = (0, 0);
@@ -72,7 +71,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_letter_is_left_out() {
+    fn invisible_characters_are_left_out() {
         assert_eq!(clean(" two\r\n\t lines\u{2028}", 40), "two lines");
         assert_eq!(clean("\u{1b}[2J\u{0}x\u{7f}\u{9b}\u{fffe}", 40), "[2Jx");
         assert_eq!(clean("a\u{202e}b\u{2066}c\u{feff}", 40), "abc");
@@ -81,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_too_long_is_cut() {
+    fn long_texts_are_cut() {
         assert_eq!(clean("Ada Lovelace", 8), "Ada Lov…");
         assert_eq!(clean("Ada Lovelace", 5), "Ada…");
         assert_eq!(clean("Ada Lovelace", 12), "Ada Lovelace");

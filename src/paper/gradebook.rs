@@ -11,13 +11,13 @@ use crate::progress::words::percent;
 /// Most letters of a name, and of a round or a topic at the head of a column.
 const NAME: usize = 44;
 const HEAD: usize = 40;
-/// Most letters of a question in a table: all of them, but for what a file may hold.
+/// The most letters of a question in a table: enough for all except damaged files.
 const QUESTION: usize = 400;
 /// Columns of rounds or topics beside each other; more go into a table of their own.
 const COLUMNS: usize = 6;
 
-/// The gradebook as an HTML document: what the class did, what the questions showed, what the
-/// class believes, then a page a pupil.
+/// The gradebook as an HTML document: the results of the class, of the questions, the class's
+/// misconceptions, then one page per pupil.
 pub fn html(results: &ClassResults<'_>) -> String {
     let of_class = [
         sheet("Gradebook", &overview(results)),
@@ -64,8 +64,8 @@ fn overview(results: &ClassResults<'_>) -> Markup {
     let all = html! {
         p {
             (counted(book.pupils.len(), "pupil")) ", " (counted(answers, "answer")) ". "
-            "To each question of a round the first answer counts. Points: 0 to 10 for each, by how "
-            "near it was."
+            "For each question of a round the first answer counts. Points: 0 to 10 each, by how "
+            "close it was."
         }
         @if !book.notes.is_empty() {
             h2 { "About the files" }
@@ -95,7 +95,7 @@ fn overview(results: &ClassResults<'_>) -> Markup {
     html! { (all) (rounds) (topics) }
 }
 
-/// Tables of a row a pupil and a column for each of these.
+/// Tables with one row per pupil and one column for each of these.
 fn by_columns(
     results: &ClassResults<'_>,
     title: &str,
@@ -154,7 +154,7 @@ fn questions(results: &ClassResults<'_>) -> Markup {
 fn believed(results: &ClassResults<'_>) -> Markup {
     let held = beliefs(results);
     html! {
-        @if held.is_empty() { p { "No answer fitted a misconception that is known." } }
+        @if held.is_empty() { p { "No answer fits a known misconception." } }
         @for it in &held {
             h2 { (it.misconception.name()) }
             p {

@@ -4,9 +4,8 @@ use crate::files::percent_encoded;
 
 /// A Markdown document: CommonMark, and tables as GitHub has them.
 ///
-/// Text that is given to it is plain text: whatever is in it is shown and nothing in it
-/// is obeyed. It should be one line, as [`clean`](super::clean()) makes it; line breaks
-/// become blanks.
+/// Its input is plain text: everything in it is shown literally. It should be one line, as
+/// [`clean`](super::clean()) makes it; line breaks become blanks.
 ///
 /// Pictures are files beside the document. A picture within it (as a data URI or as
 /// inline SVG) would be one file less, but GitHub, GitLab and most editors leave those
@@ -76,8 +75,8 @@ impl Markdown {
         self.block(&lines.join("\n"))
     }
 
-    /// A picture in the file `place`, a path from the document's own folder with `/`
-    /// between its parts; `words` say what is to be seen.
+    /// A picture in the file `place`, a path from the document's own folder with `/` between its
+    /// parts; `words` describe it.
     pub fn picture(&mut self, words: &str, place: &str) -> &mut Self {
         self.block(&format!(
             "![{}]({})",
@@ -115,8 +114,8 @@ fn escape(text: &str) -> String {
             escaped.push(' ');
         }
         let mut before = None;
-        // What makes a list, a heading or a line only at the start of a line, and what
-        // makes an address of a word.
+        // Characters that make a list, a heading or a rule only at the start of a line, and those
+        // that make a link of a word.
         let numbered = i == 0
             && word
                 .strip_suffix(['.', ')'])

@@ -1,14 +1,13 @@
-//! Documents for paper: what is printed, handed in or put on a wall.
+//! Documents to print or hand in.
 //!
-//! A document is written as HTML by [`html_page()`] (self-contained, A4, nothing is loaded
-//! and nothing runs) or as [`Markdown`] with its pictures in files beside it. Pictures
-//! are those of the screen, drawn as vectors: an `Svg` each. They are meant for black
-//! and white too: what has a meaning has a name, a dash or a width beside its colour.
+//! A document is written as HTML by [`html_page()`] (self-contained, A4, nothing is loaded and
+//! nothing runs) or as [`Markdown`] with its pictures in files beside it. Pictures are those of the
+//! screen, drawn as vectors: an `Svg` each. They work in black and white too: every mark with a
+//! meaning has a name, a dash or a width besides its colour.
 //!
-//! Text from outside is safe everywhere: HTML is written with [`maud::html!`], which
-//! escapes what it is given, Markdown and pictures escape by themselves. What no
-//! escaping mends (control characters, marks that turn the text beside them round, names
-//! without end) is taken out by [`clean()`].
+//! Text from outside is safe everywhere: HTML is written with [`maud::html!`], which escapes what
+//! it is given, Markdown and pictures escape by themselves. What escaping cannot fix (control
+//! characters, direction marks, endless names) is removed by [`clean()`].
 //!
 //! ```
 //! use carrom::paper::{Markdown, Paper, clean, html_page};
@@ -48,7 +47,7 @@ const LOOK: Look = Look {
 /// How large they are: letters are 10.5 CSS pixels high, which are 8 points.
 const SCALE: f64 = 0.75;
 
-/// A picture for paper. `words` say what is to be seen, to whoever cannot see it.
+/// A picture for paper. `words` are its text alternative.
 fn svg(words: &str, picture: &Picture) -> Svg {
     Svg::new(words, picture, &LOOK, SCALE)
 }

@@ -5,12 +5,11 @@ use strum::{EnumString, VariantNames};
 
 use super::clean;
 
-/// What every document looks like.
+/// The common style of all documents.
 const STYLE: &str = include_str!("page.css");
 /// Columns of a title: window and file names are cut there anyway.
 const TITLE: usize = 120;
-/// Nothing is loaded from anywhere and nothing runs, whatever should ever get past the
-/// escaping.
+/// Nothing is loaded and nothing runs, even if something gets past the escaping.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
 /// The paper that is printed on.
@@ -25,7 +24,7 @@ pub enum Paper {
 }
 
 impl Paper {
-    /// What a document has to say beyond the common rules, which are for A4.
+    /// Additional rules for this paper; the common rules are for A4.
     const fn style(self) -> &'static str {
         match self {
             Self::A4 => "",

@@ -7,8 +7,8 @@ use super::direction::direction;
 /// The angle that turns `from` into `to`, in radians, positive anticlockwise,
 /// in (−π, π]; `None` where either is zero.
 ///
-/// What is rounding noise across `from` counts as nothing, so that straight on is
-/// 0 and straight back is +π.
+/// A component perpendicular to `from` that is rounding noise counts as 0, so that straight on is 0
+/// and straight back is +π.
 pub(crate) fn signed_angle(from: DVec2, to: DVec2) -> Option<f64> {
     let from = from.try_normalize()?;
     let to = to.try_normalize()?;
@@ -27,8 +27,8 @@ pub fn unit_vector(angle_deg: f64) -> DVec2 {
     along(angle_deg, DVec2::from_angle)
 }
 
-/// The same for the direction of a stroke, equal on every machine to the last bit: of one
-/// bit a whole board becomes another.
+/// The same for the direction of a stroke, equal on every machine to the last bit: one different
+/// bit can change a whole board.
 pub fn heading(angle_deg: f64) -> DVec2 {
     along(angle_deg, direction)
 }

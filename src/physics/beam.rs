@@ -1,7 +1,7 @@
-//! Many shots at once: what share of an even beam is scattered how far.
+//! Many shots at once: the share of a uniform beam that is scattered by more than an angle.
 //!
-//! Offsets thrown evenly over a *line*, as on a board, and evenly over a *disc*, as
-//! in space, give different counts from the same law of scattering.
+//! Offsets spread evenly over a *line*, as on a board, and evenly over a *disc*, as in space, give
+//! different counts by the same law of scattering.
 
 use std::f64::consts::PI;
 
@@ -15,8 +15,8 @@ pub enum Beam {
 }
 
 impl Beam {
-    /// The share of a beam of half-width r₁ + r₂ that passes nearer than `nearness`
-    /// times r₁ + r₂, 0 to 1.
+    /// The share of a beam of half-width r₁ + r₂ with offsets below `nearness` times r₁ + r₂, 0 to
+    /// 1.
     pub(crate) fn share_within(self, nearness: f64) -> f64 {
         let nearness = nearness.clamp(0.0, 1.0);
         match self {
@@ -29,7 +29,7 @@ impl Beam {
     /// scatters the striker by more than `theta1` radians: cos θ₁ on a board, cos²θ₁
     /// in space, 0 from 90° on.
     ///
-    /// θ₁ = 90° − α, so b/(r₁+r₂) = sin α = cos θ₁ is the widest offset that does it.
+    /// θ₁ = 90° − α, so the largest such offset is b/(r₁+r₂) = sin α = cos θ₁.
     pub fn share_beyond(self, theta1: f64) -> f64 {
         if theta1 >= PI / 2.0 {
             return 0.0;

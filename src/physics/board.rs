@@ -5,7 +5,7 @@ use glam::DVec2;
 /// Standard acceleration of free fall in m/s².
 pub const G: f64 = 9.80665;
 
-/// A square board with a frame all round and a pocket in each corner.
+/// A square board with a frame and a pocket in each corner.
 ///
 /// The frame is a full square; each pocket is a circle tangent to both sides of
 /// its corner, and a disc falls when its centre comes within the pocket's radius
@@ -25,7 +25,7 @@ pub struct Board {
 }
 
 impl Default for Board {
-    /// A tournament board on which the discs themselves lose nothing.
+    /// A tournament board on which collisions of discs are elastic.
     fn default() -> Self {
         Self {
             side: 0.740,

@@ -1,13 +1,13 @@
-//! Capture: two discs that stick where they touch and go on as one body.
+//! Perfectly inelastic collisions: two discs that stick where they touch and move on as one body.
 //!
-//! This is not e = 0. Smooth discs with e = 0 ("slip") keep their different
-//! tangential velocities; discs that stick go on as one body with their centre
-//! of mass and, met off-centre, turn about it.
+//! This is not e = 0. Smooth discs with e = 0 ("slip") keep their different tangential velocities;
+//! discs that stick move on as one body with their centre of mass and, after an off-centre contact,
+//! rotate about it.
 
 use super::Disc;
 use super::impact::reduced_mass;
 
-/// The turning of a captured pair.
+/// The rotation of a pair that sticks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Capture {
     /// Angular velocity ω in rad/s, positive clockwise for a positive offset, as
@@ -15,16 +15,15 @@ pub(crate) struct Capture {
     pub(crate) spin: f64,
     /// Energy of that rotation, ½ I ω², in joules.
     pub(crate) rotation_energy: f64,
-    /// Kinetic energy that is gone, rotation counted as kept, in joules.
+    /// Kinetic energy lost, in joules; the rotational energy is not lost.
     pub energy_lost: f64,
 }
 
-/// The capture of `target` by `striker` at offset `b` metres and relative speed
-/// `w` m/s.
+/// The pair that `striker` and `target` form at offset `b` metres and relative speed `w` m/s.
 ///
-/// Angular momentum μ b w about the common centre of mass is kept, so
-/// ω = μ b w / I with I = ½m₁r₁² + ½m₂r₂² + μ(r₁+r₂)²: each disc about its own
-/// centre, and the two centres about the common one.
+/// Angular momentum μ b w about the common centre of mass is conserved, so ω = μ b w / I with I =
+/// ½m₁r₁² + ½m₂r₂² + μ(r₁+r₂)²: each disc about its own centre, and the two centres about the
+/// common one.
 pub(crate) fn capture(striker: Disc, target: Disc, b: f64, w: f64) -> Capture {
     let mu = reduced_mass(striker.mass, target.mass);
     let inertia = moment_of_inertia(striker, target);

@@ -1,8 +1,8 @@
 //! A collision as a problem, and its outcome.
 //!
-//! The problem is two discs, their velocities and the offset at which they meet.
-//! Where they touch, the line of impact and everything after the hit follow from
-//! that and are computed, never stored.
+//! The problem is two discs, their velocities and the offset at which they meet. The point of
+//! contact, the line of impact and the final velocities follow from that and are computed, never
+//! stored.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -17,10 +17,10 @@ use super::units::rad_from_deg;
 /// What the two surfaces do at contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Bond {
-    /// Smooth discs: no force across the line of impact.
+    /// Smooth discs: no force perpendicular to the line of impact.
     #[default]
     Slip,
-    /// The discs stick where they touch and go on as one; restitution plays no part.
+    /// The discs stick where they touch and move on as one body; restitution plays no part.
     Stick,
 }
 
@@ -38,9 +38,9 @@ pub struct Collision {
     /// Impact parameter b in metres: how far the target's centre lies to the right
     /// of the line along which the striker moves relative to it.
     pub offset: f64,
-    /// What rounding left of [`offset`](Self::offset), in metres, where an impact angle within
-    /// a degree of a graze gave it: b is the sum of the two. There cos α hangs on digits of b
-    /// that `offset` alone cannot hold. Else 0.
+    /// The rounding error of [`offset`](Self::offset), in metres, if it comes from an impact angle
+    /// within a degree of a graze: b is the sum of the two. There cos α depends on digits of b that
+    /// `offset` alone cannot hold. Otherwise 0.
     pub offset_rest: f64,
     /// Coefficient of restitution e, 0 to 1; without effect on discs that stick.
     pub restitution: f64,
@@ -51,7 +51,7 @@ pub struct Collision {
 /// How the two met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Meeting {
-    /// They pass without touching, or never come nearer.
+    /// They pass without touching, or never approach each other.
     Miss,
     /// They touch at |b| = r₁ + r₂ and exchange nothing.
     Graze,
@@ -59,7 +59,7 @@ pub(crate) enum Meeting {
     Hit,
 }
 
-/// What becomes of a [`Collision`].
+/// The outcome of a [`Collision`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CollisionOutcome {
     /// How the two met.
@@ -85,17 +85,16 @@ pub struct CollisionOutcome {
     pub theta2: Option<f64>,
     /// Angle between v₁ and v₂ in radians, in [0, π]; `None` where either is zero.
     pub separation: Option<f64>,
-    /// Size of the impulse that each gave the other, in N·s.
+    /// Magnitude of the impulse that each disc exerts on the other, in N·s.
     pub impulse: f64,
     /// Kinetic energy before, in joules.
     pub energy_before: f64,
     /// Kinetic energy after, in joules; for discs that stick it includes
     /// [`energy_rotation`](Self::energy_rotation).
     pub energy_after: f64,
-    /// The part of the energy after that is in the turning of a pair that sticks, in
-    /// joules; 0 for discs that slip.
+    /// The rotational energy of a pair that sticks, in joules; 0 for discs that slip.
     pub energy_rotation: f64,
-    /// Kinetic energy that is gone, in joules.
+    /// Kinetic energy lost, in joules.
     pub energy_lost: f64,
 }
 
@@ -107,14 +106,14 @@ impl CollisionOutcome {
 }
 
 impl Collision {
-    /// A smooth, perfectly elastic hit at impact angle `alpha` radians on a target
-    /// at rest. For any other collision set the fields that differ; the angle stays
-    /// the same whatever the velocities, the masses and the restitution.
+    /// A smooth, perfectly elastic collision at impact angle `alpha` radians on a target at rest.
+    /// For any other collision set the fields that differ; the angle stays the same whatever the
+    /// velocities, the masses and the restitution.
     pub fn at_angle(striker: Disc, target: Disc, u1: DVec2, alpha: f64) -> Self {
         Self::at_offset(striker, target, u1, 0.0).with_alpha(alpha)
     }
 
-    /// A smooth, perfectly elastic hit at `offset` metres on a target at rest.
+    /// A smooth, perfectly elastic collision at `offset` metres on a target at rest.
     pub fn at_offset(striker: Disc, target: Disc, u1: DVec2, offset: f64) -> Self {
         Self {
             striker,
@@ -135,9 +134,8 @@ impl Collision {
         self.with_angle(alpha, FRAC_PI_2 - alpha.abs())
     }
 
-    /// The same collision at an impact angle of `alpha_deg` degrees, −90 to 90. Near a graze
-    /// more of the angle is kept than by [`with_alpha`](Self::with_alpha), for 90° − α is exact
-    /// in degrees.
+    /// The same collision at an impact angle of `alpha_deg` degrees, −90 to 90. Near a graze this
+    /// is more precise than [`with_alpha`](Self::with_alpha), because 90° − α is exact in degrees.
     #[must_use]
     pub fn with_alpha_deg(self, alpha_deg: f64) -> Self {
         self.with_angle(
@@ -196,9 +194,9 @@ impl Collision {
         Some(self.cosine(sine) * along - sine * along.perp())
     }
 
-    /// The centres of striker and target when they touch, with the point of contact
-    /// at the origin. For a miss: when they are nearest, with the origin between
-    /// them; without relative motion: side by side, the target to the right.
+    /// The centres of striker and target at contact, with the point of contact at the origin. For a
+    /// miss: at the closest approach, with the origin between them; without relative motion: side
+    /// by side, the target to the right.
     pub(crate) fn placed_at_contact(&self) -> (DVec2, DVec2) {
         let apart = match (self.normal(), self.relative_velocity().try_normalize()) {
             (Some(normal), _) => self.contact_distance() * normal,
@@ -216,7 +214,7 @@ impl Collision {
         (centre1 - time * self.u1, centre2 - time * self.u2)
     }
 
-    /// What becomes of the two.
+    /// The outcome.
     pub fn outcome(&self) -> CollisionOutcome {
         let Some(normal) = self.normal() else {
             return self.after(None, self.u1, self.u2);
@@ -252,9 +250,9 @@ impl Collision {
         self.u1 * (m1 / (m1 + m2)) + self.u2 * (m2 / (m1 + m2))
     }
 
-    /// Velocities of the two centres right after the contact, in m/s. For discs that
-    /// slip they are v₁ and v₂. A pair that sticks turns about its centre of mass with
-    /// ω, so each centre has V + ω × r, r being its place as seen from there.
+    /// Velocities of the two centres right after the contact, in m/s. For discs that slip they are
+    /// v₁ and v₂. A pair that sticks rotates about its centre of mass with ω, so each centre has V
+    /// + ω × r, where r is its position relative to the centre of mass.
     pub(crate) fn centres_after(&self) -> [DVec2; 2] {
         let outcome = self.outcome();
         let (centre1, centre2) = self.placed_at_contact();
@@ -283,8 +281,8 @@ impl Collision {
         }
     }
 
-    /// An outcome with these velocities and nothing lost or turning: a hit if there is a
-    /// line of impact.
+    /// An outcome with these velocities, without loss or rotation: a hit if there is a line of
+    /// impact.
     fn after(&self, normal: Option<DVec2>, v1: DVec2, v2: DVec2) -> CollisionOutcome {
         let energy = |a: DVec2, b: DVec2| {
             kinetic_energy(self.striker.mass, a) + kinetic_energy(self.target.mass, b)
@@ -308,8 +306,8 @@ impl Collision {
         }
     }
 
-    /// sin α = b / (r₁ + r₂), or `None` beyond ±1. Within rounding of ±1 it is ±1,
-    /// for b and the radii rarely add up to the last bit.
+    /// sin α = b / (r₁ + r₂), or `None` beyond ±1. Within rounding of ±1 it is ±1, because b and
+    /// the radii rarely agree to the last bit.
     fn sine(&self) -> Option<f64> {
         let sine = self.offset / self.contact_distance();
         let beyond = sine.abs() - 1.0;

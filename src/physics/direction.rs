@@ -1,4 +1,4 @@
-//! The unit vector at an angle, bit-for-bit the same on every machine.
+//! The unit vector at an angle, bit for bit the same on every machine.
 //!
 //! Each machine's library rounds sines differently, and after many collisions on a board a
 //! difference in the last bit becomes a different stroke. Therefore sines are computed here

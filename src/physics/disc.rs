@@ -36,7 +36,7 @@ impl Motion {
         Self { position, velocity }
     }
 
-    /// A disc that lies still at `position`.
+    /// A disc at rest at `position`.
     pub(crate) const fn at_rest(position: DVec2) -> Self {
         Self::new(position, DVec2::ZERO)
     }

@@ -1,7 +1,7 @@
 //! Closed forms for a smooth target at rest.
 //!
-//! Everything hangs on one number, k = (1+e) m₂ / (m₁+m₂). In units of the
-//! striker's speed u, with α the impact angle:
+//! Everything depends on one number, k = (1+e) m₂ / (m₁+m₂). In units of the striker's speed u,
+//! with α the impact angle:
 //!
 //! ```text
 //!   along u      v₁∥ = 1 − k cos²α          along n     v₁ₙ = (1 − k) cos α
@@ -9,25 +9,25 @@
 //!   target       v₂  = k (m₁/m₂) cos α, along n, so θ₂ = α
 //! ```
 //!
-//! As α goes from 90° to 0 the tip of v₁ walks half a circle of radius k/2 about
-//! 1 − k/2 on the line of u: v₁ = 1 − k/2 + (k/2)(cos Θ, sin Θ) with Θ = 180° − 2α.
-//! At e = 1 that is the circle of the centre-of-mass frame: L. D. Landau and
-//! E. M. Lifshitz, *Mechanics*, § 17. Below e = 1 the same holds with Newton's law of
-//! restitution along n, as in W. Goldsmith, *Impact* (1960), chapter 2.
+//! As α goes from 90° to 0 the tip of v₁ moves along a semicircle of radius k/2 about 1 − k/2 on
+//! the line of u: v₁ = 1 − k/2 + (k/2)(cos Θ, sin Θ) with Θ = 180° − 2α. At e = 1 that is the
+//! circle of the centre-of-mass frame: L. D. Landau and E. M. Lifshitz, *Mechanics*, § 17. Below e
+//! = 1 the same holds with Newton's law of restitution along n, as in W. Goldsmith, *Impact*
+//! (1960), chapter 2.
 //!
-//! Angles are in radians, speeds are shares of u, energies are shares of ½m₁u².
-//! Undefined is `None`: a body that does not move has no direction.
+//! Angles are in radians, speeds are shares of u, energies are shares of ½m₁u². `None` means
+//! undefined: a body at rest has no direction.
 
 use std::f64::consts::FRAC_PI_2;
 
 use super::Collision;
 use super::impact::reduced_mass;
 
-/// How far past its limit a sine or cosine may be by rounding alone. An angle made
-/// from such a number is off by no more than the rounding of what was asked.
+/// How far past its limit a sine or cosine may be by rounding alone. The error of an angle computed
+/// from such a number is no more than the rounding of the input.
 const ROUNDING: f64 = 1e-12;
 
-/// A striker, a smooth target at rest, and how lively their contact is.
+/// A striker, a smooth target at rest, and their coefficient of restitution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RestingTarget {
     /// Mass of the striker in kilograms, positive.
@@ -41,15 +41,15 @@ pub struct RestingTarget {
 /// Where the striker's energy goes; the three add up to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EnergyShares {
-    /// The share the striker keeps.
+    /// The share that the striker keeps.
     pub kept: f64,
-    /// The share the target takes.
+    /// The share that the target gets.
     pub passed: f64,
     /// The share that is lost.
     pub lost: f64,
 }
 
-/// The most a striker can be turned by one hit.
+/// The greatest deflection of a striker in one collision.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LargestDeflection {
     /// k < 1: a true maximum.
@@ -59,15 +59,15 @@ pub enum LargestDeflection {
         /// The impact angle that gives it, atan √(1−k).
         alpha: f64,
     },
-    /// k = 1: θ₁ = 90° − α comes as near to 90° as one likes, but at α = 0 the
-    /// striker stops and has no direction.
+    /// k = 1: θ₁ = 90° − α comes arbitrarily close to 90°, but at α = 0 the striker stops and has
+    /// no direction.
     NearlyRight,
     /// k > 1: head-on it comes straight back, θ₁ = 180°.
     Reversed,
 }
 
 impl From<&Collision> for RestingTarget {
-    /// The masses and the restitution of a collision; its velocities are not asked.
+    /// The masses and the restitution of a collision; its velocities are not used.
     fn from(collision: &Collision) -> Self {
         Self {
             m1: collision.striker.mass,
@@ -78,14 +78,14 @@ impl From<&Collision> for RestingTarget {
 }
 
 impl RestingTarget {
-    /// k = (1+e) m₂ / (m₁+m₂): the share of its normal velocity that the striker
-    /// gives up. Between 0 and 2.
+    /// k = (1+e) m₂ / (m₁+m₂): the fraction of its normal velocity that the striker loses. Between
+    /// 0 and 2.
     pub fn k(&self) -> f64 {
         (1.0 + self.restitution) * (self.m2 / (self.m1 + self.m2))
     }
 
-    /// 1 − k = (m₁ − e m₂) / (m₁+m₂), exactly 0 where m₁ = e m₂ but for rounding:
-    /// 12 g is 0.8 × 15 g in kilograms too.
+    /// 1 − k = (m₁ − e m₂) / (m₁+m₂), exactly 0 where m₁ = e m₂ up to rounding: 12 g is 0.8 × 15 g
+    /// in kilograms too.
     fn normal_kept(&self) -> f64 {
         let kept = self.m1 - self.restitution * self.m2;
         if kept.abs() <= 4.0 * f64::EPSILON * self.m1 {
@@ -100,8 +100,8 @@ impl RestingTarget {
         (1.0 + self.restitution) * (self.m1 / (self.m1 + self.m2))
     }
 
-    /// v₁ along and across u, v₁ = (1 − k cos²α, k sin α cos α); positive across is
-    /// the side away from the target when α > 0.
+    /// The components of v₁ along u and perpendicular to it, v₁ = (1 − k cos²α, k sin α cos α); the
+    /// second is positive on the side away from the target when α > 0.
     pub(crate) fn striker_velocity(&self, alpha: f64) -> (f64, f64) {
         let (sin, cos) = sin_cos(alpha);
         // 1 − k cos²α, written so that nothing cancels near k = 1.
@@ -141,8 +141,8 @@ impl RestingTarget {
         Some(sin.abs().atan2(self.normal_kept() * cos))
     }
 
-    /// Who has the energy after a hit at impact angle `alpha`. At e = 1 the target
-    /// takes 4m₁m₂/(m₁+m₂)² cos²α; between equal masses sin²α : cos²α.
+    /// The shares of energy after a collision at impact angle `alpha`. At e = 1 the target takes
+    /// 4m₁m₂/(m₁+m₂)² cos²α; between equal masses sin²α : cos²α.
     pub fn energy_shares(&self, alpha: f64) -> EnergyShares {
         let cos = sin_cos(alpha).1;
         EnergyShares {
@@ -178,15 +178,15 @@ impl RestingTarget {
         }
     }
 
-    /// The impact angle, 0 to 90°, that passes on `share` of the striker's energy;
-    /// `None` where none does.
+    /// The impact angle, 0 to 90°, at which the striker transfers `share` of its energy; `None` if
+    /// there is none.
     pub(crate) fn alpha_for_energy_passed(&self, share: f64) -> Option<f64> {
         arccosine_of_root(share / self.head_on_energy_passed())
     }
 }
 
-/// k from the two angles after the hit alone; `None` where they cannot tell
-/// (a full head-on or a graze) or contradict a smooth hit on a target at rest.
+/// k from the two final angles alone; `None` if they do not determine it (exactly head-on or a
+/// graze) or contradict a smooth collision with a target at rest.
 ///
 /// k = sin θ₁ / (cos θ₂ sin(θ₁+θ₂)), which is
 /// tan θ₁ (1+T²) / (T + tan θ₁) with T = tan θ₂, without the poles.
@@ -197,8 +197,8 @@ pub(crate) fn k_from_angles(theta1: f64, theta2: f64) -> Option<f64> {
     (offset && turned && k > 0.0 && k < 2.0).then_some(k)
 }
 
-/// Weighing by angles: m₁/m₂ = (1+e)/k − 1, which at e = 1 is
-/// sin(θ₁+2θ₂) / sin θ₁; `None` where the angles cannot tell.
+/// Weighing by angles: m₁/m₂ = (1+e)/k − 1, which at e = 1 is sin(θ₁+2θ₂) / sin θ₁; `None` if the
+/// angles do not determine it.
 pub(crate) fn mass_ratio_from_angles(theta1: f64, theta2: f64, restitution: f64) -> Option<f64> {
     let ratio = (1.0 + restitution) / k_from_angles(theta1, theta2)? - 1.0;
     (ratio > 0.0).then_some(ratio)

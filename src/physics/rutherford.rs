@@ -1,7 +1,7 @@
 //! Rutherford scattering: the glancing collision of two charges that repel.
 //!
-//! The target is taken as fixed, as a gold nucleus nearly is to an α particle.
-//! E. Rutherford, Phil. Mag. 21 (1911) 669.
+//! The target is taken as fixed, which a gold nucleus nearly is for an α-particle. E. Rutherford,
+//! Phil. Mag. 21 (1911) 669.
 
 use std::f64::consts::PI;
 
@@ -21,27 +21,27 @@ pub const MEV: f64 = 1e6 * ELEMENTARY_CHARGE;
 /// One femtometre in metres.
 pub const FM: f64 = 1e-15;
 
-/// Charge number of an α particle.
+/// Charge number of an α-particle.
 pub(crate) const ALPHA_CHARGE: f64 = 2.0;
 
 /// Charge number of gold.
 pub const GOLD_CHARGE: f64 = 79.0;
 
-/// Energy of the α particles of radium C (²¹⁴Po) in joules: 7.69 MeV.
+/// Energy of the α-particles of radium C (²¹⁴Po) in joules: 7.69 MeV.
 pub const RADIUM_C_ENERGY: f64 = 7.69 * MEV;
 
 /// Atoms in a cubic metre of gold.
 pub const GOLD_DENSITY: f64 = 5.9e28;
 
-/// The share of α particles of radium C that Geiger and Marsden counted at 45° behind
-/// 2.1·10⁻⁵ cm of gold on a screen of 1 mm² at 1 cm, sure to 20 % (Phil. Mag. 25 (1913)
-/// 604): the one count whose scale is known.
+/// The share of α-particles of radium C that Geiger and Marsden counted at 45° behind 2.1·10⁻⁵ cm
+/// of gold on a screen of 1 mm² at 1 cm, known to 20 % (Phil. Mag. 25 (1913) 604): the one count
+/// whose scale is known.
 pub const MEASURED_SHARE: f64 = 3.7e-7;
 
 /// A charged projectile on a fixed charge of the same sign.
 ///
-/// Scattering angles Θ are in radians, above 0 and up to π: a repulsion of endless
-/// reach turns every projectile a little, so at Θ = 0 nothing is defined.
+/// Scattering angles Θ are in radians, above 0 and up to π: a repulsion of infinite range deflects
+/// every projectile a little, so at Θ = 0 nothing is defined.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rutherford {
     /// Closest approach in a head-on shot, d, in metres.
@@ -57,7 +57,7 @@ impl Rutherford {
         }
     }
 
-    /// The α particles of radium C on gold: d = 29.6 fm.
+    /// The α-particles of radium C on gold: d = 29.6 fm.
     pub fn radium_c_on_gold() -> Self {
         Self::new(ALPHA_CHARGE, GOLD_CHARGE, RADIUM_C_ENERGY)
     }
@@ -103,7 +103,7 @@ impl Rutherford {
     }
 }
 
-/// Θ/2 for an angle at which a projectile can be scattered.
+/// Θ/2, for an angle that scattering can have.
 fn half_angle(angle: f64) -> Option<f64> {
     (angle > 0.0 && angle <= PI).then_some(angle / 2.0)
 }

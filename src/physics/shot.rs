@@ -22,8 +22,8 @@ pub struct Event {
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr)]
 #[strum(serialize_all = "snake_case")]
 pub enum EventKind {
-    /// Two discs met. Contacts at the very same instant are listed one after
-    /// another; each takes up the velocities the one before it left.
+    /// Two discs met. Contacts at the same instant are listed one after another; each starts from
+    /// the velocities that the one before it left.
     Impact {
         /// The two discs.
         discs: [usize; 2],
@@ -104,7 +104,7 @@ pub struct Sample {
     pub state: DiscState,
 }
 
-/// A stretch of a disc's way: straight, from one event of this disc to its next.
+/// A straight part of a disc's path, from one event of this disc to its next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
     /// When it begins, in seconds since the start of the shot.
@@ -117,7 +117,7 @@ pub struct Leg {
     pub to: DVec2,
 }
 
-/// Where a disc takes up a new motion.
+/// Where a disc starts a new motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct LegStart {
     /// When, in seconds since the start of the shot.
@@ -130,10 +130,9 @@ struct LegStart {
 
 /// The exact record of a shot.
 ///
-/// Between its own events each disc slides on a parabola in time, so a few numbers
-/// an event give its place at every moment: [`Shot::at`]. Pause, slow motion and
-/// rewind are only other values of the time. At first nothing has happened in it, and
-/// [`Engine::play_into`](super::Engine::play_into) fills it.
+/// Between its own events each disc slides on a parabola in time, so a few numbers per event give
+/// its position at every moment: [`Shot::at`]. Pause, slow motion and rewind are only other values
+/// of the time. A new record is empty; [`Engine::play_into`](super::Engine::play_into) fills it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Shot {
     board: Board,
@@ -145,7 +144,7 @@ pub struct Shot {
 }
 
 impl Shot {
-    /// Wipes the record and writes down how the next shot starts. Keeps the memory.
+    /// Clears the record and notes how the next shot starts. Keeps the memory.
     pub(super) fn begin(&mut self, board: &Board, discs: &[Disc], start: &[Motion]) {
         self.board = *board;
         self.discs.clear();
@@ -164,7 +163,7 @@ impl Shot {
         self.capture = None;
     }
 
-    /// A disc takes up a new motion.
+    /// A disc starts a new motion.
     #[inline]
     pub(super) fn push_leg(&mut self, disc: usize, time: f64, motion: Motion, pocketed: bool) {
         self.legs[disc].push(LegStart {
@@ -193,8 +192,8 @@ impl Shot {
         &self.discs
     }
 
-    /// Seconds until everything is at rest. Where nothing slows the discs it is the
-    /// horizon asked for, or the time of the last event if none was.
+    /// Seconds until everything is at rest. Without friction it is the given horizon, or the time
+    /// of the last event if there was none.
     pub(crate) fn duration(&self) -> f64 {
         self.duration
     }
@@ -232,9 +231,8 @@ impl Shot {
         sample(slide.at(time - leg.time), leg.pocketed)
     }
 
-    /// The way of a disc as straight legs, for drawing its trail; none for a disc
-    /// that never moves. The turning of a pair that stuck together is cut into
-    /// chords of a few degrees.
+    /// The path of a disc as straight legs, for drawing its trail; none for a disc that never
+    /// moves. The rotation of a pair that sticks is cut into chords of a few degrees.
     pub fn path(&self, disc: usize) -> impl Iterator<Item = Leg> + '_ {
         let legs = &self.legs[disc];
         let free_until = self

@@ -1,7 +1,7 @@
 //! One disc that slides until friction stops it, in closed form.
 //!
-//! Friction μ takes speed away at the constant rate a = μ g, against the motion,
-//! so the path is straight and s(t) = v t − ½ a t² until t = v/a.
+//! Friction μ reduces the speed at the constant rate a = μ g, so the path is straight and s(t) = v
+//! t − ½ a t² until t = v/a.
 
 use glam::DVec2;
 
@@ -29,8 +29,7 @@ pub(crate) fn stopping_distance(speed: f64, deceleration: f64) -> f64 {
     }
 }
 
-/// The part of its speed that a disc of this speed loses a second at first, a/v; 0 for one at
-/// rest.
+/// The fraction of its speed that a disc loses per second at first, a/v; 0 for one at rest.
 #[inline]
 pub(super) fn relative_deceleration(speed: f64, deceleration: f64) -> f64 {
     if speed > 0.0 {
@@ -40,26 +39,25 @@ pub(super) fn relative_deceleration(speed: f64, deceleration: f64) -> f64 {
     }
 }
 
-/// Seconds a disc takes for a way it would cover in `time` seconds at its first
-/// speed, if it loses the part `relative_deceleration` = a/v of that speed a second; `None` if
-/// it stops before. This form of the root of s = v t − ½ a t² loses no digits however
-/// short the way, and holds at a = 0.
+/// Seconds a disc takes for a distance that it would cover in `time` seconds at its initial speed,
+/// if it loses the fraction `relative_deceleration` = a/v of that speed per second; `None` if it
+/// stops before. This form of the root of s = v t − ½ a t² loses no digits even for a short
+/// distance, and holds at a = 0.
 #[inline]
 pub(super) fn slowed(time: f64, relative_deceleration: f64) -> Option<f64> {
     let left = 1.0 - 2.0 * relative_deceleration * time;
     (left >= 0.0).then(|| 2.0 * time / (1.0 + left.sqrt()))
 }
 
-/// When |d + w t| first comes down to `distance`, if |d|² − `distance`² = `gap` > 0:
-/// the smaller root of the quadratic, in the form that keeps its digits. `None` if it
-/// never does.
+/// When |d + w t| first falls to `distance`, if |d|² − `distance`² = `gap` > 0: the smaller root of
+/// the quadratic, in the form that loses no digits. `None` if it never does.
 #[inline]
 pub(super) fn time_to_distance(d: DVec2, w: DVec2, distance: f64, gap: f64) -> Option<f64> {
     let ahead = -d.dot(w);
     if ahead <= 0.0 {
         return None;
     }
-    // All lengths times the speed: no need to draw its root.
+    // All lengths are multiplied by the speed, which saves a square root.
     let offset = d.perp_dot(w);
     let room = distance * distance * w.length_squared() - offset * offset;
     (room > 0.0).then(|| gap / (ahead + room.sqrt()))
@@ -75,7 +73,7 @@ pub(super) fn parabola(start: Motion, acceleration: DVec2, time: f64) -> Motion 
     )
 }
 
-/// A disc left to itself: where it starts and what slows it.
+/// A disc without contacts: its start and its deceleration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Slide {
     start: Motion,

@@ -1,4 +1,4 @@
-//! A collision by the fields that files, commands and screens write it with.
+//! A collision by the fields that files, commands and screens use.
 
 use std::fmt::Display;
 
@@ -36,7 +36,7 @@ pub struct CollisionSpec {
     pub bond: Bond,
 }
 
-/// Where on the target the striker meets it.
+/// The point of impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ImpactPoint {
     /// By the impact angle.
@@ -51,7 +51,7 @@ pub enum ImpactPoint {
     },
 }
 
-/// What one number of a [`CollisionSpec`] may be.
+/// The range of one number of a [`CollisionSpec`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FieldRange {
     /// Its name in files.
@@ -111,11 +111,10 @@ impl Default for CollisionSpec {
 }
 
 impl CollisionSpec {
-    /// The largest offset as a share of both radii together: past 1 they miss, and a little
-    /// beyond is nothing new.
+    /// The largest offset as a share of r₁ + r₂: beyond 1 they miss, so slightly more is enough.
     pub(crate) const WIDEST: f64 = 1.25;
 
-    /// What lessons, concept questions and the lab take.
+    /// The fields of lessons, concept questions and the lab.
     pub(crate) const RANGES: [FieldRange; 10] = [
         FieldRange::new("m1_g", "a mass in g", 0.1, 1000.0),
         FieldRange::new("m2_g", "a mass in g", 0.1, 1000.0),
@@ -140,10 +139,10 @@ impl CollisionSpec {
         field == "stick" || Self::RANGES.iter().any(|range| range.name == field)
     }
 
-    /// Sets a field of [`RANGES`](Self::RANGES), or `stick`, from what is written for it.
+    /// Sets a field of [`RANGES`](Self::RANGES), or `stick`, from its text.
     ///
     /// # Errors
-    /// What was expected, if there is no such field or the value is none for it.
+    /// What was expected, if there is no such field or the value is not valid for it.
     pub(crate) fn set(&mut self, field: &str, written: &str) -> Result<(), String> {
         if field == "stick" {
             self.bond = match written {
@@ -185,13 +184,14 @@ impl CollisionSpec {
         let points = |name: &&str| ["alpha_deg", "offset_mm"].contains(name);
         match names.into_iter().filter(points).count() {
             0 | 1 => Ok(()),
-            _ => Err("expected alpha_deg or offset_mm, found both: \
-                      each says where the two meet"
-                .into()),
+            _ => Err(
+                "expected alpha_deg or offset_mm, found both: each sets where the discs meet"
+                    .into(),
+            ),
         }
     }
 
-    /// Checks what no field can tell alone.
+    /// Checks conditions on several fields together.
     ///
     /// # Errors
     /// What was expected.
@@ -206,7 +206,7 @@ impl CollisionSpec {
         }
     }
 
-    /// Whether it says where the two meet by the offset rather than by the angle.
+    /// Whether the point of impact is given by the offset rather than by the angle.
     pub(crate) fn is_by_offset(&self) -> bool {
         matches!(self.point, ImpactPoint::Offset { .. })
     }
@@ -241,7 +241,7 @@ impl CollisionSpec {
 }
 
 impl From<&Collision> for CollisionSpec {
-    /// The figures of a collision, without what rounding left of whole ones.
+    /// The fields of a collision, with rounding noise removed from whole numbers.
     fn from(collision: &Collision) -> Self {
         let degrees = |v: DVec2| tidy(deg_from_rad(v.to_angle()));
         let moves = collision.u2 != DVec2::ZERO;

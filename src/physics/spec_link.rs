@@ -2,10 +2,10 @@
 
 use super::{Bond, CollisionSpec, FieldRange, ImpactPoint};
 
-/// The direction of the striker; files do not have it.
+/// The direction of the striker, which files do not have.
 const AIM: FieldRange = FieldRange::new("aim", "a direction in degrees", -180.0, 180.0);
 
-/// What each short name stands for in files.
+/// The name in files of each short name.
 const SHORT: [(&str, &str); 11] = [
     ("m1", "m1_g"),
     ("m2", "m2_g"),
@@ -21,8 +21,8 @@ const SHORT: [(&str, &str); 11] = [
 ];
 
 impl CollisionSpec {
-    /// The fields that differ from the worked shot; empty if none does. Each number has all its
-    /// digits, so that [`from_link`](Self::from_link) gives exactly the same collision.
+    /// The fields that differ from the worked shot; empty if none does. Each number has all digits,
+    /// so that [`from_link`](Self::from_link) gives exactly the same collision.
     pub fn to_link(self) -> String {
         let usual = Self::default();
         let mut parts = Vec::new();
@@ -50,7 +50,7 @@ impl CollisionSpec {
         parts.join(",")
     }
 
-    /// The collision of such a text.
+    /// Reads such a text.
     ///
     /// # Errors
     /// What was expected instead.
@@ -129,7 +129,7 @@ mod tests {
             ),
             (
                 "b:1,alpha:3",
-                "expected alpha_deg or offset_mm, found both: each says where the two meet",
+                "expected alpha_deg or offset_mm, found both: each sets where the discs meet",
             ),
         ] {
             assert_eq!(CollisionSpec::from_link(link), Err(message.to_owned()));

@@ -2,12 +2,12 @@
 
 use super::{Attempt, Calendar, LESSON, Mastery, Trend, beliefs, reviews, topics};
 
-/// How many of the last attempts count as lately.
+/// How many of the last attempts count as recent.
 const LATELY: usize = 10;
 
-/// What to do next, in a sentence or two. What is worth most comes first: a belief
-/// that is still held, then what is due today, where that is known, then
-/// what the player was sure of and missed, then the topic that went worst lately.
+/// What to do next, in a sentence or two. The most useful comes first: a misconception that is
+/// still held, then what is due today, if that is known, then what the player was sure of and
+/// missed, then the topic with the worst recent results.
 pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     if attempts.is_empty() {
         return "Play a round of the quiz: ten hits, and no answer is wasted.".into();
@@ -35,8 +35,8 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     let lately = &attempts[attempts.len().saturating_sub(LATELY)..];
     if let Some(missed) = lately.iter().rev().find(|it| it.is_surely_wrong()) {
         return format!(
-            "You were sure, and it came out differently: {}. Try one of its kind again, and \
-             take your time over the why.",
+            "You were sure, and it came out differently: {}. Try one of its kind again, and read \
+             the explanation slowly.",
             missed.topic_name()
         );
     }
@@ -63,7 +63,7 @@ mod tests {
     use serde_json::json;
 
     #[test]
-    fn what_is_worth_most_comes_first() {
+    fn the_most_useful_advice_comes_first() {
         let mut attempts = Vec::new();
         let mut says = |attempt: Option<Attempt>, now_s| {
             attempts.extend(attempt);
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn whoever_knows_it_all_is_sent_on() {
+    fn a_player_who_knows_everything_is_sent_on() {
         let attempts = vec![attempt("a", 0.0); 5];
         assert!(advice(&attempts, &Calendar::default()).contains("Try the levels"));
     }

@@ -1,4 +1,4 @@
-//! One answer, with all that is known of it.
+//! One answer, with everything known about it.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -11,9 +11,9 @@ use crate::quiz::{
 /// The family of all questions that chapters ask.
 pub const LESSON: &str = "lesson";
 
-/// The furthest that an angle can be off, in degrees, with what rounding adds.
+/// The largest error of an angle, in degrees, with rounding.
 const FURTHEST_OFF_DEG: f64 = 180.0 + 1e-6;
-/// Most lines of a choice in a chapter, with room for those of years to come.
+/// The most choices in a chapter, with room for later versions.
 const MOST_LINES: u64 = 26;
 
 /// Figures as the text of a JSON object.
@@ -21,13 +21,13 @@ pub(crate) fn figures_text(figures: &Figures) -> String {
     serde_json::to_string(figures).unwrap_or_default()
 }
 
-/// One answer, with all that is known of it. Nothing of it is particular to the quiz:
-/// whatever asks a question can note what was answered. As it is serialized here it stands in a
-/// pupil's hand-in, whose file names the player once.
+/// One answer, with everything known about it. It is not specific to the quiz: anything that asks
+/// questions can record answers. This serialization is used in a pupil's hand-in, whose file names
+/// the player once.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
-    /// When, in seconds since 1970 began (UTC). Noted by whoever keeps it; `None`
-    /// before that, and where nobody knows the time.
+    /// When, in seconds since 1970 began (UTC). Set by the store; `None` before that, and if the
+    /// time is unknown.
     #[serde(default)]
     pub time_s: Option<i64>,
     /// Who.
@@ -35,29 +35,28 @@ pub struct Attempt {
     pub player: String,
     /// The family of the question, by its name in files: "where-to", or [`LESSON`].
     pub family: String,
-    /// What it was about: the id of a [`Topic`], or the title of the chapter.
+    /// The topic: the id of a [`Topic`], or the title of the chapter.
     pub topic: String,
     /// The seed of the round; 0 where there is none.
     pub seed: u64,
-    /// Its place in the round, or the page of the chapter, from 1.
+    /// Its number in the round, or the page of the chapter, from 1.
     pub number: u32,
-    /// The figures of the question. With those of the quiz stand the code of the `round`, the
+    /// The figures of the question. Those of the quiz include the code of the `round`, the
     /// `misconceptions` that an answer could have shown, by their names in files, and the chance
     /// that a guess fits one of them, `by_chance`.
     pub question: Figures,
-    /// What was answered.
+    /// The answer.
     pub answer: Figures,
-    /// What is true.
+    /// The right answer.
     pub truth: Figures,
-    /// How far off the angle was, in degrees, or of several the one furthest off;
-    /// `None` where there was no angle to be off.
+    /// The error of the angle in degrees, or the largest of several; `None` if there was no angle.
     #[serde(default)]
     pub error_deg: Option<f64>,
     /// Credit from 0 to 1.
     pub credit: f64,
     /// Whether it counts as right.
     pub right: bool,
-    /// How sure the player was; `None` where that is not asked.
+    /// How sure the player was; `None` if that is not asked.
     #[serde(default)]
     pub confidence: Option<Confidence>,
     /// The misconception it fits, by its name in files.
@@ -105,11 +104,11 @@ impl Attempt {
         topic_name(&self.family, &self.topic)
     }
 
-    /// What is wrong with it, in words; `None` for one that can have been given to some question.
+    /// Its fault in words; `None` if it is a possible answer to some question.
     ///
-    /// Files and databases can be changed by anybody. Whatever counts, shows or hands in answers
-    /// relies on this: numbers are finite and in the range of what they measure, and the answer is
-    /// of the same kind as the truth.
+    /// Files and databases can be changed by anybody. All code that counts, shows or hands in
+    /// answers relies on this check: numbers are finite and in range, and the answer is of the same
+    /// kind as the right one.
     pub fn fault(&self) -> Option<&'static str> {
         let error_is_possible = |error: f64| match self.family.as_str() {
             // A chapter may ask for any number of degrees.
@@ -134,12 +133,12 @@ impl Attempt {
             LESSON => lesson_answer_is_possible(answer),
             _ => Form::could_be_kept(answer),
         };
-        // Where nothing was noted, what counts is noted all the same.
+        // Even without a stored answer the result is stored.
         answer.is_empty() || (is_like_truth && is_in_range)
     }
 
-    /// What it says of misconceptions. One that this carrom does not know is left out; where
-    /// it was not noted what an answer could have shown, only what it did is known.
+    /// Its evidence for misconceptions. Unknown ones are left out; if it was not stored what an
+    /// answer could have shown, only what it did show is known.
     pub(super) fn clue(&self) -> Clue {
         let noted = self.question.get(MISCONCEPTIONS).and_then(Value::as_array);
         let noted = noted.map_or(&[][..], Vec::as_slice);
@@ -160,30 +159,30 @@ impl Attempt {
         Misconception::with_id(self.misconception.as_deref()?)
     }
 
-    /// The round in which it was given: its code; of a chapter its title.
+    /// The round in which it was given: its code, or the title of a chapter.
     pub fn round(&self) -> String {
         if self.family == LESSON {
             return format!("chapter: {}", self.topic);
         }
-        // Before codes were noted with the figures the seed was all there was.
+        // Earlier versions stored only the seed.
         let noted = self.question.get(ROUND).and_then(Value::as_str);
         noted.map_or_else(|| self.seed.to_string(), str::to_owned)
     }
 
-    /// Points by how near it was, 0 to [`Grade::MOST`], however sure the player was.
+    /// Points by how close it was, 0 to [`Grade::MOST`], without the confidence.
     pub fn points(&self) -> f64 {
         Grade::MOST * self.credit
     }
 
-    /// Points with what the player staked on it by how sure they were.
+    /// Points including the confidence.
     pub fn earned(&self) -> f64 {
         self.confidence
             .map_or(self.points(), |it| it.points(self.credit))
     }
 
-    /// The chance that a guess fits a misconception, where it was not noted: no smaller than
-    /// it was, as far as the answer tells. Choices were three or more, and at least as many as
-    /// what is noted and the right one.
+    /// The chance that a guess fits a misconception, if it was not stored: an upper bound from the
+    /// answer. Choices were three or more, and at least as many as the stored misconceptions plus
+    /// the right one.
     fn by_chance_at_most(&self, misconceptions: usize) -> f64 {
         match self.truth.contains_key("choice") {
             true => 1.0 / (misconceptions + 1).max(3) as f64,
@@ -191,7 +190,7 @@ impl Attempt {
         }
     }
 
-    /// Whether the player was sure, and wrong: what is worth most attention.
+    /// Whether the player was sure, and wrong.
     pub(crate) fn is_surely_wrong(&self) -> bool {
         self.confidence == Some(Confidence::Sure) && !self.right
     }

@@ -1,10 +1,10 @@
-//! Which misconceptions are held, and whether they fade.
+//! The player's misconceptions, and whether they fade.
 
 use super::Attempt;
 use crate::quiz::{Clue, Evidence, Misconception};
 
-/// A misconception that answers name, with the evidence of the first half of all attempts and
-/// of the second, which is the larger one by one where there is an odd number of attempts.
+/// A misconception named by the answers, with the evidence of the first half of all attempts and of
+/// the second, which has one more if the number is odd.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeldBelief {
     /// Which.
@@ -15,18 +15,18 @@ pub struct HeldBelief {
     pub since: Evidence,
 }
 
-/// Where a belief is going.
+/// How a misconception develops.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Trend {
     /// It was not there before.
     New,
     /// It is still there.
     Held,
-    /// Since the middle the answers speak against it rather than for it.
+    /// In the second half the answers are evidence against it.
     Fading,
-    /// Since the middle they speak as strongly against it as it takes to name one.
+    /// In the second half the evidence against it is as strong as that for naming one.
     Gone,
-    /// Nothing that could show it has been asked since the middle.
+    /// No question in the second half could show it.
     NotMet,
 }
 
@@ -42,14 +42,14 @@ impl Trend {
         }
     }
 
-    /// Whether it goes the right way.
+    /// Whether it improves.
     pub(crate) const fn is_good(self) -> bool {
         matches!(self, Self::Fading | Self::Gone)
     }
 }
 
 impl HeldBelief {
-    /// Where it is going.
+    /// How it develops.
     pub(crate) fn trend(&self) -> Trend {
         let Self { before, since, .. } = self;
         if since.asked == 0 {
@@ -66,9 +66,8 @@ impl HeldBelief {
     }
 }
 
-/// The misconceptions that the answers name, all together or in one of their halves: first
-/// that for which there is most evidence since the middle. Those that this carrom does not know
-/// are left out.
+/// The misconceptions that all answers name, or one half of them: those with the most evidence in
+/// the second half first. Unknown ones are left out.
 pub fn beliefs(attempts: &[Attempt]) -> Vec<HeldBelief> {
     let clues: Vec<Clue> = attempts.iter().map(Attempt::clue).collect();
     let (before, since) = clues.split_at(clues.len() / 2);
@@ -163,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_unknown_is_left_out_and_what_was_not_noted_counts_where_it_shows() {
+    fn unknown_misconceptions_are_left_out_and_old_answers_count_where_they_show_one() {
         assert!(trend(&[(&["unheard-of"], true), (&["unheard-of"], true)]).is_empty());
         let old = |number: u32| Attempt {
             question: figures(json!({ "number": number })),

@@ -1,15 +1,15 @@
-//! Days as the player's calendar has them.
+//! Days in the player's calendar.
 
 use jiff::Timestamp;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
 
-/// The time, and which day of the player's calendar any time is on.
+/// The time, and the day of any time in the player's calendar.
 ///
-/// It is handed in from outside: nothing here looks at a clock.
+/// It is passed in from outside: this module reads no clock.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Calendar {
-    /// The time now, in seconds since 1970 began (UTC); `None` where nobody knows it.
+    /// The time now, in seconds since 1970 began (UTC); `None` if it is unknown.
     pub now_s: Option<i64>,
     zone: TimeZone,
 }
@@ -37,13 +37,13 @@ impl Calendar {
         Some(self.zone.to_datetime(time).date())
     }
 
-    /// Today; `None` where nobody knows the time.
+    /// Today; `None` if the time is unknown.
     pub fn today(&self) -> Option<Date> {
         self.day(self.now_s?)
     }
 }
 
-/// Nobody knows the time.
+/// The time is unknown.
 impl Default for Calendar {
     fn default() -> Self {
         Self::utc(None)

@@ -1,12 +1,12 @@
-//! How well confidence and answers go together.
+//! How well confidence matches the answers.
 
 use super::{Attempt, Tally};
 use crate::quiz::Confidence;
 
-/// Fewest answers of a confidence that say something about it.
+/// The fewest answers of a confidence for a comment.
 const ENOUGH: usize = 3;
 
-/// What became of the answers of one confidence.
+/// The results of the answers of one confidence.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Calibrated {
     /// The confidence.
@@ -16,8 +16,8 @@ pub struct Calibrated {
 }
 
 impl Calibrated {
-    /// The shares of right answers, from and to, for which this confidence is the one
-    /// that brings most points: [`Confidence::points`] says why.
+    /// The range of shares of right answers in which this confidence earns the most points; see
+    /// [`Confidence::points`].
     pub(crate) const fn honest(confidence: Confidence) -> (f64, f64) {
         match confidence {
             Confidence::Guess => (0.0, 0.5),
@@ -26,9 +26,8 @@ impl Calibrated {
         }
     }
 
-    /// How far the share of right answers lies beyond what this confidence is for:
-    /// above 0 if there were more of them, below if fewer, 0 if it fits or if too few
-    /// answers were given to tell.
+    /// How far the share of right answers is outside the range of this confidence: above 0 if it is
+    /// higher, below if lower, 0 if it fits or if there are too few answers.
     pub(crate) fn beyond(&self) -> f64 {
         let (from, to) = Self::honest(self.confidence);
         match self.tally.share_right() {
@@ -40,7 +39,7 @@ impl Calibrated {
     }
 }
 
-/// What became of the answers of each confidence, from the least.
+/// The results of the answers of each confidence, the least sure first.
 pub fn calibration(attempts: &[Attempt]) -> [Calibrated; 3] {
     Confidence::ALL.map(|confidence| Calibrated {
         confidence,
@@ -73,8 +72,8 @@ pub(crate) fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<
     })
 }
 
-/// What to make of it, in a sentence or two: the confidence that lies furthest from what
-/// it is for is what is spoken of, of two alike the surer one.
+/// A comment in a sentence or two, on the confidence that is furthest outside its range; of two
+/// equal ones the surer one.
 pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
     let gap = |it: &&Calibrated| it.beyond().abs();
     let widest = calibration

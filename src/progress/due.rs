@@ -1,10 +1,10 @@
-//! What is due of the quiz.
+//! The topics of the quiz that are due.
 
 use super::{Attempt, Calendar, LESSON, Review, reviews};
 use crate::quiz::{Course, CourseKind, Family, Topic};
 
-/// What is due of the quiz, and what comes next. What chapters asked is not of it: they
-/// say themselves what they ask again.
+/// The topics of the quiz that are due, and the next one. Chapters are not included: they show
+/// themselves what to repeat.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Due {
     /// The topics that are due, the longest due first.
@@ -14,7 +14,7 @@ pub struct Due {
 }
 
 impl Due {
-    /// What is due today of what was answered; nothing where nobody knows the time.
+    /// The topics due today, from the answers; none if the time is unknown.
     pub fn of(attempts: &[Attempt], calendar: &Calendar) -> Self {
         let Some(today) = calendar.today() else {
             return Self::default();
@@ -46,8 +46,8 @@ impl Due {
 }
 
 impl Review {
-    /// Whether anything asks about it again: the quiz, or the chapter that did before. A
-    /// teacher's own questions may be about what nothing else is about.
+    /// Whether anything asks about it again: the quiz, or the chapter that did before. A teacher's
+    /// own questions may have topics of their own.
     pub(crate) fn comes_back(&self) -> bool {
         self.family == LESSON || self.is_of_quiz()
     }
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_missed_or_has_rested_is_due_by_topic() {
+    fn missed_and_rested_topics_are_due() {
         let known = attempt("rutherford-1", true, 0);
         let missed = attempt("from-angle-1", false, 0);
         let rested = attempt("from-offset-1", true, 2);

@@ -10,10 +10,10 @@ use crate::files::{csv_table, write_json};
 use crate::numbers;
 use crate::quiz::{Confidence, Figures};
 
-/// What stands in a column, as JSON has it.
+/// The value of a column, as JSON.
 type ColumnValue = fn(&Attempt) -> Value;
 
-/// The columns: the head of each, and what stands in it.
+/// The columns: their headings and values.
 const COLUMNS: [(&str, ColumnValue); 14] = [
     ("time", |it| it.time_s.and_then(utc).into()),
     ("player", |it| it.player.as_str().into()),
@@ -31,11 +31,11 @@ const COLUMNS: [(&str, ColumnValue); 14] = [
     ("misconception", |it| it.misconception.as_deref().into()),
 ];
 
-/// The heads of the columns that stand behind the [`COLUMNS`] in a table: what no one should have
-/// to read out of JSON.
+/// The headings of the columns after the [`COLUMNS`] in a table: values that nobody should have to
+/// extract from JSON.
 const IN_WORDS: [&str; 4] = ["round", "points", "answer_in_words", "truth_in_words"];
 
-/// What stands in each of [`IN_WORDS`].
+/// The values of [`IN_WORDS`].
 fn in_words(attempt: &Attempt) -> [String; IN_WORDS.len()] {
     let words = |said: &Figures| {
         let each = tidied(said).into_iter().map(|(name, value)| match value {
@@ -57,7 +57,7 @@ fn in_words(attempt: &Attempt) -> [String; IN_WORDS.len()] {
 /// The attempts as a [table](csv_table), one a row.
 ///
 /// # Errors
-/// None that can be met in practice; the reason, should a row not be writable.
+/// None in practice; the reason if a row cannot be written.
 pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
     let cell = |column: &str, value: Value| match (column, value) {
         ("answer" | "truth", Value::Object(said)) => figures_text(&tidied(&said)),
@@ -82,8 +82,8 @@ pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
     csv_table(&heads, &rows)
 }
 
-/// What was said, with its numbers as they were typed: a 30 is kept in radians and comes
-/// back as 29.999999999999996.
+/// The answer, with its numbers as they were typed: a 30 is stored in radians and would be read as
+/// 29.999999999999996.
 fn tidied(said: &Figures) -> Figures {
     let mut said = said.clone();
     for value in said.values_mut() {
@@ -125,7 +125,7 @@ struct All<'a> {
     attempts: &'a [Attempt],
 }
 
-/// Attempts, each made ready only when it is written: there may be very many.
+/// Attempts, each converted only when it is written, because there may be very many.
 fn rows<S: Serializer>(attempts: &[Attempt], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(attempts.iter().map(AttemptRow))
 }

@@ -1,11 +1,9 @@
-//! What a player has done: every answer ever given, and what follows from them.
+//! The player's record: every answer ever given, and what follows from them.
 //!
-//! An [`Attempt`] is one answer with all that is known of it, whatever asked for it.
-//! Everything else here is worked out from the attempts of a player, in the order in
-//! which they were made, and never stored: a [`Tally`] of any of them, how each
-//! topic stands, how well [`Confidence`](crate::quiz::Confidence) and answers go
-//! together, which beliefs were held and whether they fade, what is [`Due`] for
-//! review, and what to do next.
+//! An [`Attempt`] is one answer with everything known about it. Everything else here is derived
+//! from the attempts of a player, in their order, and never stored: a [`Tally`] of any of them, the
+//! state of each topic, how well [`Confidence`](crate::quiz::Confidence) matches the answers,
+//! misconceptions and whether they fade, what is [`Due`] for review, and what to do next.
 
 mod advice;
 mod attempt;

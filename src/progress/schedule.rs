@@ -1,24 +1,23 @@
-//! When to come back to what.
+//! When to review which topic.
 //!
-//! The schedule runs by topic, not by family: a topic is what one can know and forget,
-//! and several families ask about the same one, each in its own way. To be asked by
-//! another family next time shows whether the idea has been understood, and not only
-//! the kind of question. A review asks once about each topic that is due.
+//! The schedule is kept by topic, not by family: a topic is what a person can know and forget, and
+//! several families ask about the same one in different ways. A question of another family shows
+//! whether the idea has been understood, and not only the kind of question. A review asks once
+//! about each topic that is due.
 //!
-//! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. It is due on the
-//! day that is so many days after the one on which it came to its step. Days are those of
-//! the player's calendar: what was known last evening is due this morning.
+//! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. It is due that many days
+//! after the day on which it reached its step. Days are those of the player's calendar: a topic
+//! answered last evening is due this morning.
 //!
 //! - Wrong, or right by a guess: off the ladder, and due at once.
 //! - Right from off the ladder: on its first step.
-//! - Right when it is due: one step up, until the last; or as many as it has rested for, if
-//!   it has rested longer than it was to: known after n days, it may rest the largest power of
-//!   two that is no more than n.
-//! - Right before it is due: nothing changes, for ten right answers in a row on one
-//!   day say no more than one.
+//! - Right when it is due: one step up, until the last; or more, if it has rested longer than
+//!   planned: after n days, the next interval is the largest power of two that is at most n.
+//! - Right before it is due: nothing changes, because ten right answers on one day show no more
+//!   than one.
 //!
-//! This is the box of cards of S. Leitner (1972): the better something is known, the
-//! longer it may rest, and an answer that takes some effort teaches most.
+//! This is the box of cards of S. Leitner (1972): the better something is known, the longer it may
+//! rest, and an answer that takes some effort has the greatest effect.
 
 use indexmap::IndexMap;
 use jiff::ToSpan;
@@ -32,7 +31,7 @@ use crate::quiz::Confidence;
 /// The last step; the first is 0.
 const LAST: u32 = 5;
 
-/// A topic and when to come back to it.
+/// A topic and its next review.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Review {
     /// The family that asked about it last.
@@ -43,7 +42,7 @@ pub struct Review {
     pub step: Option<u32>,
     /// The first day on which it is due.
     pub due: Date,
-    /// When it came to its step, in seconds since 1970 began.
+    /// When it reached its step, in seconds since 1970 began.
     since_s: i64,
 }
 
@@ -53,7 +52,7 @@ impl Review {
         topic_name(&self.family, &self.topic)
     }
 
-    /// When it is due as seen from `today`, in few letters: "now", "in 2 days".
+    /// When it is due relative to `today`, in few letters: "now", "in 2 days".
     pub fn when(&self, today: Date) -> String {
         // Between two dates a difference in days always fits.
         match usize::try_from((self.due - today).get_days()) {
@@ -62,7 +61,7 @@ impl Review {
         }
     }
 
-    /// How many days have passed on this one since it came to its step.
+    /// How many days before this one it reached its step.
     fn days_to(&self, day: Date) -> u32 {
         let rest = self.step.map_or(0, |step| 1_i32 << step);
         let days = (day - self.due).get_days() + rest;
@@ -75,8 +74,7 @@ impl Review {
     }
 }
 
-/// When to come back to each topic, the earliest first. Attempts whose time nobody
-/// knows are left out.
+/// The next review of each topic, the earliest first. Attempts without a time are left out.
 pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> {
     let mut reviews: IndexMap<&str, Review> = IndexMap::new();
     for attempt in attempts {
@@ -94,7 +92,7 @@ pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> 
                 let rested = review.days_to(day).max(1).ilog2();
                 Some((step + 1).max(rested).min(LAST))
             }
-            // Too early to say more than is known already.
+            // It is not due yet, so nothing changes.
             Some(_) => continue,
             None => Some(0),
         };
@@ -144,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_known_rests_twice_as_long_each_time() {
+    fn the_rest_of_a_known_topic_doubles_each_time() {
         assert_eq!(due(&[(0, true)]), (Some(0), 1));
         assert_eq!(due(&[(0, true), (1, true)]), (Some(1), 3));
         assert_eq!(due(&[(0, true), (1, true), (3, true)]), (Some(2), 7));
@@ -160,13 +158,13 @@ mod tests {
     }
 
     #[test]
-    fn what_comes_too_early_changes_nothing() {
+    fn an_early_answer_changes_nothing() {
         assert_eq!(due(&[(0, true), (0, true), (0, true)]), (Some(0), 1));
         assert_eq!(due(&[(0, true), (1, true), (2, true)]), (Some(1), 3));
     }
 
     #[test]
-    fn what_is_missed_is_due_at_once_and_starts_afresh() {
+    fn a_missed_topic_is_due_at_once_and_starts_again() {
         assert_eq!(due(&[(0, false)]), (None, 0));
         assert_eq!(due(&[(0, true), (1, true), (2, false)]), (None, 2));
         assert_eq!(due(&[(0, false), (0, true)]), (Some(0), 1));
@@ -194,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_known_in_the_evening_is_due_the_next_afternoon_where_the_player_is() {
+    fn due_dates_follow_the_players_calendar() {
         // 2026-01-05 at 21:30 UTC, and 16 hours later.
         let (evening_s, afternoon_s) = (1_767_648_600, 1_767_648_600 + 16 * 3600);
         let answer = Attempt {

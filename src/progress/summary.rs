@@ -1,4 +1,4 @@
-//! A look back over a round.
+//! The summary of a round.
 
 use super::{Attempt, Calibrated, ENOUGH_ANGLES, Tally, calibration};
 use crate::numbers;
@@ -8,10 +8,10 @@ use crate::quiz::{
     named,
 };
 
-/// Fewest answers that say how well somebody judges what they know.
+/// The fewest answers for a comment on calibration.
 const ENOUGH_ANSWERS: usize = 5;
 
-/// A round that has been answered, or as much of it as has.
+/// The answered part of a round.
 #[derive(Debug, Clone)]
 pub struct Summary<'a> {
     /// The answers, in the order of the questions.
@@ -21,7 +21,7 @@ pub struct Summary<'a> {
 }
 
 impl<'a> Summary<'a> {
-    /// Looks back over these answers.
+    /// Summarizes these answers.
     pub fn new(attempts: &'a [Attempt]) -> Self {
         Self {
             attempts,
@@ -30,9 +30,9 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// Points of the round: the sum of those of its questions, each to a tenth, as they
-    /// are shown. It may fall below 0: were it held there, whoever has none could say
-    /// "sure" of anything at no cost, and honesty would not pay.
+    /// Points of the round: the sum of those of its questions, each to a tenth, as they are shown.
+    /// It may fall below 0: otherwise a wrong "sure" would cost nothing at 0 points, and honesty
+    /// would not pay.
     pub fn points(&self) -> f64 {
         // Adding 0 turns −0, the sum of none, into 0.
         let tenths = |it: &Attempt| (10.0 * it.earned()).round();
@@ -71,7 +71,7 @@ impl<'a> Summary<'a> {
         errors.flatten()
     }
 
-    /// How many angles there were to be off.
+    /// The number of angles.
     pub fn angles(&self) -> usize {
         self.errors().count()
     }
@@ -102,8 +102,8 @@ impl<'a> Summary<'a> {
             1 => "Sure once, and not right.".into(),
             _ => format!("Sure {sure} times, right {sure_right} of them."),
         };
-        // "Sure" pays from four right in five on, "guess" up to one in two. One answer
-        // that was thought right and was not says nothing yet.
+        // "Sure" pays from four right in five on, "guess" up to one in two. A single wrong "think
+        // so" is not enough for a comment.
         let verdict = if 5 * sure_right < 4 * sure {
             "What you were sure of and missed is worth most: look at it again."
         } else if 2 * guesses_right > guesses
@@ -113,7 +113,7 @@ impl<'a> Summary<'a> {
         } else if thought > 1 && 2 * thought_right < thought {
             "\"Think so\" was right less than half the time: a guess would have cost nothing."
         } else if self.attempts.len() < ENOUGH_ANSWERS || self.right() == 0 {
-            // That says nothing of how well one judges oneself.
+            // This is no evidence on calibration.
             ""
         } else {
             "You judge well what you know."
@@ -121,7 +121,7 @@ impl<'a> Summary<'a> {
         format!("{counted} {verdict}").trim_end().to_owned()
     }
 
-    /// The misconceptions that the answers name, the surest first.
+    /// The misconceptions that the answers name, those with the most evidence first.
     pub fn named(&self) -> Vec<Evidence> {
         let clues: Vec<Clue> = self.attempts.iter().map(Attempt::clue).collect();
         named(&clues)
@@ -142,8 +142,8 @@ impl<'a> Summary<'a> {
         ))
     }
 
-    /// What was found out about beliefs, a paragraph each; the name of what is believed, or
-    /// that there is none, comes first.
+    /// The findings on misconceptions, one paragraph each; the name of the misconception, or that
+    /// there is none, comes first.
     pub fn finding(&self) -> Vec<String> {
         let Some(first) = self.named().first().copied() else {
             return self.nothing_found();
@@ -160,8 +160,8 @@ impl<'a> Summary<'a> {
         vec![
             format!("{found}: {}.", misconception.name()),
             format!(
-                "Your answers to questions {} and {last} say so: {first} that could show it. They \
-                 are {} as likely from somebody who {somebody} as from somebody who guesses.",
+                "Your answers to questions {} and {last} show it: {first} that could. They are {} \
+                 as likely from somebody who {somebody} as from somebody who guesses.",
                 others.join(", "),
                 times_as(first.weight),
             ),
@@ -178,8 +178,8 @@ impl<'a> Summary<'a> {
             "Nothing that you believe stands in your way. Take a mixed round, or a level that \
              needs an exact cut."
         } else {
-            "Where your answers were off, each was off in its own way: no known belief explains \
-             them. Go through them once more, with the whys; then begin with the first chapters."
+            "Your wrong answers have no pattern: no known misconception explains them. Go through \
+             them once more, with the explanations; then begin with the first chapters."
         };
         vec![
             "No misconception stands out.".into(),
@@ -187,7 +187,7 @@ impl<'a> Summary<'a> {
         ]
     }
 
-    /// Whether a misconception that was to be checked still shows, in words.
+    /// Whether a checked misconception still shows, in words.
     pub fn checked(&self, misconception: Misconception) -> String {
         let name = misconception.name();
         let is_it = |it: Misconception| {
@@ -204,9 +204,8 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// The page of the chapters to read next: that which settles the misconception held
-    /// most, or else teaches the first topic that was missed, one that was missed surely
-    /// before the others; `None` if nothing was.
+    /// The page to read next: the one that explains the strongest misconception, or else teaches
+    /// the first missed topic, with those missed with "sure" first; `None` if nothing was missed.
     pub(crate) fn passage(&self) -> Option<Passage> {
         if let Some((misconception, _)) = self.most_held() {
             let mut shown = self.attempts.iter().rev();
@@ -230,8 +229,8 @@ impl<'a> Summary<'a> {
             asked if 5 * self.right() >= 4 * asked => {
                 "You know this. Try a new round, or a level that needs an exact cut.".into()
             }
-            _ => "In the lab, take one hit at a time: first the line of impact, then the \
-                  striker's part across it."
+            _ => "In the lab, take one collision at a time: first the line of impact, then the \
+                  perpendicular component."
                 .into(),
         }
     }

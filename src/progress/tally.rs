@@ -5,7 +5,7 @@ use crate::numbers::correlation;
 use crate::physics::units::deg_from_rad;
 use crate::quiz::Grade;
 
-/// Fewest angles whose mean error says something.
+/// The fewest angles for a mean error.
 pub(crate) const ENOUGH_ANGLES: usize = 3;
 
 /// Answers counted: those of a player, of a class to one question, of a round.
@@ -16,7 +16,7 @@ pub struct Tally {
     /// How many of them were right.
     pub right: usize,
     credit: f64,
-    /// How many had an angle to be off, the sum of their errors in degrees and of the squares.
+    /// The number of angles, the sum of their errors in degrees and of the squares.
     errors: (usize, [f64; 2]),
 }
 
@@ -28,7 +28,7 @@ impl Tally {
         tally
     }
 
-    /// Counts answers that are graded and nothing else, as the votes of a class.
+    /// Counts answers with only a grade, such as the votes of a class.
     pub(crate) fn of_grades(grades: impl IntoIterator<Item = Grade>) -> Self {
         let mut tally = Self::default();
         for grade in grades {
@@ -65,7 +65,7 @@ impl Tally {
         self.share(self.right as f64)
     }
 
-    /// Their points by how near they were, 0 to [`Grade::MOST`] each.
+    /// Their points by how close they were, 0 to [`Grade::MOST`] each.
     pub fn points(&self) -> f64 {
         Grade::MOST * self.credit
     }
@@ -75,13 +75,12 @@ impl Tally {
         self.share(self.points())
     }
 
-    /// How many of them had an angle to be off.
+    /// How many of them were angles.
     pub fn angles(&self) -> usize {
         self.errors.0
     }
 
-    /// The mean angle error in degrees; `None` where fewer than [`ENOUGH_ANGLES`] answers
-    /// had one.
+    /// The mean angle error in degrees; `None` for fewer than [`ENOUGH_ANGLES`].
     pub(crate) fn mean_error_deg(&self) -> Option<f64> {
         let [mean, _] = self.spread_deg()?;
         (self.angles() >= ENOUGH_ANGLES).then_some(mean)
@@ -97,12 +96,11 @@ impl Tally {
     }
 }
 
-/// Fewest answers from which on it is said how well a question tells apart who gave them.
+/// The fewest answers for the discrimination of a question.
 const ENOUGH_TO_TELL_APART: usize = 10;
 
-/// How well a question tells the better apart from the others: the correlation between their
-/// points for it and their points for all other questions, −1 to 1; `None` for fewer than ten
-/// answers or where all did alike.
+/// The discrimination of a question: the correlation between the points for it and the points for
+/// all other questions, −1 to 1; `None` for fewer than ten answers or if all have equal points.
 pub(crate) fn discrimination(own_and_rest: impl IntoIterator<Item = (f64, f64)>) -> Option<f64> {
     let (own, rest): (Vec<f64>, Vec<f64>) = own_and_rest.into_iter().unzip();
     correlation(&own, &rest).filter(|_| own.len() >= ENOUGH_TO_TELL_APART)
@@ -176,7 +174,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn what_has_no_error_is_left_out_of_the_mean_alone() {
+    fn answers_without_an_error_are_left_out_of_the_mean_only() {
         let mut still = attempt("a", 0.0);
         still.error_deg = None;
         let all = [attempt("a", 6.0), still, attempt("a", 8.0)];
@@ -193,7 +191,7 @@ pub(super) mod tests {
     #[test]
     fn the_ends_are_those_of_angles() {
         let mut all: Vec<_> = (0..10).map(|_| attempt("a", 20.0)).collect();
-        // Answers without an angle come between, and count for neither end.
+        // Answers without an angle come between, and are not counted.
         all.extend((0..30).map(|_| Attempt {
             error_deg: None,
             ..attempt("a", 0.0)

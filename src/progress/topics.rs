@@ -1,13 +1,13 @@
-//! How each topic stands.
+//! The state of each topic.
 
 use indexmap::IndexMap;
 
 use super::{Attempt, Tally};
 
-/// How many of the last attempts at a topic say how it stands now.
+/// How many of the last attempts determine the state of a topic.
 pub(crate) const LATELY: usize = 5;
 
-/// A topic, and what was done with it.
+/// A topic, and the attempts at it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TopicStanding {
     /// Its name: "equal masses, by offset".
@@ -18,8 +18,7 @@ pub struct TopicStanding {
     pub(crate) lately: Tally,
 }
 
-/// How well a topic is known, by how the last [`LATELY`] answers about it went, or as
-/// many as there are. It is the same wherever it is shown.
+/// How well a topic is known, from the last [`LATELY`] answers about it, or all if there are fewer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Mastery {
     /// Not answered yet.
@@ -53,11 +52,11 @@ impl Mastery {
         }
     }
 
-    /// What the names mean, where there are no marks.
+    /// The meanings of the names, if there are no marks.
     pub(crate) const MEANING: &str =
         "Solid: four of the last five right; growing: half or more; not yet: fewer.";
 
-    /// What the marks mean.
+    /// The meanings of the marks.
     pub(crate) fn legend() -> String {
         format!(
             "{} solid: four of the last five right; {} growing: half or more; {} not yet: fewer.",
@@ -69,7 +68,7 @@ impl Mastery {
 }
 
 impl TopicStanding {
-    /// What was done with these attempts, under this name.
+    /// The topic of this name with these attempts.
     pub(crate) fn of<'a>(
         name: impl Into<String>,
         attempts: impl IntoIterator<Item = &'a Attempt>,
@@ -97,7 +96,7 @@ impl TopicStanding {
     }
 }
 
-/// All topics that were ever met, in the order in which they first were.
+/// All topics that have been asked about, in the order of their first questions.
 pub fn topics<'a>(attempts: impl IntoIterator<Item = &'a Attempt>) -> Vec<TopicStanding> {
     let mut met: IndexMap<&str, Vec<&Attempt>> = IndexMap::new();
     for attempt in attempts {

@@ -16,12 +16,12 @@
 //! ──────────────────────────────────────────────────────────────────────────────────────
 //!    concepts        questions in words, read from files
 //! ──────────────────────────────────────────────────────────────────────────────────────
-//!    misconceptions  what students believe, and what is said to it
+//!    misconceptions  what students believe, and the feedback
 //! ──────────────────────────────────────────────────────────────────────────────────────
 //!    question        a question, its answer, its grade
 //! ```
 //!
-//! Nothing here draws, and nothing is random but what follows from the seed.
+//! Nothing here draws, and all randomness follows from the seed.
 
 pub mod concepts;
 mod families;

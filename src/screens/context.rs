@@ -1,4 +1,4 @@
-//! What all screens share: settings, the seed, the room there is to draw in.
+//! What all screens share: settings, the seed, the area for drawing.
 
 use std::sync::Arc;
 
@@ -16,15 +16,14 @@ use crate::progress::Attempt;
 use crate::quiz::concepts::Library;
 use crate::widgets::{PictureSizes, Room};
 
-/// Shared state, lent to a screen for the length of a call.
+/// Shared state, passed to a screen during a call.
 #[derive(Debug, Clone)]
 pub struct Context {
     /// How things look and behave.
     pub settings: Settings,
-    /// The part of the screen that belongs to the screen on top: all but the
-    /// title line and the line of keys.
+    /// The area of the current screen: all except the title line and the line of keys.
     pub body: Rect,
-    /// How large pictures are in it, where that does not follow from its size.
+    /// The size of pictures in it, if it does not follow from the area.
     pub pictures: Option<PictureSizes>,
     /// The levels.
     pub shelf: Shelf,
@@ -34,11 +33,11 @@ pub struct Context {
     pub own: Arc<Library>,
     /// The class that was left, to come back to.
     pub(in crate::screens) class: Option<Place>,
-    /// How the lab was left.
+    /// The settings with which the lab was left.
     pub(in crate::screens) lab: Option<LabSettings>,
     /// The folder where all is kept, in words; `None` where nothing is.
     pub folder: Option<String>,
-    /// What is kept of the settings; `None` where that cannot be read, and is left alone.
+    /// The stored settings; `None` if they cannot be read and are left alone.
     pub kept: Option<KeptSettings>,
     seed: u64,
     rounds: u64,
@@ -69,7 +68,7 @@ impl Context {
         }
     }
 
-    /// The place of the screen on top, for what has pictures.
+    /// The area of the current screen, for sizes of pictures.
     pub fn room(&self) -> Room {
         Room {
             area: self.body,
@@ -77,28 +76,27 @@ impl Context {
         }
     }
 
-    /// Asks for something to be done with what is kept. The
-    /// [`StoreAnswer`](crate::messages::StoreAnswer) will bear the ticket, which for a game
-    /// that is saved again and again is always the same.
+    /// Sends a request to the store. The [`StoreAnswer`](crate::messages::StoreAnswer) will bear
+    /// the ticket, which for a game that is saved again and again is always the same.
     pub fn keep(&mut self, ticket: u64, wish: StoreRequest) {
         self.asked.push(Effect::Keep(StoreCall { ticket, wish }));
     }
 
-    /// The same with a ticket of its own, which it gives.
+    /// The same with a new ticket, which it returns.
     pub fn ask(&mut self, wish: StoreRequest) -> u64 {
         let ticket = self.ticket();
         self.keep(ticket, wish);
         ticket
     }
 
-    /// Notes that a level was won, and has that kept.
+    /// Notes that a level was won, and saves it.
     pub fn won(&mut self, number: usize, win: Win) {
         if let Some(starred) = self.shelf.won(number, win) {
             self.ask(StoreRequest::Star(self.settings.player.clone(), starred));
         }
     }
 
-    /// Has what was changed of the settings since `before` kept.
+    /// Saves the settings that have changed since `before`.
     pub fn keep_settings(&mut self, before: &Settings) {
         if let Some(kept) = &mut self.kept
             && kept.note(before, &self.settings)
@@ -108,7 +106,7 @@ impl Context {
         }
     }
 
-    /// Lets someone else play: what is known of the one before is forgotten here.
+    /// Changes the player: the data of the previous one is forgotten here.
     pub fn change_player(&mut self, name: String) {
         if name != self.settings.player {
             self.settings.player = name;
@@ -118,14 +116,14 @@ impl Context {
         }
     }
 
-    /// Asks how far the chapters have been read, unless that is known.
+    /// Requests the bookmarks, unless they are known.
     pub fn ask_for_marks(&mut self) {
         if !self.book.is_known() {
             self.ask(StoreRequest::Marks(self.settings.player.clone()));
         }
     }
 
-    /// Notes what was done in the chapter of this id, and has that kept.
+    /// Notes what was done in the chapter of this id, and saves it.
     pub fn mark(&mut self, chapter: &str, later: Bookmark) {
         self.book.merge(chapter, later.clone());
         self.ask(StoreRequest::Mark {
@@ -147,32 +145,32 @@ impl Context {
         self.tickets
     }
 
-    /// Has an answer kept, before anything that follows from it is seen.
+    /// Saves an answer before anything that follows from it is shown.
     pub fn record(&mut self, attempt: Attempt) {
         self.ask(StoreRequest::Record(Box::new(attempt)));
     }
 
-    /// Asks for a text to be written to a file of this name.
+    /// Requests that a text be written to a file of this name.
     pub fn export(&mut self, name: String, content: String) {
         self.asked.push(Effect::Export { name, content });
     }
 
-    /// Asks something of whoever serves a class.
+    /// Sends a request to the server of a class.
     pub fn host(&mut self, call: HostCall) {
         self.asked.push(Effect::Host(call));
     }
 
-    /// Asks something of whoever reaches the host of a class.
+    /// Sends a request to the connection to a class's host.
     pub fn join(&mut self, call: JoinCall) {
         self.asked.push(Effect::Join(call));
     }
 
-    /// Tells the player something, over whatever the screen shows, until a key is pressed.
+    /// Shows a notice over the screen until a key is pressed.
     pub fn tell(&mut self, words: String) {
         self.told = Some(words);
     }
 
-    /// Tells the player where an export is, or why there is none; `what` is exported.
+    /// Notifies the player where an export is, or why there is none; `what` is its name.
     pub fn tell_of_export(&mut self, what: &str, exported: &Result<String, String>) {
         self.tell(match exported {
             Ok(place) => format!("The {what} is in {place}"),
@@ -180,12 +178,12 @@ impl Context {
         });
     }
 
-    /// What the player is to be told.
+    /// The pending notice.
     pub fn take_told(&mut self) -> Option<String> {
         self.told.take()
     }
 
-    /// What the screens have asked of the shell since the last call.
+    /// The screens' requests to the shell since the last call.
     pub fn take_asked(&mut self) -> Vec<Effect> {
         std::mem::take(&mut self.asked)
     }

@@ -1,4 +1,4 @@
-//! A screen as the app holds it: whatever its actions are, its keys are looked up here.
+//! A screen as the app holds it: its keys are looked up here, whatever its actions are.
 
 use std::time::Duration;
 
@@ -76,13 +76,13 @@ pub trait AnyScreen {
     fn about(&self, cx: &Context) -> Vec<&'static str>;
     /// Takes a key.
     fn press(&mut self, key: Key, cx: &mut Context) -> Next;
-    /// What the player was asked was agreed to.
+    /// The player has agreed to a question.
     fn confirmed(&mut self, cx: &mut Context) -> Next;
     /// See [`Screen::input`].
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next;
-    /// The cells of the panels that do something, from the top.
+    /// The cells of the panels that react to a click, from the top.
     fn targets(&self, cx: &Context) -> Vec<Rect>;
-    /// Does what the target of this number does, as a click on it would.
+    /// Carries out the target of this number, as a click on it would.
     fn choose(&mut self, target: usize, cx: &mut Context) -> Next;
     /// See [`Screen::resumed`].
     fn resumed(&mut self, cx: &mut Context);
@@ -96,12 +96,12 @@ pub trait AnyScreen {
     fn draw(&self, buf: &mut Buffer, cx: &Context);
 }
 
-/// A screen, what the player was asked about on it, and how far its panels are scrolled.
+/// A screen, the action that awaits confirmation, and the scroll positions of its panels.
 pub struct Hosted<S: Screen> {
     screen: S,
     asked: Option<S::Action>,
-    /// Whether the button is down on something that was chosen by it: what the mouse does until it
-    /// is let go means nothing to the picture.
+    /// Whether the button is down after it chose something: until it is released, the picture
+    /// ignores the mouse.
     has_chosen: bool,
     scrolled: Vec<Scrolled>,
 }
@@ -134,7 +134,7 @@ struct Shown<'p> {
 }
 
 impl<S: Screen> Hosted<S> {
-    /// A screen of which nothing was asked yet.
+    /// A screen without a pending question.
     pub fn new(screen: S) -> Self {
         Self {
             screen,
@@ -171,7 +171,7 @@ impl<S: Screen> Hosted<S> {
         }
     }
 
-    /// Does something with the panels of the view as they are shown in the body.
+    /// Runs a function on the panels of the view as laid out in the body.
     fn with_panels<T>(
         &self,
         view: &View<S::Action>,
@@ -225,7 +225,7 @@ impl<S: Screen> Hosted<S> {
         }
     }
 
-    /// Scrolls the panel at a cell, or else the last one that is longer than its place.
+    /// Scrolls the panel at a cell, or else the last one that is longer than its area.
     fn scroll(&mut self, by: i16, cell: Option<(u16, u16)>, cx: &mut Context) -> Next {
         let view = self.screen.view(cx);
         let scrolled = self.with_panels(&view, cx, |view, _| {
@@ -256,7 +256,7 @@ impl<S: Screen> Hosted<S> {
         Next::Stay
     }
 
-    /// Forgets how far panels were scrolled that are not shown any more.
+    /// Forgets the scroll positions of panels that are no longer shown.
     fn settle(&mut self, cx: &Context) {
         if self.scrolled.is_empty() {
             return;
@@ -270,7 +270,7 @@ impl<S: Screen> Hosted<S> {
         self.scrolled.retain(|it| shown.contains(&it.of));
     }
 
-    /// Rows that its panel beside the picture takes, and rows there are for it.
+    /// The rows that its panel beside the picture needs, and the rows available.
     pub(super) fn rows(&self, cx: &Context) -> (u16, u16) {
         let view = self.screen.view(cx);
         self.with_panels(&view, cx, |view, _| {
@@ -280,7 +280,7 @@ impl<S: Screen> Hosted<S> {
         })
     }
 
-    /// The cells of the panels that do something, and what they do.
+    /// The cells of the panels that react to a click, and their actions.
     fn actions(&self, cx: &Context) -> Vec<(Rect, S::Action)> {
         let view = self.screen.view(cx);
         self.with_panels(&view, cx, |view, _| {
@@ -293,7 +293,7 @@ impl<S: Screen> Hosted<S> {
         })
     }
 
-    /// Takes the mouse over the view: a click in a panel does what stands there.
+    /// Handles the mouse over the view: a click in a panel carries out the action there.
     fn mouse(&mut self, mouse: &Mouse, cx: &mut Context) -> Next {
         let view = self.screen.view(cx);
         let cell = mouse.cell();
@@ -306,7 +306,8 @@ impl<S: Screen> Hosted<S> {
                 let (_, at) = targets.find(|(cells, _)| cells.contains(cell.into()))?;
                 panel.action(at)
             });
-            // The wheel moves the mark of a list, which is followed; beside pages there may be one.
+            // The wheel moves the mark of a list, which scrolls with it; there may be one beside
+            // pages.
             let is_followed = |it: &Shown| {
                 let placed = &it.placed;
                 let is_list = placed.is_list() || placed.pages().is_some();
@@ -427,7 +428,7 @@ impl<S: Screen> AnyScreen for Hosted<S> {
     fn draw(&self, buf: &mut Buffer, cx: &Context) {
         let view = self.screen.view(cx);
         self.with_panels(&view, cx, |placed, writing| {
-            // What is read first is drawn first.
+            // Parts are drawn in reading order.
             let (tabs, panels) = placed.panels.split_at(view.tabs.is_some().into());
             for (_, shown) in tabs {
                 shown.placed.draw(0, buf, writing);

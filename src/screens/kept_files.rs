@@ -18,7 +18,7 @@ pub enum KeptAction {
     Remove,
 }
 
-/// A kind of files: what they are called, and what is asked of whoever keeps them.
+/// A kind of files: its names, and the requests to the store.
 #[derive(Debug, Clone)]
 pub(super) struct KeptKind {
     /// One of them: "game".
@@ -27,11 +27,11 @@ pub(super) struct KeptKind {
     pub(super) all: &'static str,
     /// When one is saved, in a sentence.
     pub(super) saved: &'static str,
-    /// Asks what files there are.
+    /// Requests the list of files.
     pub(super) list: StoreRequest,
-    /// Asks for one.
+    /// Requests one file.
     pub(super) load: fn(String) -> StoreRequest,
-    /// Asks for one to be removed.
+    /// Requests the removal of one.
     pub(super) remove: fn(String) -> StoreRequest,
 }
 
@@ -39,17 +39,17 @@ pub(super) struct KeptKind {
 #[derive(Debug, Clone)]
 pub(super) struct KeptFiles<T> {
     kind: KeptKind,
-    /// `None` until they are known; where nobody can say, why.
+    /// `None` until they are known; an error if they cannot be listed.
     files: Result<Option<Vec<Kept<T>>>, String>,
     list: ListView,
-    /// The ticket of a file that is on its way.
+    /// The ticket of a file that is being loaded.
     loading: Option<u64>,
-    /// What came of the last request.
+    /// The result of the last request.
     pub(super) notice: Option<String>,
 }
 
 impl<T> KeptFiles<T> {
-    /// The list, which is asked for.
+    /// The list, which is being requested.
     pub(super) fn ask(kind: KeptKind, cx: &mut Context) -> Self {
         cx.ask(kind.list.clone());
         Self {
@@ -72,31 +72,31 @@ impl<T> KeptFiles<T> {
         self.known().get(self.list.chosen(self.known().len()))
     }
 
-    /// What the chosen one holds, if it can be read.
+    /// The contents of the chosen one, if it can be read.
     pub(super) fn content(&self) -> Option<&T> {
         self.chosen()?.content.as_deref().ok()
     }
 
-    /// Takes in the files there are, or why nobody can say.
+    /// Handles the list of files, or the reason why there is none.
     pub(super) fn listed(&mut self, files: Result<Vec<Kept<T>>, String>) {
         self.files = files.map(Some);
     }
 
-    /// Takes in what came of removing one, and asks for the list again.
+    /// Handles the result of removing one, and requests the list again.
     pub(super) fn removed(&mut self, result: &Result<(), String>, cx: &mut Context) {
         let reason = result.as_ref().err();
         self.notice = reason.map(|reason| format!("It cannot be removed: {reason}."));
         cx.ask(self.kind.list.clone());
     }
 
-    /// Asks for the chosen one; gives the ticket.
+    /// Requests the chosen one; returns the ticket.
     pub(super) fn load(&mut self, cx: &mut Context) -> Option<u64> {
         let name = self.chosen()?.name.clone();
         self.loading = Some(cx.ask((self.kind.load)(name)));
         self.loading
     }
 
-    /// Whether an answer is the file that was asked for last.
+    /// Whether an answer is the file that was requested last.
     pub(super) fn take_loaded(&mut self, ticket: u64) -> bool {
         self.loading.take_if(|it| *it == ticket).is_some()
     }
@@ -107,7 +107,7 @@ impl<T> KeptFiles<T> {
         }
     }
 
-    /// The keys of the list; `open` is what opening a file is called.
+    /// The keys of the list; `open` is the label for opening a file.
     pub(super) fn keys(&self, open: &'static str) -> KeyTable<KeptAction> {
         let mut list = ListView::keys(open);
         if self.content().is_none() {
@@ -122,7 +122,7 @@ impl<T> KeptFiles<T> {
             .or([(Key::Delete, KeptAction::Remove)])
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(super) fn act(&mut self, action: KeptAction, cx: &mut Context) -> Next {
         let KeptAction::List(action) = action else {
             let text = format!("Delete this {} permanently?", self.kind.one);
@@ -152,7 +152,7 @@ impl<T> KeptFiles<T> {
     ) {
         let KeptKind { all, saved, .. } = self.kind;
         match &self.files {
-            Ok(None) => panel.paragraph("Looking …", Role::Text),
+            Ok(None) => panel.paragraph("Loading …", Role::Text),
             Err(reason) => {
                 let message = format!("The {all} cannot be listed: {reason}.");
                 panel.paragraph(message, Role::Warn);
@@ -172,8 +172,8 @@ impl<T> KeptFiles<T> {
         }
     }
 
-    /// Writes what is to be said of the chosen file: the notice, that it cannot be read,
-    /// or what `about` says.
+    /// Writes the description of the chosen file: the notice, that it cannot be read, or the text
+    /// of `about`.
     pub(super) fn write_chosen<A>(
         &self,
         panel: &mut Panel<A>,

@@ -1,11 +1,11 @@
-//! Where a wrong answer leads: the page that settles it, named and opened.
+//! The page that explains a wrong answer, named and opened.
 
 use super::{Context, Next, Place};
 use crate::lessons::Book;
 use crate::quiz::Passage;
 use crate::widgets::panel::Panel;
 
-/// Opens the page over the screen that names it, which stays as it is.
+/// Opens the page over the screen that names it, which is unchanged below.
 pub(in crate::screens) fn open(passage: Option<Passage>, cx: &Context) -> Next {
     let found = passage.and_then(|passage| cx.book.find(passage));
     found.map_or(Next::Stay, |(number, page)| {

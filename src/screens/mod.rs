@@ -37,13 +37,13 @@ use crate::messages::{Input, Key, Mouse};
 use crate::widgets::Outcome;
 use crate::widgets::input::KeyTable;
 
-/// A place in the app: it takes input, lets time pass and draws itself.
+/// A screen of the app: it handles input, advances with time and draws itself.
 ///
-/// A screen is pure: it reads no clock and touches no file. What its keys do stands in one
-/// table, from which come the line at the bottom, the help page and what a press does;
-/// keys that are not in it are the app's.
+/// A screen is pure: it reads no clock and touches no file. One table defines what its keys do; the
+/// bottom line, the help page and key presses follow from it. Keys that are not in it belong to the
+/// app.
 pub trait Screen {
-    /// What keys do here.
+    /// The actions of the keys.
     type Action: Copy + PartialEq;
 
     /// Its name for the title line, in lower case.
@@ -54,53 +54,50 @@ pub trait Screen {
         Place::Home
     }
 
-    /// The rest of the title line: what is set up.
+    /// The rest of the title line: a summary of the settings.
     fn status(&self, _cx: &Context) -> String {
         String::new()
     }
 
-    /// The keys that mean something just now, the most useful first.
+    /// The current keys, the most useful first.
     fn keys(&self, cx: &Context) -> KeyTable<Self::Action>;
 
-    /// The page that `?` opens, before its keys: what the screen is for and how to begin,
-    /// a paragraph each.
+    /// The introduction of the help page: what the screen is for and how to begin, in paragraphs.
     fn about(&self, cx: &Context) -> Vec<&'static str>;
 
-    /// Takes a key before the table is asked: for text that is being typed. Says whether
-    /// it was taken.
+    /// Handles a key before the table, for text that is being typed. Returns whether it was used.
     fn typed(&mut self, _key: Key, _cx: &mut Context) -> bool {
         false
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     fn act(&mut self, action: Self::Action, cx: &mut Context) -> Next;
 
-    /// Does what was asked about by [`Next::Confirm`], now that the player has agreed.
+    /// Carries out the action of [`Next::Confirm`], now that the player has agreed.
     fn confirmed(&mut self, _action: Self::Action, _cx: &mut Context) -> Next {
         Next::Stay
     }
 
-    /// What it shows. What is clicked in a panel is done as by a key; panels that are longer
-    /// than their places are scrolled.
+    /// Its view. Clicks in panels are carried out like keys; panels that are longer than their
+    /// areas scroll.
     fn view<'s>(&'s self, cx: &'s Context) -> View<'s, Self::Action>;
 
-    /// Takes the mouse over the picture of its view, which stands in `picture`.
+    /// Handles the mouse over the picture of its view, which is in the area `picture`.
     fn point(&mut self, _mouse: &Mouse, _picture: Rect, _cx: &mut Context) -> Next {
         Next::Ignored
     }
 
-    /// Takes a turn of the wheel over its view, up (-1) or down (1), unless a long text there
-    /// is scrolled by it.
+    /// Handles the wheel over its view, up (-1) or down (1), unless it scrolls a long text.
     fn wheel(&mut self, _by: i8, _cx: &mut Context) -> Next {
         Next::Ignored
     }
 
-    /// Its text was to be scrolled by so many rows, but ends there.
+    /// Its text could not be scrolled further by this many rows.
     fn scrolled_out(&mut self, _by: i16, _cx: &mut Context) -> Next {
         Next::Ignored
     }
 
-    /// Takes an input that is neither a key nor the mouse: pasted text, what came of a request.
+    /// Handles an input that is neither a key nor the mouse: pasted text, the answer to a request.
     fn input(&mut self, _input: &Input, _cx: &mut Context) -> Next {
         Next::Ignored
     }
@@ -108,7 +105,7 @@ pub trait Screen {
     /// It is on top again, after another screen was left.
     fn resumed(&mut self, _cx: &mut Context) {}
 
-    /// Lets time pass; called only while [`Screen::wake`] asks for time.
+    /// Advances the time; called only while [`Screen::wake`] needs time.
     fn advance(&mut self, _passed: Duration, _cx: &mut Context) {}
 
     /// When it next needs time; `None` while nothing moves.
@@ -116,16 +113,16 @@ pub trait Screen {
         None
     }
 
-    /// Whether others see the same time pass, as in a class: then nobody can be ahead of it.
+    /// Whether others see the same clock, as in a class: then it cannot be skipped.
     fn shares_time(&self) -> bool {
         false
     }
 }
 
-/// What follows from an input or from time that passed.
+/// The consequence of an input or of the passing time.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Next {
-    /// The input meant nothing here; the app may use it.
+    /// The input was not used here; the app may use it.
     Ignored,
     /// Stay on this screen.
     Stay,
@@ -144,13 +141,12 @@ pub enum Next {
 }
 
 impl Next {
-    /// What follows from an input that was of use or not.
+    /// The consequence of an input that was used or not.
     pub(crate) fn after(used: bool) -> Self {
         if used { Self::Stay } else { Self::Ignored }
     }
 
-    /// What follows from what an input meant to a part of the screen; `done` says it of
-    /// what came of it.
+    /// The consequence of an input to a part of the screen; `done` computes it from the result.
     pub(crate) fn of<T>(outcome: Outcome<T>, done: impl FnOnce(T) -> Self) -> Self {
         match outcome {
             Outcome::Ignored => Self::Ignored,
@@ -160,19 +156,19 @@ impl Next {
     }
 }
 
-/// What is asked before something is done that cannot be undone.
+/// The confirmation of an action that cannot be undone.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Confirmation {
-    /// The question, with what follows from a yes.
+    /// The question and the consequence of a yes.
     pub text: String,
-    /// What a yes is called.
+    /// The label of yes.
     pub yes: &'static str,
-    /// What a no is called.
+    /// The label of no.
     pub no: &'static str,
 }
 
 impl Confirmation {
-    /// A question, and what its answers are called.
+    /// A question and the labels of its answers.
     pub fn new(text: impl Into<String>, yes: &'static str, no: &'static str) -> Self {
         Self {
             text: text.into(),

@@ -1,17 +1,17 @@
-//! Where one can go.
+//! The routes of the app.
 
 use crate::class::DoorCode;
 use crate::physics::CollisionSpec;
 use crate::quiz::{Answer, Code};
 
-/// A screen to open, with what it is to show.
+/// A screen to open, with its contents.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Place {
     /// The first screen.
     Home,
     /// The lab.
     Lab,
-    /// The lab with a hit set up.
+    /// The lab with a collision set up.
     LabOf {
         /// The hit.
         setup: CollisionSpec,
@@ -52,23 +52,23 @@ pub enum Place {
         code: Option<Code>,
         /// The names of the teams, as far as they are known.
         teams: Vec<String>,
-        /// What the class is called; perhaps nothing.
+        /// The name of the class; may be empty.
         name: String,
     },
     /// A round for a class on devices of their own.
     Host {
         /// The code of the round; `None` leaves it to be chosen.
         code: Option<Code>,
-        /// What the class is called; perhaps nothing.
+        /// The name of the class; may be empty.
         name: String,
     },
     /// A pupil's device in a class.
     Join {
-        /// Where the class is, as far as it is known; `None` where a page came from there.
+        /// The address of the class, if it is known; `None` if its host has served the page.
         address: Option<String>,
         /// Its code, if that is known.
         code: Option<DoorCode>,
-        /// Whether the pupil was in already, and comes back without being asked.
+        /// Whether the pupil had joined and returns without a question.
         again: bool,
     },
     /// The foil: beams of many particles.
@@ -82,7 +82,7 @@ pub enum Place {
     Table,
     /// What the player has done so far.
     Progress,
-    /// What the player has set.
+    /// The player's settings.
     Settings,
     /// The list of levels.
     Levels,

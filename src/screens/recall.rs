@@ -1,15 +1,15 @@
-//! What the player has done, asked of whoever keeps it.
+//! The player's record, requested from the store.
 
 use super::Context;
 use crate::messages::{History, StoreAnswer, StoreReply, StoreRequest};
 use crate::widgets::Role;
 
-/// What the player has done, as far as it is known here.
+/// The player's record, as far as it is known.
 #[derive(Debug, Clone)]
 pub(super) enum Recall {
     /// It has been asked for with this ticket.
     Asked(u64),
-    /// Nobody can say, and why.
+    /// It cannot be loaded, for this reason.
     Unknown(String),
     Known(Box<History>),
 }
@@ -33,10 +33,10 @@ impl Recall {
         }
     }
 
-    /// That it is looked for, or why it cannot be.
+    /// That it is being loaded, or why it cannot be.
     pub(super) fn unknown(&self) -> Option<(String, Role)> {
         match self {
-            Self::Asked(_) => Some(("Looking …".into(), Role::Dim)),
+            Self::Asked(_) => Some(("Loading …".into(), Role::Dim)),
             Self::Unknown(reason) => {
                 let message = format!("Your progress cannot be loaded: {reason}.");
                 Some((message, Role::Warn))

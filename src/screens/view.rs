@@ -1,4 +1,4 @@
-//! What a screen shows: a picture or a panel, and a panel beside it, or one panel alone.
+//! The view of a screen: a picture or a panel, with a panel beside it, or one panel alone.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -1,6 +1,5 @@
-//! A class in one process: the teacher's app and the apps of pupils, on simulated time and
-//! without a network. What they say to each other is what goes over the wire otherwise, word
-//! for word.
+//! A class in one process: the teacher's app and the apps of pupils, on simulated time and without
+//! a network. Their messages are exactly those that would go over the network.
 
 use std::net::{Ipv4Addr, SocketAddrV4};
 use std::time::Duration;
@@ -11,7 +10,7 @@ use crate::class::{DoorCode, SeatToken};
 use crate::messages::{HostCall, HostNews, Input, JoinCall, JoinNews, LineId, OpenDoor};
 use crate::shells::Headless;
 
-/// Where the class is, for all who are in it.
+/// The address of the class for all pupils.
 const ADDRESS: SocketAddrV4 = SocketAddrV4::new(Ipv4Addr::new(192, 168, 43, 117), 8090);
 
 /// A class in one process.
@@ -32,7 +31,7 @@ struct PupilDevice {
     line: Option<LineId>,
     /// Whether the host can be reached.
     reaches: bool,
-    /// What brings them back, and their name.
+    /// The seat token and the name.
     seat: Option<(String, String)>,
 }
 
@@ -42,17 +41,17 @@ impl PupilDevice {
     }
 }
 
-/// Somebody in a class.
+/// A participant in a class.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Who {
     /// The teacher.
     Host,
-    /// A pupil, by the order in which they came.
+    /// A pupil, by the order of joining.
     Pupil(usize),
 }
 
 impl Classroom {
-    /// The class of a teacher's app; nobody has come yet.
+    /// The class of a teacher's app, without pupils.
     pub fn new(host: Headless) -> Self {
         let mut class = Self {
             host,
@@ -65,7 +64,7 @@ impl Classroom {
         class
     }
 
-    /// A pupil comes with an app of their own; gives who that is.
+    /// Adds a pupil with an app; returns the participant.
     pub fn add(&mut self, name: &str, app: App, columns: u16, rows: u16) -> Who {
         self.pupils.push(PupilDevice {
             name: name.to_owned(),
@@ -84,7 +83,7 @@ impl Classroom {
         at.map(Who::Pupil)
     }
 
-    /// The app of somebody.
+    /// The app of a participant.
     pub fn game(&mut self, who: Who) -> &mut Headless {
         match who {
             Who::Pupil(at) if at < self.pupils.len() => &mut self.pupils[at].game,
@@ -92,7 +91,7 @@ impl Classroom {
         }
     }
 
-    /// The app of somebody, alone from now on.
+    /// The app of a participant, detached from the class.
     pub fn into_game(mut self, who: Who) -> Headless {
         match who {
             Who::Pupil(at) if at < self.pupils.len() => self.pupils.swap_remove(at).game,
@@ -100,7 +99,7 @@ impl Classroom {
         }
     }
 
-    /// The code that lets pupils in, once the door is open.
+    /// The code for joining, once joining is possible.
     pub fn code(&self) -> Option<DoorCode> {
         self.code
     }
@@ -119,7 +118,7 @@ impl Classroom {
         self.settle();
     }
 
-    /// Lets simulated time pass for all.
+    /// Advances simulated time for all.
     pub fn pass(&mut self, time: Duration) {
         self.passed += time;
         if self.pupils.is_empty() {
@@ -137,7 +136,7 @@ impl Classroom {
         }
     }
 
-    /// Carries to and fro what they say, until nobody says any more.
+    /// Carries messages in both directions until there are none left.
     pub fn settle(&mut self) {
         loop {
             let calls = self.host.take_host_calls();
@@ -248,7 +247,7 @@ impl Classroom {
         }
     }
 
-    /// The host hears something, as its server would.
+    /// Passes a message to the host, as its server would.
     fn hear(&mut self, line: LineId, text: &str) {
         let no = |why| HostSaying::No { why };
         let news = match Saying::read(text) {

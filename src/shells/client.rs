@@ -17,25 +17,25 @@ use tungstenite::{Message, WebSocket};
 use super::lock;
 use crate::messages::{JoinCall, JoinNews};
 
-/// How long the host may take to answer a call.
+/// How long the host may take to accept a connection.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// After which silence the host is gone; it speaks every 20 seconds.
+/// The silence after which the host counts as lost; it sends something every 20 seconds.
 const GONE: Duration = Duration::from_secs(65);
-/// Most bytes that the host says at once.
+/// The most bytes of one message of the host.
 const LARGEST_STATE: usize = 1 << 20;
 
-/// The way to a host.
+/// The connection to a host.
 pub(crate) struct Client {
     hear: Arc<dyn Fn(JoinNews) + Send + Sync>,
-    /// Counts the calls: what comes of an earlier one means nothing any more.
+    /// Counts the connections: results of an earlier one are ignored.
     call: Arc<AtomicU64>,
     wire: Arc<Mutex<Option<ClientStream>>>,
     address: String,
-    /// What brings back which name, by address.
+    /// Seat tokens and names, by address.
     seats: BTreeMap<String, (String, String)>,
 }
 
-/// A connection; what is written is written whole.
+/// A connection that writes whole messages.
 #[derive(Clone)]
 struct ClientStream {
     stream: Arc<TcpStream>,
@@ -61,7 +61,7 @@ impl Write for ClientStream {
 }
 
 impl Client {
-    /// Reaches nobody yet; `hear` is told all that is heard.
+    /// Not connected yet; `hear` receives all events.
     pub(crate) fn new(hear: impl Fn(JoinNews) + Send + Sync + 'static) -> Self {
         Self {
             hear: Arc::new(hear),
@@ -72,7 +72,7 @@ impl Client {
         }
     }
 
-    /// Does what a screen asks for.
+    /// Carries out a request of a screen.
     pub(crate) fn call(&mut self, call: &JoinCall) {
         match call {
             JoinCall::Dial(address) => {
@@ -138,7 +138,7 @@ impl Client {
         if let Some(mut wire) = wire
             && frame.format(&mut bytes).is_ok()
         {
-            // Whoever reads from it sees that it is gone.
+            // The reading thread notices that it is closed.
             let _ = wire.write(&bytes);
         }
     }
@@ -150,7 +150,7 @@ impl Drop for Client {
     }
 }
 
-/// What a browser mixes into what it says; nothing hangs on it but that it differs.
+/// The mask of a WebSocket frame, which only has to vary.
 fn mask() -> [u8; 4] {
     let mut mask = [0; 4];
     let _ = getrandom::fill(&mut mask);
@@ -185,13 +185,13 @@ fn connect(address: &str) -> io::Result<(WebSocket<ClientStream>, ClientStream)>
     Err(failed)
 }
 
-/// Hears what the host says until it is gone; gives the reason.
+/// Receives the host's messages until the connection is lost; returns the reason.
 fn listen(socket: &mut WebSocket<ClientStream>, say: &impl Fn(JoinNews)) -> String {
     loop {
         match socket.read() {
             Ok(Message::Text(text)) => say(JoinNews::Heard(text.to_string())),
             Ok(Message::Ping(_)) => {
-                // The answer is on its way with the next word.
+                // The reply is sent with the next message.
                 let _ = socket.flush();
             }
             Ok(_) => {}

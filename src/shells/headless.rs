@@ -38,8 +38,8 @@ pub struct Headless {
 }
 
 impl Headless {
-    /// `app` on a screen of `columns` by `rows`, which keeps everything in memory and
-    /// knows no time, so that a run is the same whenever it is made.
+    /// `app` on a screen of `columns` by `rows`, which keeps everything in memory and has no clock,
+    /// so that every run is the same.
     pub fn new(app: App, columns: u16, rows: u16) -> Self {
         Self::keeping(app, columns, rows, Store::in_memory().timeless())
     }
@@ -65,23 +65,22 @@ impl Headless {
         &self.app
     }
 
-    /// The app, to change what the player has set.
+    /// The app, to change the player's settings.
     pub fn app_mut(&mut self) -> &mut App {
         &mut self.app
     }
 
-    /// Whether the app has asked to be left; from then on nothing reaches it.
+    /// Whether the app has quit; from then on nothing reaches it.
     pub fn has_quit(&self) -> bool {
         self.quit
     }
 
-    /// Stops the clock of what keeps everything at this time, in seconds since 1970
-    /// began.
+    /// Stops the store's clock at this time, in seconds since 1970 began.
     pub fn set_time(&mut self, time_s: i64) {
         self.store.stop_clock(time_s);
     }
 
-    /// The answers that are kept, in order; none where they cannot be looked up.
+    /// The stored answers, in order; none if they cannot be read.
     pub fn attempts(&mut self) -> Vec<Attempt> {
         let wish = StoreRequest::Recall(None);
         match self.store.answer(&StoreCall { ticket: 0, wish }).done {
@@ -95,17 +94,17 @@ impl Headless {
         &self.exports
     }
 
-    /// What was asked since the last call of whoever serves a class.
+    /// The requests to the server of a class since the last call.
     pub fn take_host_calls(&mut self) -> Vec<HostCall> {
         std::mem::take(&mut self.host_calls)
     }
 
-    /// What was asked since the last call of whoever reaches the host of a class.
+    /// The requests to the connection to a class since the last call.
     pub fn take_join_calls(&mut self) -> Vec<JoinCall> {
         std::mem::take(&mut self.join_calls)
     }
 
-    /// Hands one input over.
+    /// Passes on one input.
     pub fn input(&mut self, input: &Input) {
         AppHolder::input(self, input);
     }
@@ -163,19 +162,19 @@ impl Headless {
         self.input(&Input::Resize(columns, rows));
     }
 
-    /// Lets simulated time pass, in the steps the app asks for.
+    /// Advances simulated time, in the steps the app needs.
     pub fn pass(&mut self, time: Duration) {
         AppHolder::pass(self, time);
     }
 
-    /// Lets time pass until nothing moves any more, but at most `limit`; says
-    /// whether that was enough.
+    /// Advances time until nothing moves any more, by at most `limit`; returns whether that was
+    /// enough.
     pub fn settle(&mut self, limit: Duration) -> bool {
         self.pass(limit);
         self.quit || self.app.wake().is_none()
     }
 
-    /// Draws the screen and gives its cells.
+    /// Draws the screen and returns its cells.
     pub fn buffer(&mut self) -> &Buffer {
         let Ok(()) = self.terminal.autoresize();
         // Afresh each time: there is nobody for whom only what has changed would be written.
@@ -184,7 +183,7 @@ impl Headless {
         self.terminal.current_buffer_mut()
     }
 
-    /// Draws the screen and gives its text.
+    /// Draws the screen and returns its text.
     pub fn screen(&mut self) -> String {
         text(self.buffer())
     }

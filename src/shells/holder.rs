@@ -11,16 +11,16 @@ pub trait AppHolder {
     /// The app.
     fn app(&self) -> &App;
 
-    /// The app, to be driven.
+    /// The app, for driving it.
     fn app_mut(&mut self) -> &mut App;
 
     /// Whether the player has left: nothing reaches the app any more.
     fn has_quit(&self) -> bool;
 
-    /// Carries out what the app asks of the world.
+    /// Carries out the app's requests.
     fn carry_out(&mut self, effects: Vec<Effect>);
 
-    /// Hands one input over.
+    /// Passes on one input.
     fn input(&mut self, input: &Input) {
         if !self.has_quit() {
             let effects = self.app_mut().update(input);
@@ -28,7 +28,7 @@ pub trait AppHolder {
         }
     }
 
-    /// Lets time pass, in the steps the app asks for.
+    /// Advances time, in the steps the app needs.
     fn pass(&mut self, time: Duration) {
         let mut left = time;
         while !self.has_quit() && !left.is_zero() {

@@ -28,7 +28,7 @@ pub use holder::AppHolder;
 /// The shortest time between two pictures: a sixtieth of a second.
 pub const FRAME: Duration = Duration::from_nanos(16_666_667);
 
-/// A lock that somebody held who failed is still good here: all that is held is whole.
+/// A poisoned lock is still usable here, because the data is always consistent.
 #[cfg(not(target_family = "wasm"))]
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)

@@ -1,4 +1,4 @@
-//! Taking turns with other carroms.
+//! A lock between several carroms.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind};
@@ -9,11 +9,10 @@ use std::time::{Duration, Instant};
 /// How long to wait for other carroms that are at the same folder.
 const PATIENCE: Duration = Duration::from_secs(3);
 
-/// The right to something that a lock stands for, until this is dropped or the process
-/// ends.
+/// A held lock, until this is dropped or the process ends.
 pub(super) struct FolderLock {
     _lock: File,
-    /// Whether the lock was really to be had.
+    /// Whether the lock was really acquired.
     locked: bool,
 }
 

@@ -1,5 +1,5 @@
-//! A store whose files somebody else keeps: it gives them all as bytes, and begins with
-//! those it is given. A browser has no folder.
+//! A store whose files the caller keeps: it returns them all as bytes, and begins with given ones.
+//! A browser has no folder.
 
 use super::memory::Memory;
 use super::text_store::TextStore;
@@ -58,7 +58,7 @@ impl Store {
     /// All its files but those that were exported.
     ///
     /// # Errors
-    /// If they cannot be had, in words.
+    /// If they cannot be read, the reason in words.
     pub fn files(&mut self) -> Result<Vec<FileBytes>, String> {
         let mut files = self.aside.clone();
         files.extend(self.games.files()?);

@@ -1,5 +1,5 @@
-//! What is kept: saved games and rounds of classes, one file each, exported ones, what a class
-//! has handed in, and in a database every answer, every level won and how far each chapter was read.
+//! Stored data: saved games and class rounds, one file each, exports, hand-ins, and in a database
+//! every answer, every level won and the bookmarks.
 //!
 //! Several carroms may keep their games in one folder, any of them may be killed at
 //! any moment, and any file may be damaged or not ours. So:
@@ -8,7 +8,7 @@
 //!   place, so that there is always either the old or the new one;
 //! - a file is replaced only while it still holds what this store last put or found
 //!   there; otherwise the game or round moves to a new file of its own;
-//! - nothing is believed of a file until all of it has been played.
+//! - a file is not trusted until all of it has been replayed.
 
 mod database;
 mod disk;
@@ -372,7 +372,7 @@ impl Store {
         self.pay().map_err(|reason| {
             let owed = self.owed.len();
             let things = if owed == 1 { "thing" } else { "things" };
-            format!("{owed} {things} that you did could not be kept: {reason}")
+            format!("{owed} {things} that you did could not be saved: {reason}")
         })
     }
 

@@ -1,4 +1,4 @@
-//! Things that are saved again and again.
+//! Files that are saved repeatedly.
 
 use std::collections::BTreeMap;
 

@@ -1,10 +1,10 @@
-//! A place for texts with names.
+//! A store of named texts.
 
 use std::time::Duration;
 
 use crate::files::FileError;
 
-/// A place for texts with names. What fails is said in words.
+/// A store of named texts. What fails is said in words.
 pub(super) trait TextStore: Send {
     /// The names there are, the latest first.
     fn names(&self) -> Result<Vec<String>, String>;

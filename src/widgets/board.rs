@@ -21,8 +21,8 @@ const OUTER_CIRCLE: f64 = 0.085;
 /// Radius of the centre circle in metres.
 const CENTRE_CIRCLE: f64 = 0.0159;
 
-/// The largest part of `area` on which a board is square, as a cell is twice as
-/// high as wide; at its left, in the middle of its height.
+/// The largest part of `area` on which a board is square, where a cell is twice as high as wide; at
+/// the left, vertically centred.
 pub(crate) fn square(area: Rect) -> Rect {
     // One column less than twice the rows: the board's edges run through the middles
     // of the outermost cells.
@@ -78,7 +78,7 @@ pub(crate) fn ground(picture: &mut Picture, board: &Board) {
     }
 }
 
-/// Where discs lie, a sentence each: in millimetres from the middle of the board.
+/// The positions of discs, one sentence each: in millimetres from the middle of the board.
 pub(crate) fn places_in_words(discs: impl IntoIterator<Item = (String, DVec2)>) -> Vec<String> {
     let way = |metres: f64, [less, more]: [&str; 2]| {
         let mm = mm_from_m(metres).round();
@@ -91,7 +91,7 @@ pub(crate) fn places_in_words(discs: impl IntoIterator<Item = (String, DVec2)>) 
     discs.into_iter().map(place).collect()
 }
 
-/// A disc where it touches, as a ring: dotted where it is large enough for that.
+/// A disc at contact, as a ring: dotted if it is large enough.
 pub(crate) fn ghost(picture: &mut Picture, at: DVec2, radius: f64, role: Role) {
     let pen = Pen::new(role).on(DrawLayer::Trail);
     let large = radius > picture.view().per_row();
@@ -107,7 +107,7 @@ fn base_lines(picture: &mut Picture, half: f64, scale: f64, quarter: f64) {
     let end = (BASE_LENGTH - BASE_WIDTH) / 2.0;
     let middle = BASE_FROM_FRAME + BASE_WIDTH / 2.0;
     let pen = Pen::new(Role::BoardLine);
-    // Too near to each other to be told apart, the two lines become one.
+    // Too close together to be distinguished, the two lines become one.
     if BASE_WIDTH * scale < 1.2 * picture.view().per_row() {
         picture.line(place(-end, middle), place(end, middle), pen);
         return;

@@ -1,4 +1,4 @@
-//! What a hit gives at every impact angle, with a point to drag and its hit below.
+//! The outcome at every impact angle, with a point to drag and its collision below.
 
 use glam::DVec2;
 use ratatui::layout::{Margin, Rect};
@@ -72,7 +72,7 @@ fn empty(kind: FigureKind, pair: &RestingTarget, area: Rect, look: &Look) -> Plo
     let alpha = Axis::linear("impact angle α (°)", 0.0, 90.0).every(15.0);
     match kind {
         FigureKind::Angles => {
-            // A full hit on a heavier disc throws the striker back.
+            // The striker bounces back from a full hit on a heavier disc.
             let most = if pair.k() > 1.0 + 1e-9 { 180.0 } else { 90.0 };
             let theta2 = Axis::linear("coin θ₂ (°)", 0.0, 90.0).every(15.0);
             let theta1 = Axis::linear("striker θ₁ (°)", 0.0, most).every(most / 6.0);

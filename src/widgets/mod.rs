@@ -1,8 +1,7 @@
-//! The drawn things: everything between a number and a cell of the screen.
+//! Everything that is drawn: the layer between numbers and cells of the screen.
 //!
-//! A widget knows how to look, never what a screen or the app is doing. Two
-//! choices of the player reach every one of them: the [`Charset`] (which glyphs)
-//! and the [`Theme`] (which colours).
+//! A widget knows how to draw, but nothing of screens or the app. Two of the player's choices
+//! affect all of them: the [`Charset`] (which glyphs) and the [`Theme`] (which colours).
 //!
 //! ```text
 //!    answer   a question's picture, and the answer being given to it

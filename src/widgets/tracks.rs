@@ -1,4 +1,4 @@
-//! Ways of particles past a nucleus, in the picture's own units of length.
+//! Paths of particles past a nucleus, in the picture's own units of length.
 
 use std::f64::consts::PI;
 
@@ -16,8 +16,8 @@ const PIECES: u32 = 160;
 /// Length of the arrow in which a way leaves the picture, in columns.
 const ARROW: f64 = 5.0;
 
-/// Draws a way and an arrow where it leaves the picture; gives the tip of that and its
-/// direction, if the way is seen at all.
+/// Draws a path and an arrow where it leaves the picture; returns the arrow's tip and direction, if
+/// the path is visible.
 pub(crate) fn draw_way(
     picture: &mut Picture,
     points: &[DVec2],
@@ -47,8 +47,8 @@ fn end(points: &[DVec2], length: f64, shown: impl Fn(DVec2) -> bool) -> Option<(
     Some((tail, tip))
 }
 
-/// Two particles that a nucleus turns by these angles in radians, one on either side,
-/// each on its exact hyperbola, with the angles written beside.
+/// Two particles that a nucleus deflects by these angles in radians, one on either side, each on
+/// its exact hyperbola, with the angles written beside.
 pub(crate) fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 2]) -> Picture {
     // Head-on, or not turned at all, has no place beside another one.
     let angles = angles.map(|angle| angle.clamp(0.01, PI));
@@ -69,7 +69,7 @@ pub(crate) fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 
     for (i, side) in [1.0, -1.0].into_iter().enumerate() {
         let offset = side * offsets[i];
         let points = rutherford.path(offset).points(reach, PIECES);
-        // Where the straight ways in and out cross: the angle is measured there.
+        // The crossing of the straight initial and final paths, where the angle is measured.
         let corner = dvec2(-rutherford.head_on_approach / 2.0, offset);
         let aim = Pen::new(Role::Aim).dashed();
         picture.line(corner, dvec2(reach, offset), aim);
@@ -81,7 +81,7 @@ pub(crate) fn tracks_picture(area: Rect, rutherford: &Rutherford, angles: [f64; 
         let way = draw_way(&mut picture, &points, Pen::new(roles[i]).bold());
         let middle = DVec2::from_angle(turned / 2.0);
         let (anchor, towards) = match way {
-            // A narrow angle is told at the end of its way.
+            // A small angle is labelled at the end of its path.
             Some((tip, direction)) if angles[i] < 0.4 => (tip, direction),
             _ => (corner + radius * middle, middle),
         };

@@ -161,7 +161,7 @@ proptest! {
     }
 
     #[test]
-    fn seen_from_any_frame_it_is_the_same_hit(c in both_moving()) {
+    fn the_collision_is_the_same_in_any_frame(c in both_moving()) {
         let truth = c.outcome();
         for frame in [Frame::Laboratory, Frame::CentreOfMass, Frame::Target] {
             let seen = frame.view(&c).outcome();

@@ -61,7 +61,7 @@ fn the_coin_leaves_at_the_impact_angle_and_the_striker_square_to_it() {
     );
     missed(
         "kind = \"turn\"\ndisc = 2\nbetween_deg = [40, 50]",
-        "the queen had no part in a first hit",
+        "the queen was not in the first hit",
     );
 }
 
@@ -87,7 +87,7 @@ fn speeds_are_those_at_the_hit() {
 }
 
 #[test]
-fn circles_are_met_by_ways_and_by_resting_places() {
+fn circle_goals_are_met_by_paths_and_by_resting_places() {
     let (sin, cos) = 30_f64.to_radians().sin_cos();
     let a = 0.12 * 9.80665;
     let reach = 0.03655;

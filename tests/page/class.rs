@@ -123,7 +123,7 @@ fn files(folder: &Path) -> Vec<HandIn> {
 /// are called Ada.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn what_pages_and_programs_hand_in_is_gathered() {
+fn handed_in_files_are_merged_into_one_gradebook() {
     let page = page();
     let page = fs::read_to_string(page.trim_start_matches("file://")).unwrap();
     let folder = Folder::new("page-hand-in");

@@ -142,7 +142,7 @@ fn times_told(chromium: &mut Chromium) -> usize {
         // What fails is told after a moment, and the next key would put that away.
         wait(150);
         let screen = chromium.run(SCREEN, &[]);
-        let now = screen.as_str().unwrap().contains("cannot be kept");
+        let now = screen.as_str().unwrap().contains("cannot be saved");
         times += usize::from(now && !before);
         before = now;
     }
@@ -151,7 +151,7 @@ fn times_told(chromium: &mut Chromium) -> usize {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_browser_that_keeps_nothing_is_told_of_once() {
+fn a_browser_that_saves_nothing_is_reported_once() {
     // Blocked, as some schools have it.
     let blocked = json!({ "profile.default_content_setting_values.cookies": 2 });
     let (page, mut chromium) = (page(), Chromium::start_as((1000, 700), false, &blocked));
@@ -201,7 +201,7 @@ const DRAWN_LATE: &str = "return window.frameTimes.some((time) => time - argumen
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_slow_browser_is_told_of_while_nothing_else_is_drawn() {
+fn a_slow_browser_is_reported_while_nothing_else_is_drawn() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     chromium.open(&page);
     wait_until_ready(&mut chromium);
@@ -417,7 +417,7 @@ const FAULTY: &str = "window.faulty = true; window.asked = 0; window.uncaught = 
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_fault_while_something_is_kept_is_told_once_and_nothing_is_lost() {
+fn a_fault_while_saving_is_reported_once_and_nothing_is_lost() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     chromium.open(&format!("{page}#quiz=separation-7&player=Ana"));
     wait_until_ready(&mut chromium);
@@ -426,7 +426,7 @@ fn a_fault_while_something_is_kept_is_told_once_and_nothing_is_lost() {
     wait(3000);
     let said = chromium.run("return document.body.innerText", &[]);
     let said = said.as_str().unwrap();
-    assert!(said.contains("cannot be kept for now"), "{said}");
+    assert!(said.contains("cannot be saved for now"), "{said}");
     assert!(said.contains("the disk image is malformed"), "{said}");
     let asked = chromium.run("return window.asked", &[]);
     let asked = asked.as_u64().unwrap();
@@ -508,17 +508,17 @@ fn a_browser_that_fails_for_a_while_is_told_of_once_tried_seldom_and_loses_nothi
     wait_for_told(&mut chromium, 1);
     assert_eq!(chromium.run(ASKS, &[]), json!(false));
     let screen = chromium.run(SCREEN, &[]);
-    assert!(!screen.as_str().unwrap().contains("not kept"), "{screen}");
+    assert!(!screen.as_str().unwrap().contains("not saved"), "{screen}");
     assert_eq!(kept_answers(&mut chromium, &page), 2);
 }
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn what_could_not_be_kept_is_not_lost_when_another_place_is_opened() {
+fn unsaved_changes_are_not_lost_when_another_route_is_opened() {
     let (mut chromium, page) = in_a_faulty_browser("quiz=separation-3");
     chromium.run("window.faulty = true", &[]);
     press(&mut chromium, &["a", "Enter", "2"]);
-    wait_for(&mut chromium, "cannot be kept for now");
+    wait_for(&mut chromium, "cannot be saved for now");
     chromium.run("location.hash = 'lab'", &[]);
     wait_for(&mut chromium, "set up the hit");
     chromium.run("window.faulty = false", &[]);
@@ -555,7 +555,7 @@ fn a_database_that_the_browser_closes_is_opened_again() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_talk_in_lines_tells_once_that_nothing_can_be_kept_and_keeps_it_later() {
+fn plain_lines_report_once_that_nothing_can_be_saved_and_save_it_later() {
     let (mut chromium, page) = in_a_faulty_browser("plain&quiz=separation-3");
     chromium.run("window.faulty = true", &[]);
     let say = "
@@ -569,7 +569,7 @@ fn a_talk_in_lines_tells_once_that_nothing_can_be_kept_and_keeps_it_later() {
         let log = chromium.run("return document.getElementById('log').textContent", &[]);
         log.as_str().unwrap().matches(words).count()
     };
-    assert_eq!(times(&mut chromium, "cannot be kept for now"), 1);
+    assert_eq!(times(&mut chromium, "cannot be saved for now"), 1);
     assert_eq!(times(&mut chromium, "Question 3 of"), 1);
     chromium.run("window.faulty = false", &[]);
     wait_for_told(&mut chromium, 1);
@@ -579,7 +579,7 @@ fn a_talk_in_lines_tells_once_that_nothing_can_be_kept_and_keeps_it_later() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_program_that_stops_while_a_file_or_a_link_is_opened_is_told_of() {
+fn a_program_that_stops_while_a_file_or_a_link_is_opened_is_reported() {
     for (does, act) in [
         ("open", "location.hash = 'lab'"),
         (

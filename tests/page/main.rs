@@ -47,7 +47,7 @@ fn no_test_of_the_page_passes_without_a_page() {
     run.retain(|test| !ignored.contains(test));
     assert_eq!(run, ["no_test_of_the_page_passes_without_a_page: test"]);
     let mut this = Command::new(env::current_exe().unwrap());
-    this.args(["a_file_that_is_none_is_told", "--include-ignored"]);
+    this.args(["a_file_of_another_kind_is_reported", "--include-ignored"]);
     let output = this.env_remove("CARROM_TEST_PAGE").output().unwrap();
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(said.contains("0 passed; 1 failed"), "{said}");

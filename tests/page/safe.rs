@@ -48,7 +48,7 @@ fn nothing_is_asked_of_a_network() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_file_that_is_none_is_told() {
+fn a_file_of_another_kind_is_reported() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     chromium.open(&page);
     wait_until_ready(&mut chromium);
@@ -152,7 +152,7 @@ fn a_screen_reader_has_every_question_and_answer_as_text() {
 /// A browser that cannot read the program's script runs nothing of it.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn an_old_browser_is_told_within_a_second() {
+fn an_old_browser_shows_a_message_within_a_second() {
     let path = page().replacen("file://", "", 1);
     let page = fs::read_to_string(path).unwrap();
     let unread = page.replacen("\"use strict\";", "\"use strict\"; let let;", 1);

@@ -171,7 +171,7 @@ fn a_word_that_is_still_being_composed_is_sent_with_the_form() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn what_is_typed_faster_than_it_is_drawn_arrives_once() {
+fn fast_typing_arrives_once() {
     let (_folder, teacher, mut phone) = at_the_door("page-soft-slow");
     phone.open_keyboard("code");
     phone.insert(&teacher.code);

@@ -369,9 +369,9 @@ fn a_level_is_played_by_touch_alone() {
     // A little beside the coin's middle, so that it is hit, but not head-on.
     phone.drag([0.5, 0.6], [0.65, 0.395]);
     assert!(!phone.shows("45.0"), "the finger aims");
-    phone.press("say where they go");
+    phone.press("predict both paths");
     phone.assert_fits();
-    phone.expect("say it first");
+    phone.expect("predict it");
     phone.type_in("45");
     phone.go_on();
     phone.until("Not yet", Phone::go_on);

@@ -89,7 +89,7 @@ fn a_chapter_read_to_its_end_begins_at_its_first_page() {
 }
 
 #[test]
-fn a_dial_stands_where_it_was_left() {
+fn a_dial_keeps_its_value() {
     let folder = Folder::new("bookmarks-dial");
     for leave in ["<Escape>", "n"] {
         let mut game = open(folder.path(), "Ada", Some(3));
@@ -242,7 +242,7 @@ fn drawn(app: &App) -> String {
 }
 
 #[test]
-fn nothing_is_said_and_nothing_kept_before_it_is_known_where_a_chapter_was_left() {
+fn nothing_is_shown_or_saved_before_the_bookmark_is_known() {
     let folder = Folder::new("bookmarks-waiting");
     open(folder.path(), "Ada", Some(2)).press("2<Enter>nn");
     let mut store = Store::in_folder(folder.path());
@@ -278,18 +278,21 @@ fn nothing_is_said_and_nothing_kept_before_it_is_known_where_a_chapter_was_left(
 }
 
 #[test]
-fn where_nothing_can_be_kept_it_is_kept_in_memory() {
+fn without_storage_data_is_kept_in_memory() {
     let folder = Folder::new("bookmarks-nowhere");
     let file = folder.path().join("file");
     fs::write(&file, "").unwrap();
     for store in [Store::in_folder(&file), Store::nowhere()] {
         let app = App::new(Place::Chapter { number: 1 }, settings("Ada"), 1);
         let mut game = Headless::keeping(app, 80, 24, store);
-        shows(&mut game, "What you do cannot be kept");
+        shows(&mut game, "What you do cannot be saved");
         game.press("x");
         shows(&mut game, "page 1 of 5");
         game.press("2<Enter>nn");
-        assert!(!game.screen().contains("cannot be kept"), "it is told once");
+        assert!(
+            !game.screen().contains("cannot be saved"),
+            "it is told once"
+        );
         game.press("<Escape>");
         shows(&mut game, "read 3 of 5");
         game.press("<Escape>e<Home><Down><Enter>");
@@ -366,7 +369,7 @@ fn four_who_read_at_once_lose_nothing() {
 }
 
 #[test]
-fn a_reader_who_is_killed_goes_on_at_the_page_last_seen() {
+fn a_killed_chapter_reopens_at_the_page_last_seen() {
     let folder = Folder::new("bookmarks-killed");
     let mut chance = Pcg64::seed_from_u64(12);
     let chapter = &ChapterLibrary::embedded_once().chapters[2];

@@ -55,7 +55,7 @@ fn the_glossary_is_printed_whole_or_by_term() {
 }
 
 #[test]
-fn without_a_terminal_it_says_so() {
+fn without_a_terminal_there_is_a_message() {
     for arguments in [
         &[][..],
         &["learn"],
@@ -81,7 +81,7 @@ fn without_a_terminal_it_says_so() {
 }
 
 #[test]
-fn what_has_no_screen_has_no_plain_lines() {
+fn commands_without_a_screen_have_no_plain_lines() {
     for arguments in [["keys", "--plain"], ["man", "--plain"]] {
         let output = carrom(&arguments);
         assert_eq!(output.status.code(), Some(2));
@@ -336,7 +336,7 @@ fn a_tape_keeps_its_games_only_where_it_is_told_to() {
 const OWN_CONCEPTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/own-concepts");
 
 #[test]
-fn written_questions_of_ones_own_are_checked() {
+fn a_teachers_own_questions_are_checked() {
     let output = carrom(&["concept", "check", OWN_CONCEPTS]);
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(
@@ -359,7 +359,7 @@ fn written_questions_of_ones_own_are_checked() {
 }
 
 #[test]
-fn a_right_choice_that_gives_itself_away_is_told_with_its_place() {
+fn a_right_choice_that_gives_itself_away_is_reported_with_its_place() {
     let folder = Folder::new("cli-concepts");
     let path = within(&folder, "mine.toml");
     let good = fs::read_to_string(format!("{OWN_CONCEPTS}/our-marbles.toml")).unwrap();

@@ -177,7 +177,7 @@ fn a_mend_that_a_full_disk_cuts_short_leaves_the_damaged_file_alone() {
     let leaf = (1..damaged.len() / 4096).rfind(|page| damaged[page * 4096] == 10);
     let start = leaf.unwrap() * 4096;
     damaged[start..start + 4096].fill(0);
-    let (mut failed, mut unmended) = (0, 0);
+    let (mut failed, mut unrepaired) = (0, 0);
     for tenths in 0..30 {
         for name in names(disk) {
             fs::remove_file(disk.join(name)).unwrap();
@@ -195,7 +195,8 @@ fn a_mend_that_a_full_disk_cuts_short_leaves_the_damaged_file_alone() {
                 failed += 1;
                 println!("{tenths} tenths: {message}");
                 // Without room for what is beside it SQLite does not even open it.
-                unmended += usize::from(message.contains("it is damaged and could not be mended"));
+                unrepaired +=
+                    usize::from(message.contains("it is damaged and could not be repaired"));
                 assert!(
                     message.contains("there is no room on the disk"),
                     "{message}"
@@ -207,5 +208,5 @@ fn a_mend_that_a_full_disk_cuts_short_leaves_the_damaged_file_alone() {
             }
         }
     }
-    assert!(failed > 5 && unmended > 5, "{unmended} of {failed}");
+    assert!(failed > 5 && unrepaired > 5, "{unrepaired} of {failed}");
 }

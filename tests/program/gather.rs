@@ -145,7 +145,7 @@ fn the_gradebook_has_a_page_for_every_pupil() {
 
 /// Whoever is on the list of the class and has handed in nothing is named, and nobody else.
 #[test]
-fn who_of_the_class_list_is_missing_is_told() {
+fn missing_pupils_of_the_class_list_are_listed() {
     let folder = Folder::new("gather-list");
     let handed_in = folder.path().join("handed-in");
     fs::create_dir(&handed_in).unwrap();
@@ -177,7 +177,7 @@ fn who_of_the_class_list_is_missing_is_told() {
 }
 
 #[test]
-fn what_a_player_hands_in_is_read_back() {
+fn a_hand_in_is_read_back() {
     let folder = Folder::new("hand-in");
     let data = folder.path().join("data");
     let mut store = Store::in_folder(&data);
@@ -315,7 +315,7 @@ fn a_hand_in_with_a_formula_for_a_round_or_a_topic_is_refused() {
             let before = format!("\"{field}\": \"{value}\"");
             let after = format!("\"{field}\": \"{hostile}\"");
             let (table, said) = gathered(&changed(&before, &after));
-            let names_it = said.contains(&format!("answer 1 cannot be: its {field} is"));
+            let names_it = said.contains(&format!("answer 1 is impossible: its {field} is"));
             assert!(table.is_none() && names_it, "{hostile}: {said}");
             assert!(
                 !said.lines().any(|line| line.contains('\u{1b}')),
@@ -475,7 +475,7 @@ fn an_answer_of_an_unknown_family_is_refused() {
     let known = format!("\"family\": \"{family}\"");
     let (table, said) = gathered(&changed(&known, "\"family\": \"=1+1\""));
     assert!(
-        table.is_none() && said.contains("answer 1 cannot be: its family is \"=1+1\""),
+        table.is_none() && said.contains("answer 1 is impossible: its family is \"=1+1\""),
         "{said}"
     );
 }
@@ -489,7 +489,7 @@ fn a_hand_in_with_a_byte_order_mark_is_read() {
 
 #[cfg(unix)]
 #[test]
-fn a_pipe_among_the_hand_ins_is_passed_over() {
+fn a_pipe_among_the_hand_ins_is_skipped() {
     let folder = Folder::new("gather-pipe");
     let pipe = folder.path().join("pipe.json");
     let made = Command::new("mkfifo").arg(&pipe).status().unwrap();

@@ -36,7 +36,7 @@ impl Teacher {
 }
 
 #[test]
-fn a_vote_is_on_the_disk_before_its_device_hears_that_it_is_in() {
+fn a_vote_is_on_the_disk_before_it_is_confirmed() {
     let folder = Folder::new("hosted-votes");
     let teacher = start(&folder);
     let mut pupils: Vec<_> = (0..20)
@@ -123,7 +123,7 @@ fn a_vote_for_a_choice_that_is_not_there_ends_no_host() {
 
 /// It was at the first free port from 8090 on, and devices called the old one in vain.
 #[test]
-fn a_round_is_taken_up_at_the_port_where_its_devices_look_for_it() {
+fn a_round_is_resumed_at_the_port_where_its_devices_look_for_it() {
     let free = || std::net::TcpListener::bind("0.0.0.0:0").unwrap();
     let port_of = |listener: &std::net::TcpListener| listener.local_addr().unwrap().port();
     let opened = |port: Option<u16>, before: u16| {
@@ -152,7 +152,7 @@ fn a_round_is_taken_up_at_the_port_where_its_devices_look_for_it() {
 }
 
 #[test]
-fn whoever_comes_back_sits_where_they_sat() {
+fn a_returning_pupil_gets_the_same_seat() {
     let folder = Folder::new("hosted-back");
     let teacher = start(&folder);
     let mut ada = teacher.join("Ada");
@@ -319,7 +319,7 @@ fn names_of_any_signs_stay_names() {
 }
 
 #[test]
-fn what_is_no_talk_ends_it() {
+fn an_invalid_message_ends_the_connection() {
     let folder = Folder::new("hosted-format");
     let teacher = start(&folder);
     let said = |messages: &[Message]| {
@@ -430,7 +430,7 @@ fn a_thousand_connections_keep_nobody_out() {
 }
 
 #[test]
-fn who_is_removed_or_comes_when_the_door_is_closed_hears_so() {
+fn removed_pupils_and_refused_newcomers_are_told_why() {
     let folder = Folder::new("hosted-door");
     let teacher = start(&folder);
     let mut ada = teacher.join("Ada");
@@ -442,7 +442,7 @@ fn who_is_removed_or_comes_when_the_door_is_closed_hears_so() {
     teacher.press("y", "1 in, 1 on the list");
     ada.hear().unwrap();
     assert_eq!(ada.why(), Some("kicked"));
-    teacher.press("c", "The door is closed");
+    teacher.press("c", "The round is closed");
     assert_eq!(teacher.join("Cy").why(), Some("closed"));
     let seat = bo.text("seat");
     let bo = Pupil::join(teacher.port, &teacher.code, "Bo", Some(&seat)).unwrap();
@@ -472,7 +472,7 @@ fn handed_in(folder: &Folder) -> Vec<PathBuf> {
 }
 
 #[test]
-fn what_is_handed_in_is_on_the_disk_before_its_device_hears_so() {
+fn a_hand_in_is_on_the_disk_before_it_is_confirmed() {
     let folder = Folder::new("hosted-hand-in");
     let teacher = start(&folder);
     let mut ada = teacher.join("Ada");
@@ -514,7 +514,7 @@ fn what_is_handed_in_is_on_the_disk_before_its_device_hears_so() {
 }
 
 #[test]
-fn what_is_no_hand_in_is_not_kept() {
+fn an_invalid_hand_in_is_not_stored() {
     let folder = Folder::new("hosted-no-hand-in");
     let teacher = start(&folder);
     let mut bo = teacher.join("../../Bo");

@@ -117,7 +117,7 @@ fn a_game_that_is_killed_sixty_times_loses_at_most_the_stroke_in_motion() {
 }
 
 #[test]
-fn two_who_play_and_are_killed_do_no_harm_to_each_other_nor_to_older_games() {
+fn two_killed_games_harm_neither_each_other_nor_older_games() {
     let folder = Folder::new("killed-two");
     let mut chance = Pcg64::seed_from_u64(2);
     let mut before = BTreeMap::new();

@@ -154,7 +154,7 @@ fn play_rightly(folder: &Path, code: Code, time_s: i64, guessing: bool) {
 }
 
 #[test]
-fn what_was_due_is_due_no_more_after_a_right_review() {
+fn a_right_review_ends_what_was_due() {
     const START_S: i64 = 1_800_000_000;
     const DAY_S: i64 = 86_400;
     let folder = Folder::new("memory-review");
@@ -224,7 +224,7 @@ fn the_real_game_in_a_terminal_keeps_what_it_has_explained() {
 }
 
 #[test]
-fn a_damaged_database_is_told_of_and_the_game_goes_on() {
+fn a_damaged_database_is_reported_and_the_game_goes_on() {
     let folder = Folder::new("memory-damaged");
     let path = folder.path().join("progress.db");
     let mut game = quiz(folder.path(), "Ada");
@@ -258,7 +258,7 @@ fn a_damaged_database_is_told_of_and_the_game_goes_on() {
 /// SQLite would wait at a pipe for somebody to write to it.
 #[cfg(unix)]
 #[test]
-fn what_is_no_file_is_refused_at_once() {
+fn a_path_that_is_not_a_file_is_refused_at_once() {
     let folder = Folder::new("memory-pipe");
     let path = folder.path().join("progress.db");
     let made = Command::new("mkfifo").arg(&path).status().unwrap();
@@ -285,18 +285,18 @@ fn what_is_no_file_is_refused_at_once() {
 }
 
 #[test]
-fn what_cannot_be_kept_is_told_once() {
+fn a_failed_save_is_reported_once() {
     let folder = Folder::new("memory-no-folder");
     let file = folder.path().join("file");
     fs::write(&file, "").unwrap();
     let mut game = quiz(&file, "Ada");
     game.press("60<Enter>30<Enter>2");
     let screen = game.screen();
-    assert!(screen.contains("What you do cannot be kept"), "{screen}");
+    assert!(screen.contains("What you do cannot be saved"), "{screen}");
     game.press("x<End><Enter>");
     for _ in 0..2 {
         answer(&mut game);
-        assert!(!game.screen().contains("cannot be kept"));
+        assert!(!game.screen().contains("cannot be saved"));
         game.press("<Enter>");
     }
 }
@@ -417,7 +417,7 @@ fn no_name_breaks_the_screen_the_table_or_json() {
 }
 
 #[test]
-fn the_command_line_says_what_is_wrong() {
+fn the_command_line_reports_faults() {
     let folder = Folder::new("memory-cli");
     let empty = carrom(folder.path(), &["progress", "--csv"]);
     assert_eq!(empty.status.code(), Some(0));

@@ -54,7 +54,7 @@ fn answer(pty: &mut Pty, number: u32) {
 /// Waits until everything is kept, and leaves.
 fn leave(mut pty: Pty) {
     pty.wait_until("all to be kept", |screen| {
-        !screen.contains("not kept") && !screen.contains("saving ..")
+        !screen.contains("not saved") && !screen.contains("saving ..")
     });
     pty.press("\x03");
     assert_eq!(pty.wait(), 0);
@@ -72,7 +72,7 @@ fn kept(folder: &Path) -> Vec<u32> {
 }
 
 #[test]
-fn what_is_answered_while_the_disk_is_full_is_kept_when_it_is_not() {
+fn answers_given_while_the_disk_is_full_are_saved_when_it_is_not() {
     let can_mount = Command::new("unshare")
         .args(["-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"])
         .output();
@@ -101,7 +101,7 @@ fn what_is_answered_while_the_disk_is_full_is_kept_when_it_is_not() {
     pty.wait_until("the disk to be full", |_| told.join("filled").exists());
     for number in 2..=5 {
         answer(&mut pty, number);
-        pty.wait_for(&format!("not kept: {}", number - 1));
+        pty.wait_for(&format!("not saved: {}", number - 1));
         pty.press("\r");
     }
     fs::write(told.join("free"), "").unwrap();
@@ -111,7 +111,7 @@ fn what_is_answered_while_the_disk_is_full_is_kept_when_it_is_not() {
 
 #[test]
 #[ignore = "takes a minute"]
-fn what_is_answered_while_the_database_is_held_is_kept_when_it_is_free() {
+fn answers_given_while_the_database_is_held_are_saved_when_it_is_free() {
     let folder = Folder::new("owed-held");
     let data = folder.path().to_str().unwrap();
     let mut pty = Pty::start(carrom(&["quiz", "--code", "hits-7", "--data-dir", data]));
@@ -124,9 +124,9 @@ fn what_is_answered_while_the_database_is_held_is_kept_when_it_is_free() {
         answer(&mut pty, number);
     }
     // As soon as it was waited for long enough.
-    pty.wait_for("not kept: 7");
+    pty.wait_for("not saved: 7");
     thread::sleep(HELD.saturating_sub(start.elapsed()));
-    pty.wait_for("not kept: 7");
+    pty.wait_for("not saved: 7");
     other.execute_batch("COMMIT").unwrap();
     leave(pty);
     assert_eq!(kept(folder.path()), [1, 2, 3, 4, 5, 6, 7, 8]);

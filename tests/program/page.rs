@@ -68,7 +68,7 @@ fn walk(folder: &std::path::Path, name: &str) -> String {
 }
 
 #[test]
-fn a_page_is_not_made_of_what_is_none_nor_over_what_is_there() {
+fn a_page_is_not_made_from_another_file_and_overwrites_nothing() {
     let folder = Folder::new("no-page");
     folder.file("carrom.html", PAGE);
     folder.file("other.html", "<!doctype html><title>other</title>");

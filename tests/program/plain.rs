@@ -80,7 +80,7 @@ fn round(code: &str) -> Round {
 }
 
 #[test]
-fn a_round_answered_by_the_truth_is_all_right() {
+fn a_round_of_right_answers_is_all_right() {
     let folder = Folder::new("plain");
     for code in ["7", "mixed-7", "mixed-8"] {
         let round = round(code);
@@ -118,7 +118,7 @@ fn each_misconception_is_named() {
 }
 
 #[test]
-fn every_answer_is_kept_before_it_is_told_and_whatever_comes_then() {
+fn every_answer_is_saved_before_its_explanation_is_shown() {
     let folder = Folder::new("plain");
     let round = round("7");
     let first = &round.questions()[0];
@@ -135,7 +135,7 @@ fn every_answer_is_kept_before_it_is_told_and_whatever_comes_then() {
 }
 
 #[test]
-fn what_cannot_be_understood_is_asked_again_kindly() {
+fn an_unclear_line_is_asked_again_kindly() {
     let folder = Folder::new("plain");
     let said = talk(
         "quiz --plain --seed 7",
@@ -174,7 +174,7 @@ fn noise_neither_breaks_nor_fills_it() {
 }
 
 #[test]
-fn an_exam_tells_nothing_before_its_end() {
+fn an_exam_gives_no_feedback_before_its_end() {
     let folder = Folder::new("plain");
     let round = round("exam-3");
     let lines = answers(&round, |question| question.form.truth());
@@ -209,7 +209,7 @@ fn a_round_is_chosen_by_its_number_or_its_code() {
 
 /// Somebody who copies the angle finds it out, and checks it.
 #[test]
-fn what_one_believes_is_found_out_in_lines() {
+fn a_misconception_is_found_in_plain_lines() {
     let folder = Folder::new("plain");
     let copied = |question: &Question| {
         let mut held = question.beliefs.iter();
@@ -312,7 +312,7 @@ fn a_solution_is_asked_for_or_given() {
 }
 
 #[test]
-fn what_is_no_number_is_asked_again_and_not_kept() {
+fn an_invalid_number_is_asked_again_and_not_stored() {
     let folder = Folder::new("plain");
     let strange = "1/2\n1e999\n1e-400\n1 000\n1,000\n2*3\n0x1\n1_0\n++1\n5 cm\n";
     let heard = format!("{strange}quit\n");
@@ -362,7 +362,7 @@ fn a_chapter_gives_nothing_away_that_it_asks_later() {
 }
 
 #[test]
-fn a_shot_of_ones_own_is_set_said_and_played() {
+fn a_shot_of_the_players_own_is_set_predicted_and_played() {
     let folder = Folder::new("plain");
     let heard =
         b"set angle 30\nset coin 15\nset wind 3\nshoot\n60\n30\nset up\nset offset 0\nquit\n";
@@ -380,7 +380,7 @@ fn a_shot_of_ones_own_is_set_said_and_played() {
 
 /// What cancels is 0, whatever is left of it in the last digit.
 #[test]
-fn the_truth_is_told_without_what_is_lost_in_rounding() {
+fn the_right_answer_is_shown_without_rounding_errors() {
     let folder = Folder::new("plain");
     let heard = b"skip\nskip\n1\n1\nquit\n";
     let said = talk("learn 5 --plain", folder.path(), heard);

@@ -174,7 +174,7 @@ fn a_vote_in_a_class_that_is_hosted_in_lines_too() {
         ("Which one?", ""),
     ]);
     pupil.hears("You are in, Ada.");
-    host.goes(&[("One is in.", "on with the round"), ("the vote", "")]);
+    host.goes(&[("One is in.", "back to the round"), ("the vote", "")]);
     pupil.goes(&[
         ("Striker, in degrees?", "75"),
         ("Coin, in degrees?", "15"),

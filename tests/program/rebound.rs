@@ -31,7 +31,7 @@ fn a_key_of_the_players_own_works_and_the_help_says_so() {
 }
 
 #[test]
-fn a_bad_file_is_told_line_by_line_and_the_usual_keys_hold() {
+fn a_bad_file_is_reported_line_by_line_and_the_default_keys_are_used() {
     let folder = Folder::new("rebound-bad");
     let text = "format = 1\n[keys]\n\"lab.nothing\" = [\"z\"]\n\"everywhere.help\" = [\"Hlep\"]\n";
     folder.file("keys.toml", text);

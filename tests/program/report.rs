@@ -327,7 +327,7 @@ fn chapters_stand_in_the_report_as_they_do_in_learn() {
 }
 
 #[test]
-fn a_mean_error_is_told_of_three_angles_and_more() {
+fn a_mean_error_needs_three_angles() {
     let of = |angles: u32| {
         let attempts = (1..=5).map(|i| Attempt {
             error_deg: (i <= angles).then_some(12.0),
@@ -345,7 +345,7 @@ fn a_mean_error_is_told_of_three_angles_and_more() {
 }
 
 #[test]
-fn who_has_done_nothing_gets_a_page_that_says_so() {
+fn a_player_without_answers_gets_a_page_that_says_so() {
     let history = History::default();
     let report = report("Ada", &history, &[]);
     assert!(report.pictures().is_empty());
@@ -435,7 +435,7 @@ fn carrom(arguments: &[&str], data: &Path, folder: &Path) -> Output {
 }
 
 #[test]
-fn a_report_is_written_where_it_is_wanted() {
+fn a_report_is_written_to_the_given_path() {
     let folder = Folder::new("report-written");
     let name = "Zoë \"=<b>";
     kept(folder.path(), name);
@@ -478,7 +478,7 @@ fn a_report_is_written_where_it_is_wanted() {
 }
 
 #[test]
-fn what_cannot_be_written_is_said() {
+fn a_failed_write_is_reported() {
     let folder = Folder::new("report-refused");
     for file in ["a.pdf", "a", ".html", "html", "a.html.txt", ""] {
         let output = carrom(

@@ -68,7 +68,7 @@ fn no_escape_sequence_reaches_the_terminal() {
 
 /// What stands in a database, which anybody can change, gives no orders either.
 #[test]
-fn printed_answers_give_no_orders_to_a_terminal_or_a_spreadsheet() {
+fn printed_answers_cannot_control_a_terminal_or_a_spreadsheet() {
     let folder = Folder::new("safe-answers");
     let mut store = Store::in_folder(folder.path());
     let hostile = "=cmd|'/c calc'!A1\u{1b}[2J\u{0}\u{9b}31m\u{202e}\u{2066}";
@@ -226,7 +226,7 @@ fn no_message_quotes_more_than_200_characters_of_a_line() {
 }
 
 #[test]
-fn a_byte_order_mark_is_passed_over() {
+fn a_byte_order_mark_is_skipped() {
     let folder = Folder::new("safe-mark");
     let mark = "\u{feff}";
     let chapter = folder.file("01-a.md", format!("{mark}{CHAPTER}"));
@@ -266,7 +266,7 @@ fn a_name_is_its_visible_letters() {
 }
 
 #[test]
-fn what_is_printed_is_what_the_terminal_shows() {
+fn the_printed_screen_is_what_the_terminal_shows() {
     for arguments in [
         &["level", "check"][..],
         &["level", "check", "--charset", "ascii"],
@@ -282,7 +282,7 @@ fn what_is_printed_is_what_the_terminal_shows() {
 }
 
 #[test]
-fn what_is_expected_is_said() {
+fn the_expected_input_is_named() {
     for (arguments, expected) in [
         (&["quiz", "--code", "mixed61-7"][..], "1 to 60 questions"),
         (&["quiz", "--code", "review-7"], "a review has no code"),
@@ -325,7 +325,7 @@ fn what_is_expected_is_said() {
 /// What is no file in a folder of chapters is no chapter, and is not passed over.
 #[cfg(unix)]
 #[test]
-fn what_is_no_file_is_named() {
+fn a_path_that_is_not_a_file_is_named() {
     let folder = Folder::new("safe-odd");
     folder.file("01-a.md", CHAPTER);
     let link = |to: &str, name: &str| {
@@ -349,7 +349,7 @@ fn what_is_no_file_is_named() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_full_disk_is_told_of_as_such() {
+fn a_full_disk_is_reported_as_such() {
     let full = fs::File::options().write(true).open("/dev/full").unwrap();
     let output = Command::new(env!("CARGO_BIN_EXE_carrom"))
         .args(["solve", "--alpha-deg", "30"])

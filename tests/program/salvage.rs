@@ -389,7 +389,7 @@ fn rows_between_damaged_pages_of_a_thousand_databases_are_saved() {
 }
 
 #[test]
-fn who_prints_what_is_damaged_learns_that_carrom_mends_it() {
+fn printing_a_damaged_database_says_that_carrom_repairs_it() {
     let folder = Folder::new("salvage-printed");
     let mut damaged = sound(folder.path());
     let page = (1..).find(|page| damaged[page * PAGE] == 13).unwrap();

@@ -289,7 +289,7 @@ fn a_bad_file_gives_a_message_and_is_left_alone_and_all_others_go_on() {
 }
 
 #[test]
-fn a_file_that_was_changed_by_others_is_not_written_over() {
+fn a_file_changed_by_another_program_is_not_overwritten() {
     let folder = Folder::new("changed-saves");
     let mut store = Store::in_folder(folder.path());
     let path = folder.path().join("games/game-1.toml");
@@ -308,7 +308,7 @@ fn a_file_that_was_changed_by_others_is_not_written_over() {
 }
 
 #[test]
-fn two_who_resume_the_same_game_both_keep_what_they_play() {
+fn a_game_resumed_twice_keeps_both_continuations() {
     let folder = Folder::new("same-save");
     save(
         &mut Store::in_folder(folder.path()),
@@ -429,7 +429,7 @@ fn table(store: Store) -> Headless {
 }
 
 #[test]
-fn a_save_that_fails_is_told_once_and_the_game_goes_on() {
+fn a_failed_save_is_reported_once_and_the_game_goes_on() {
     let folder = Folder::new("no-saves");
     // A file where the folder should be: nobody can write there, not even root.
     let in_the_way = folder.path().join("games");

@@ -147,7 +147,7 @@ fn a_glancing_hit_ends_where_the_closed_forms_say() {
 }
 
 #[test]
-fn a_pocketed_disc_is_said_to_be() {
+fn a_pocketed_disc_is_reported() {
     let scene = PINNED
         .replace("at_mm = [0, -260]", "at_mm = [0, 0]")
         .replace("direction_deg = 90", "direction_deg = 45");
@@ -161,7 +161,7 @@ fn a_pocketed_disc_is_said_to_be() {
 }
 
 #[test]
-fn the_table_for_people_tells_the_same() {
+fn the_table_for_people_has_the_same_contents() {
     let text = simulate(&PINNED.replace("speed = 4.0", "speed = 1.0"), &[]);
     let lines: Vec<_> = text
         .lines()

@@ -210,7 +210,7 @@ fn a_batch_keeps_its_order_and_goes_on_after_a_bad_line() {
 }
 
 #[test]
-fn blank_lines_are_passed_over_but_counted() {
+fn blank_lines_are_skipped_but_counted() {
     let (code, answers) = batch(format!("\n  \r\n{MARBLES}\n\nbad\n").as_bytes());
     assert_eq!((code, answers.len()), (Some(1), 2));
     assert_eq!(answers[1]["line"], 5);

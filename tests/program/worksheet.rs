@@ -340,7 +340,7 @@ fn a_title_is_escaped_in_markdown() {
 }
 
 #[test]
-fn what_cannot_be_done_is_said() {
+fn an_impossible_action_is_reported() {
     let folder = Folder::new("wrong");
     let out = within(&folder, "out");
     fs::write(folder.path().join("file"), "").unwrap();

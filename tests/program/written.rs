@@ -170,7 +170,7 @@ fn a_device_is_written_to() {
 /// A link is followed, and stays one.
 #[cfg(unix)]
 #[test]
-fn what_a_link_leads_to_is_replaced() {
+fn the_target_of_a_link_is_replaced() {
     let folder = Folder::new("written-link");
     let (real, link) = (folder.path().join("real.svg"), folder.path().join("a.svg"));
     fs::write(&real, "old").unwrap();

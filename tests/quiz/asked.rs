@@ -47,7 +47,7 @@ fn sent(question: &Question) -> String {
 }
 
 #[test]
-fn what_is_sent_does_not_hang_on_the_answer() {
+fn messages_do_not_depend_on_the_answer() {
     let all = all();
     for family in Family::ALL {
         assert!(all.iter().any(|it| it.family == *family), "{}", family.id());

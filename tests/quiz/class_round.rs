@@ -87,7 +87,7 @@ fn ten_are_enough_to_tell_them_apart() {
 }
 
 #[test]
-fn what_is_kept_is_taken_up_again() {
+fn a_saved_round_is_resumed() {
     let round = played();
     let text = round.text().unwrap();
     let again = ClassRound::read("round", text.as_bytes(), &Arc::default()).unwrap();
@@ -150,7 +150,7 @@ fn a_file_of_the_first_format_still_opens() {
 }
 
 #[test]
-fn a_bad_file_says_what_is_wrong_with_it() {
+fn a_bad_file_gives_a_message() {
     let good = "format = 1\ncode = \"7\"\nteams = [\"Ants\"]\n";
     for (text, complaint) in [
         (String::new(), "format"),
@@ -348,7 +348,7 @@ fn names_that_nobody_can_see_are_refused_but_their_files_open() {
 }
 
 #[test]
-fn a_vote_of_another_kind_is_not_taken() {
+fn a_vote_of_another_kind_is_refused() {
     let mut round = round("7", &["Ants"]);
     assert!(matches!(round.questions()[0].form, Form::Rays { .. }));
     for said in [

@@ -27,7 +27,7 @@ fn written(question: &Question) -> String {
 /// would bring other questions: a new kind of course is needed instead. (The texts may be
 /// mended; figures, families, order and choices may not.)
 #[test]
-fn a_code_is_the_same_round_for_ever() {
+fn a_code_is_always_the_same_round() {
     let rounds = [
         "quick-7",
         "mixed-7",
@@ -45,7 +45,7 @@ fn a_code_is_the_same_round_for_ever() {
 }
 
 #[test]
-fn a_code_says_all_of_its_round() {
+fn a_code_determines_the_whole_round() {
     for code in [
         "quick-7",
         "mixed-7",
@@ -83,7 +83,7 @@ fn a_mixed_round_asks_no_question_twice_and_no_family_before_all_have_come() {
 /// Machines may differ in the last bit of a sine. Whether a question is clear enough to be
 /// asked must not hang on it.
 #[test]
-fn no_question_hangs_on_the_last_bit() {
+fn no_question_depends_on_the_last_bit() {
     for family in Family::ALL {
         for difficulty in Difficulty::ALL {
             for seed in 0..200 {

@@ -55,7 +55,7 @@ fn the_same_answers_bring_the_same_questions() {
 }
 
 #[test]
-fn a_code_finds_out_by_the_same_questions_for_ever() {
+fn a_code_of_the_diagnosis_always_gives_the_same_questions() {
     let mut texts = Vec::new();
     for (name, round) in [
         (
@@ -79,7 +79,7 @@ fn a_code_finds_out_by_the_same_questions_for_ever() {
 }
 
 #[test]
-fn who_answers_by_one_belief_is_told_it_and_who_is_right_of_none() {
+fn consistent_wrong_answers_name_a_misconception_and_right_ones_none() {
     for misconception in Misconception::COMMON {
         for seed in 0..20 {
             let played = play(&format!("find-out-{seed}"), holding(misconception));

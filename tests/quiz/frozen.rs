@@ -188,14 +188,14 @@ fn families(seeds: u64) -> String {
 }
 
 #[test]
-fn a_seed_brings_the_same_question_for_ever() {
+fn a_seed_always_gives_the_same_question() {
     insta::assert_snapshot!("families", families(500));
 }
 
 /// Four times as many: for whoever changes what draws a question.
 #[test]
 #[ignore = "takes as long as all other tests of the quiz; CI runs it"]
-fn two_thousand_seeds_bring_the_same_questions_for_ever() {
+fn two_thousand_seeds_always_give_the_same_questions() {
     insta::assert_snapshot!("two-thousand", families(2_000));
 }
 
@@ -211,7 +211,7 @@ fn rounds(codes: &[&str]) -> String {
 }
 
 #[test]
-fn a_code_brings_the_same_round_for_ever() {
+fn a_code_always_gives_the_same_round() {
     let codes = [
         "0",
         "1",
@@ -231,13 +231,13 @@ fn a_code_brings_the_same_round_for_ever() {
 }
 
 #[test]
-fn a_code_of_what_was_read_brings_the_same_round_for_ever() {
+fn a_code_of_read_chapters_always_gives_the_same_round() {
     let text = rounds(&["read-a-7", "read-abc-7", "read-bdfghijkl-42", "read-l5-3"]);
     insta::assert_snapshot!("codes-read", kept("codes-read", &text));
 }
 
 #[test]
-fn a_code_of_the_even_course_brings_the_same_round_for_ever() {
+fn a_code_of_the_even_course_always_gives_the_same_round() {
     let text = rounds(&["even-7", "even-1234", "even20-42"]);
     insta::assert_snapshot!("codes-even", kept("codes-even", &text));
 }

@@ -90,7 +90,7 @@ fn the_truth_is_that_of_an_impulse_along_the_line_of_centres() {
 }
 
 #[test]
-fn the_truth_earns_all_and_is_never_diagnosed() {
+fn the_right_answer_earns_full_credit_and_is_never_diagnosed() {
     for question in questions() {
         let answer = sure(truth(question));
         let grade = Grade::new(question, &answer);
@@ -223,7 +223,7 @@ fn a_round_is_ten_different_questions() {
 }
 
 #[test]
-fn a_code_is_the_same_round_for_ever() {
+fn a_code_is_always_the_same_round() {
     let rounds = [0, 1, 7, 42, 999_999, u64::MAX].map(|seed| {
         let round = Round::hits(seed);
         let questions = round.questions().iter().map(|question| {

@@ -349,7 +349,7 @@ fn printed_steps_give_the_printed_result() {
 }
 
 #[test]
-fn the_checker_finds_what_is_wrong() {
+fn the_checker_finds_faults() {
     let none = [None; 2];
     for (good, equations) in [
         ("So 90° − 35.0° = 55.0°.", 1),

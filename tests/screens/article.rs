@@ -387,7 +387,7 @@ fn every_equation_that_the_article_lost_is_seen() {
 
 /// No number beside them says whether the equations that give an angle are the engine's.
 #[test]
-fn the_equations_of_the_angle_are_the_engines() {
+fn the_equations_of_the_angle_agree_with_the_engine() {
     let disc = Disc::from_g_mm(15.0, 15.0);
     let u = DVec2::new(4.0, 0.0);
     for b_mm in [0.1, 3.0, 15.0, 22.0, 29.9] {

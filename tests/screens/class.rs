@@ -191,7 +191,7 @@ fn going_back_corrects_a_vote_and_the_scores() {
     assert!(game.screen().contains("question 1 of 2"));
     game.press("<Backspace><Backspace><Backspace><Backspace>");
     assert!(
-        game.screen().contains("What is said is hidden"),
+        game.screen().contains("What you type is hidden"),
         "{}",
         game.screen()
     );
@@ -286,7 +286,7 @@ fn a_pause_is_blank_until_someone_goes_on() {
 }
 
 #[test]
-fn a_round_that_is_killed_is_taken_up_where_it_was_left() {
+fn a_killed_round_is_resumed_where_it_was_left() {
     let folder = Folder::new("class-killed");
     let teams = ["Ants", "Bees", "Cats"];
     let mut game = class(folder.path(), "7", &teams);
@@ -326,7 +326,7 @@ fn a_round_that_is_killed_is_taken_up_where_it_was_left() {
 }
 
 #[test]
-fn a_damaged_file_is_told_and_left_alone() {
+fn a_damaged_file_is_reported_and_left_alone() {
     let folder = Folder::new("class-damaged");
     fs::create_dir_all(folder.path().join("classes")).unwrap();
     let file = folder.path().join("classes/class-1.toml");
@@ -481,7 +481,7 @@ fn escape_asks_once_there_is_a_vote() {
 /// A class plays questions of the teacher's own, and takes the round up again; once their
 /// files have changed it is refused, for the votes would be on other questions.
 #[test]
-fn a_round_of_own_questions_is_taken_up_while_they_are_the_same() {
+fn a_round_of_own_questions_is_resumed_while_they_are_the_same() {
     let folder = Folder::new("class-own");
     let mine = folder.path().join("mine");
     fs::create_dir_all(&mine).unwrap();
@@ -531,7 +531,7 @@ fn a_round_of_own_questions_is_taken_up_while_they_are_the_same() {
 
 /// While a round cannot be saved, nobody is told that it is kept.
 #[test]
-fn a_round_that_cannot_be_saved_says_that_it_is_lost() {
+fn a_round_that_cannot_be_saved_warns_that_it_will_be_lost() {
     let folder = Folder::new("class-unsaved");
     fs::write(folder.path().join("classes"), "in the way").unwrap();
     let mut game = class(folder.path(), "7", &["Ants"]);
@@ -541,7 +541,7 @@ fn a_round_that_cannot_be_saved_says_that_it_is_lost() {
     assert!(screen.contains("cannot be saved"), "{screen}");
     game.press("<Down><Escape>");
     let screen = game.screen();
-    assert!(screen.contains("it is lost then"), "{screen}");
+    assert!(screen.contains("would be lost"), "{screen}");
     assert!(!screen.contains("kept"), "{screen}");
     game.press("ne");
     assert!(exported(folder.path(), "class-answers-1.csv").contains("Ants"));
@@ -554,7 +554,7 @@ fn a_round_that_cannot_be_saved_says_that_it_is_lost() {
 }
 
 #[test]
-fn who_plays_a_round_of_another_carrom_is_told_where_it_goes_on() {
+fn a_round_changed_by_another_carrom_moves_to_a_new_file() {
     let folder = Folder::new("class-two");
     let mut game = class(folder.path(), "7", &["Ants"]);
     game.press("<Enter><Enter><Enter>140<Enter>30<Enter>");
@@ -658,7 +658,7 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
     game.press("<Enter><Enter>");
     let screen = game.screen();
     assert!(
-        screen.contains("How many of all votes fitted it") && screen.contains("votes: "),
+        screen.contains("How many of all votes fit it") && screen.contains("votes: "),
         "{screen}"
     );
     // They tell how each pupil did, so they are for the teacher alone.

@@ -112,7 +112,7 @@ fn handed_in(folder: &Folder) -> Vec<HandIn> {
 }
 
 #[test]
-fn what_a_pupil_answered_alone_is_handed_in_by_a_key() {
+fn answers_given_alone_are_handed_in_by_a_key() {
     let folder = Folder::new("hand-in-by-key");
     let (mut class, ada) = answered_alone(&folder);
     press(&mut class, ada, "h", "on your own (1 answer)");
@@ -126,13 +126,13 @@ fn what_a_pupil_answered_alone_is_handed_in_by_a_key() {
     for _ in 1..20 {
         press(&mut class, ada, "hy", "Handed in: 1 answer.");
     }
-    press(&mut class, ada, "hy", "carrom takes no more");
+    press(&mut class, ada, "hy", "carrom accepts no more");
     press(&mut class, Who::Host, "", "1 handed in");
     assert_eq!(handed_in(&folder).len(), 1);
 }
 
 #[test]
-fn what_was_on_its_way_when_the_host_was_lost_is_sent_again() {
+fn a_hand_in_in_transit_is_sent_again_after_the_host_was_lost() {
     let folder = Folder::new("hand-in-lost");
     let (mut class, ada) = answered_alone(&folder);
     class.reach(ada, false);
@@ -146,7 +146,7 @@ fn what_was_on_its_way_when_the_host_was_lost_is_sent_again() {
 
 /// Nothing was kept, and both are told so.
 #[test]
-fn what_cannot_be_kept_is_told_on_both_sides() {
+fn a_failed_save_is_reported_on_both_sides() {
     let folder = Folder::new("hand-in-full");
     let (mut class, ada) = answered_alone(&folder);
     fs::write(folder.path().join("handed-in"), "in the way").unwrap();
@@ -155,7 +155,7 @@ fn what_cannot_be_kept_is_told_on_both_sides() {
         &mut class,
         Who::Host,
         "",
-        "What a pupil handed in cannot be kept",
+        "What a pupil handed in cannot be saved",
     );
     fs::remove_file(folder.path().join("handed-in")).unwrap();
     press(&mut class, ada, "hy", "Handed in: 1 answer.");
@@ -265,7 +265,7 @@ fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
 /// A round whose file holds a vote that fits nothing, as an earlier carrom has kept it, once ended
 /// carrom again whenever it was taken up.
 #[test]
-fn a_poisoned_round_is_taken_up_without_its_poisoned_votes() {
+fn a_poisoned_round_is_resumed_without_its_poisoned_votes() {
     let folder = Folder::new("class-poisoned");
     fs::create_dir_all(folder.path().join("classes")).unwrap();
     let file = folder.path().join("classes/class-1.toml");
@@ -335,7 +335,7 @@ fn leaving_the_list_of_names_in_the_lobby_does_not_start_the_round() {
 
 /// The list stayed as it was when it was opened.
 #[test]
-fn who_is_in_shows_those_who_come_vote_and_go_while_it_is_open() {
+fn the_list_of_participants_is_live() {
     let (mut class, pupils) = gathering(&["Ada", "Bo"]);
     press(&mut class, Who::Host, "<Enter><Enter>", "have voted");
     press(&mut class, Who::Host, "w", "2 in, 2 on the list");
@@ -411,12 +411,7 @@ fn all_who_are_away_and_never_voted_are_removed_by_one_key() {
         "<Enter><Enter>w",
         "4 in, 4 on the list",
     );
-    assert!(
-        !class
-            .game(Who::Host)
-            .screen()
-            .contains("remove who is away")
-    );
+    assert!(!class.game(Who::Host).screen().contains("remove absentees"));
     press(
         &mut class,
         pupils[1],
@@ -430,7 +425,7 @@ fn all_who_are_away_and_never_voted_are_removed_by_one_key() {
         &mut class,
         Who::Host,
         "a",
-        "Take 2 off the list who are away and never voted?",
+        "Remove 2 who are away and never voted?",
     );
     press(&mut class, Who::Host, "y", "1 in, 2 on the list");
     press(&mut class, Who::Host, "", "Bo");
@@ -622,7 +617,7 @@ fn the_list_of_earlier_rounds_shows_class_date_and_head_count() {
 
 /// Their devices call where the round was.
 #[test]
-fn a_round_that_is_at_another_address_than_before_tells_the_teacher_so() {
+fn the_teacher_is_told_when_a_round_has_another_address_than_before() {
     let folder = Folder::new("class-moved");
     drop(hosted(&folder, Some("from-angle2-7"), "10b", &["Ada"]));
     let file = folder.path().join("classes/class-1.toml");

@@ -62,7 +62,7 @@ fn escape_stops_a_beam_at_once_and_enter_lets_it_go_on() {
     assert_eq!(number(&mut game, "stopped at"), stopped);
     game.key(Key::Enter);
     game.pass(FRAME * 20);
-    assert!(number(&mut game, "thrown so far") > stopped);
+    assert!(number(&mut game, "sent so far") > stopped);
     // Twice: once to stop, once to leave.
     game.press("<Escape><Escape>");
     assert!(game.screen().contains("carrom : home"));
@@ -80,7 +80,7 @@ fn a_beam_rests_while_another_page_is_looked_at() {
 }
 
 #[test]
-fn a_seed_throws_the_same_beam_and_another_seed_another() {
+fn a_seed_determines_the_beam() {
     let thrown = |seed| {
         let mut game = beam(4, false, seed);
         game.key(Key::Enter);
@@ -92,14 +92,14 @@ fn a_seed_throws_the_same_beam_and_another_seed_another() {
 }
 
 #[test]
-fn a_beam_is_thrown_once_it_has_been_said_what_will_come_back() {
+fn a_beam_starts_once_the_share_has_been_predicted() {
     let mut game = beam(3, true, 1);
     game.key(Key::Enter);
-    assert!(game.screen().contains("how many are turned back"));
+    assert!(game.screen().contains("how many are deflected"));
     assert_eq!(game.app().wake(), None);
     // Nothing is said before it was chosen.
     game.press("<Enter><Enter>");
-    assert!(game.screen().contains("how many are turned back"));
+    assert!(game.screen().contains("how many are deflected"));
     // Half of them.
     game.press("c<Enter>");
     assert!(game.settle(LONG));
@@ -108,7 +108,7 @@ fn a_beam_is_thrown_once_it_has_been_said_what_will_come_back() {
     game.key(Key::Enter);
     assert!(game.app().wake().is_some());
     game.press("<Escape><Left><Enter>");
-    assert!(game.screen().contains("how many are turned back"));
+    assert!(game.screen().contains("how many are deflected"));
 }
 
 #[test]
@@ -158,7 +158,7 @@ fn the_mouse_turns_pages_and_drags_the_particle() {
 
 /// What was counted in 1913, in full, is on the page.
 #[test]
-fn the_last_page_says_what_was_counted_and_what_was_not() {
+fn the_last_page_shows_what_was_counted_and_what_was_not() {
     let mut game = foil(true, 1);
     game.press("<Tab><Tab>");
     let mut text = String::new();
@@ -184,7 +184,7 @@ fn the_last_page_says_what_was_counted_and_what_was_not() {
 }
 
 #[test]
-fn a_number_out_of_range_tells_the_range() {
+fn a_number_out_of_range_shows_the_range() {
     let mut game = foil(true, 1);
     game.press("<Down><Down>500<Enter>");
     let screen = game.screen();

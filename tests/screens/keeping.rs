@@ -14,7 +14,7 @@ use carrom::store::Store;
 use crate::folder::Folder;
 
 #[test]
-fn what_takes_long_and_what_is_lost_is_told_each_time() {
+fn slow_and_failed_saves_are_reported_each_time() {
     let app = App::new(Place::Lab, Settings::default(), 1);
     let mut game = Headless::from(app);
     let kept = |ticket, owed| {
@@ -37,11 +37,15 @@ fn what_takes_long_and_what_is_lost_is_told_each_time() {
     assert_eq!(head(&mut game), calm);
     game.input(&Input::Saving(902));
     game.input(&kept(902, 1));
-    assert!(head(&mut game).contains("not kept: 1"));
+    assert!(head(&mut game).contains("not saved: 1"));
     assert!(game.screen().contains("it is locked"));
     game.press("?");
     game.input(&kept(903, 2));
-    assert!(head(&mut game).contains("not kept: 2"), "{}", game.screen());
+    assert!(
+        head(&mut game).contains("not saved: 2"),
+        "{}",
+        game.screen()
+    );
     assert!(
         !game.screen().contains("it is locked"),
         "not in the way each time"
@@ -51,7 +55,7 @@ fn what_takes_long_and_what_is_lost_is_told_each_time() {
     assert_eq!(head(&mut game), calm);
     game.input(&kept(905, 1));
     assert!(game.screen().contains("it is locked"));
-    assert!(head(&mut game).contains("not kept: 1"));
+    assert!(head(&mut game).contains("not saved: 1"));
 }
 
 /// A store that cannot write for as long as a file stands in its folder's place.
@@ -110,19 +114,19 @@ fn answer(game: &mut Headless) {
 }
 
 #[test]
-fn what_could_not_be_kept_is_kept_later_in_its_order() {
+fn unsaved_changes_are_saved_later_in_their_order() {
     let blocked = Blocked::new("keeping-later");
     let mut game = blocked.game(a_round());
     for owed in 1..=3 {
         answer(&mut game);
         let screen = game.screen();
-        assert!(screen.contains(&format!("not kept: {owed}")), "{screen}");
+        assert!(screen.contains(&format!("not saved: {owed}")), "{screen}");
     }
     game.pass(Duration::from_secs(5));
-    assert!(game.screen().contains("not kept: 3"));
+    assert!(game.screen().contains("not saved: 3"));
     blocked.free();
     game.pass(Duration::from_secs(5));
-    assert!(!game.screen().contains("not kept"), "{}", game.screen());
+    assert!(!game.screen().contains("not saved"), "{}", game.screen());
     assert_eq!(blocked.kept(), [1, 2, 3]);
     assert_eq!(game.app().wake(), None, "nothing is left to be tried");
     answer(&mut game);
@@ -130,7 +134,7 @@ fn what_could_not_be_kept_is_kept_later_in_its_order() {
 }
 
 #[test]
-fn the_next_answer_brings_those_before_it_along() {
+fn the_next_answer_saves_pending_ones_first() {
     let blocked = Blocked::new("keeping-next");
     let mut game = blocked.game(a_round());
     answer(&mut game);
@@ -138,11 +142,11 @@ fn the_next_answer_brings_those_before_it_along() {
     blocked.free();
     answer(&mut game);
     assert_eq!(blocked.kept(), [1, 2, 3]);
-    assert!(!game.screen().contains("not kept"));
+    assert!(!game.screen().contains("not saved"));
 }
 
 #[test]
-fn whoever_leaves_with_answers_that_are_not_kept_is_asked() {
+fn leaving_with_unsaved_answers_is_confirmed() {
     for keys in ["<Ctrl+C>", "q", "<Escape>y"] {
         let blocked = Blocked::new("keeping-leave");
         let mut game = blocked.game(a_round());
@@ -152,7 +156,7 @@ fn whoever_leaves_with_answers_that_are_not_kept_is_asked() {
             heed(&mut game);
             game.press("<Escape>");
         }
-        assert!(game.screen().contains("not kept: 1"), "{}", game.screen());
+        assert!(game.screen().contains("not saved: 1"), "{}", game.screen());
         let before = game.screen();
         game.press(keys);
         assert!(

@@ -239,7 +239,7 @@ fn mark(with: &Buffer, without: &Buffer) -> (u16, u16) {
 }
 
 #[test]
-fn every_list_has_the_same_manners() {
+fn every_list_behaves_the_same_way() {
     let (mut lists, mut clicked) = (0, 0);
     for moment in moments() {
         let table = moment.game().app().keys();

@@ -42,7 +42,12 @@ fn the_discs_of_a_pair_that_sticks_go_round_their_centre_of_mass() {
         game.press(&format!("b{offset_mm}<Enter><Enter>"));
         assert!(game.settle(LONG));
         let board = game.screen();
-        for never in ["back to back", "share one velocity", "v1 =", "v2 ="] {
+        for never in [
+            "in opposite directions",
+            "share one velocity",
+            "v1 =",
+            "v2 =",
+        ] {
             assert!(!board.contains(never), "{board}");
         }
         assert!(board.contains("V = 2.00 m/s"), "{board}");
@@ -53,13 +58,13 @@ fn the_discs_of_a_pair_that_sticks_go_round_their_centre_of_mass() {
             assert!((shown - going_round).abs() < 0.006, "{name} {shown}");
         }
         let screen = game.screen();
-        assert!(!screen.contains("back to back"), "{screen}");
-        assert_eq!(screen.contains("do not part"), offset_mm != 0.0);
+        assert!(!screen.contains("in opposite directions"), "{screen}");
+        assert_eq!(screen.contains("stay together"), offset_mm != 0.0);
     }
 }
 
 #[test]
-fn a_number_out_of_range_tells_the_range() {
+fn a_number_out_of_range_shows_the_range() {
     let mut game = lab();
     game.press("500<Enter>");
     let screen = game.screen();
@@ -107,7 +112,7 @@ fn at_the_end_both_arrows_can_be_seen_and_both_discs_are_whole() {
 }
 
 #[test]
-fn what_is_as_good_as_nothing_has_no_sign() {
+fn a_negligible_number_has_no_sign() {
     for (field, values) in [
         (0, ["-0.04", "-0", "0", "-1e-9"]),
         (1, ["-0.04", "-0", "0", "-1e-9"]),
@@ -173,7 +178,7 @@ fn the_picture_is_live_after_three_right_predictions_and_not_before() {
 }
 
 #[test]
-fn the_set_up_is_there_when_one_comes_back_but_not_that_of_a_chapter() {
+fn the_labs_set_up_is_kept_but_not_that_of_a_chapter() {
     let mut game = Headless::new(App::new(Place::Lab, Settings::default(), 1), 80, 24);
     game.press("-12<Enter><Escape>l");
     assert!(game.screen().contains("12.0 mm left"), "{}", game.screen());

@@ -186,7 +186,7 @@ fn the_point_on_the_curves_is_moved_by_keys_and_by_mouse() {
 }
 
 #[test]
-fn a_shot_of_ones_own_goes_through_the_steps_of_the_proof() {
+fn a_shot_of_the_players_own_goes_through_the_steps_of_the_proof() {
     use carrom::lessons::FigureKind;
     let (number, chapter) = chapter("the-right-angle");
     let mut game = open(number, Charset::Ascii, (80, 24));
@@ -250,7 +250,7 @@ fn a_chapter_is_opened_by_number_or_name() {
 }
 
 #[test]
-fn what_is_typed_can_be_seen_on_a_small_screen() {
+fn typed_text_is_visible_on_a_small_screen() {
     for (number, chapter) in ChapterLibrary::embedded_once().chapters.iter().enumerate() {
         let mut game = open(number, Charset::Ascii, (60, 20));
         for page in &chapter.pages {

@@ -42,7 +42,7 @@ fn set(game: &mut Headless, level: &Level) {
 /// Shoots, with nothing but straight ahead said of what is asked, and waits.
 fn shoot(game: &mut Headless) {
     game.key(Key::Enter);
-    while game.screen().contains("say it first") {
+    while game.screen().contains("predict it") {
         game.press("0<Enter>");
     }
     assert!(game.settle(LONG));
@@ -87,20 +87,20 @@ fn every_level_is_won_by_its_solution_and_explains_itself_whole() {
 /// Nothing is said of a ray before it was turned: Enter alone neither makes the shot nor
 /// earns the star for what was said.
 #[test]
-fn enter_alone_says_nothing() {
+fn enter_alone_gives_no_answer() {
     let shelf = embedded();
     let mut asked = 0;
     for (number, (_, level)) in shelf.levels().enumerate() {
         let mut game = open(Place::Level { number }, Settings::default(), (80, 24));
         set(&mut game, level);
         game.key(Key::Enter);
-        if !game.screen().contains("say it first") {
+        if !game.screen().contains("predict it") {
             continue;
         }
         asked += 1;
         game.press("<Enter><Enter> <Enter>");
         let screen = game.screen();
-        assert!(screen.contains("say it first"), "{}\n{screen}", level.id);
+        assert!(screen.contains("predict it"), "{}\n{screen}", level.id);
         assert!(
             squeezed(&screen).contains("Turntheraywiththearrows"),
             "{screen}"
@@ -124,14 +124,14 @@ fn the_speed_last_chosen_is_remembered() {
 /// Along the line of impact the other disc leaves: whoever reads the impact angle need
 /// not say anything of it.
 #[test]
-fn what_is_asked_is_not_given_before() {
+fn the_answer_is_not_shown_before_the_question() {
     let mut asked = 0;
     for (number, (_, level)) in embedded().levels().enumerate() {
         let mut game = open(Place::Level { number }, Settings::default(), (120, 40));
         set(&mut game, level);
         game.key(Key::Enter);
         let screen = game.screen();
-        if screen.contains("say it first") && level.say_first != [level.scene.stroke.disc] {
+        if screen.contains("predict it") && level.say_first != [level.scene.stroke.disc] {
             asked += 1;
             let given = screen.contains("impact angle") || screen.contains("alpha =");
             assert!(!given, "{}\n{screen}", level.id);
@@ -183,7 +183,7 @@ fn fine_and_big_steps_and_the_ends_of_the_range() {
 }
 
 #[test]
-fn a_win_is_told_at_its_end_and_counts_if_it_is_left_before() {
+fn a_win_is_shown_at_the_end_and_counts_if_it_is_left_before() {
     let at = number("dead-stop");
     let mut game = level(at);
     game.press("53<Enter><Enter>0<Enter>");
@@ -195,7 +195,7 @@ fn a_win_is_told_at_its_end_and_counts_if_it_is_left_before() {
 }
 
 #[test]
-fn what_was_said_right_earns_the_third_star() {
+fn a_right_prediction_earns_the_third_star() {
     for (said, stars) in [("0", 3), ("20", 2)] {
         let at = number("dead-stop");
         let mut game = level(at);
@@ -204,19 +204,19 @@ fn what_was_said_right_earns_the_third_star() {
         assert_eq!(game.app().shelf().stars(at), stars);
         let screen = game.screen();
         assert!(screen.contains("you said"), "{screen}");
-        let advice = all_pages(&mut game).contains("say within 4 deg");
+        let advice = all_pages(&mut game).contains("predict the paths within 4 deg");
         assert_eq!(advice, stars < 3);
     }
 }
 
 #[test]
-fn without_predictions_one_just_shoots() {
+fn without_predictions_the_player_just_shoots() {
     let mut game = level(number("dead-stop"));
     game.press("p53<Enter><Enter>");
-    assert!(!game.screen().contains("say it first"));
+    assert!(!game.screen().contains("predict it"));
     assert!(game.settle(LONG));
     assert!(game.screen().contains("Won!"));
-    assert!(all_pages(&mut game).contains("say first where the discs go"));
+    assert!(all_pages(&mut game).contains("predict the paths first"));
 }
 
 #[test]
@@ -304,7 +304,7 @@ fn every_title_fits_the_list_on_a_small_screen() {
 
 /// In a level about weighing, the mass of the coin is shown only after the win.
 #[test]
-fn an_unknown_mass_is_told_after_the_win() {
+fn an_unknown_mass_is_shown_after_the_win() {
     let mut game = level(number("two-angles-one-mass"));
     shoot(&mut game);
     game.press("i");

@@ -97,7 +97,7 @@ fn words(text: &str) -> String {
 const WILD: Rays = Rays::new(-1.3, -1.3);
 
 #[test]
-fn a_round_answered_by_the_truth_brings_all_points() {
+fn a_round_of_right_answers_earns_all_points() {
     for seed in [0, 7, 42] {
         let mut game = plain(seed);
         for (i, question) in Round::hits(seed).questions().iter().enumerate() {
@@ -183,7 +183,7 @@ fn a_misconception_held_throughout_is_named_in_the_end() {
 }
 
 #[test]
-fn a_disc_that_stays_still_is_said_in_words() {
+fn a_disc_that_stays_still_is_described_in_words() {
     let mut game = plain(7);
     let mut met = 0;
     for question in Round::hits(7).questions() {
@@ -260,7 +260,7 @@ fn the_mouse_turns_the_rays() {
 }
 
 #[test]
-fn points_count_only_once_the_outcome_is_told() {
+fn points_count_only_once_the_outcome_is_shown() {
     let question = Round::hits(7).questions()[0].clone();
     let mut game = plain(7);
     game.press(&keys(&question, &truth(&question)));
@@ -312,7 +312,7 @@ fn escape_goes_back_a_step_and_asks_twice_before_a_round_is_lost() {
 }
 
 #[test]
-fn points_are_lost_where_it_is_seen() {
+fn lost_points_are_visible() {
     let mut game = plain(7);
     let round = Round::hits(7);
     let questions = round.questions();

@@ -158,7 +158,7 @@ fn a_code_is_typed_and_put_right() {
 }
 
 #[test]
-fn an_exam_tells_nothing_before_its_end_and_then_everything() {
+fn an_exam_gives_no_feedback_before_its_end_and_then_all_of_it() {
     let mut game = coded("exam6-7");
     for number in 1..=6 {
         assert_eq!(top(&mut game), format!("question {number} of 6"));
@@ -229,7 +229,7 @@ fn words(screen: &str) -> String {
 
 /// One number for what is due, wherever it is told; a list that is cut says so.
 #[test]
-fn what_is_due_is_the_same_number_everywhere() {
+fn the_number_of_due_topics_is_the_same_everywhere() {
     let mut game = coded("exam-7");
     game.set_time(1_800_000_000);
     for _ in 0..15 {
@@ -264,7 +264,7 @@ fn what_is_due_is_the_same_number_everywhere() {
 }
 
 #[test]
-fn a_line_of_the_look_back_is_opened_by_a_click() {
+fn a_line_of_the_summary_is_opened_by_a_click() {
     let mut game = coded("speeds3-7");
     for _ in 0..3 {
         answer(&mut game, "2");

@@ -80,7 +80,7 @@ fn words(buffer: &Buffer, pictures: &[Rect], rows: impl Iterator<Item = u16>) ->
 }
 
 #[test]
-fn what_is_recorded_has_every_word_that_cells_show() {
+fn the_record_has_every_word_in_the_cells() {
     let mut missing = BTreeSet::new();
     for moment in moments() {
         let mut game = moment.game();

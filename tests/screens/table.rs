@@ -333,7 +333,7 @@ fn a_call_to_the_wrong_sides_is_shown_with_its_signs() {
 }
 
 #[test]
-fn the_rays_that_would_tell_stay_hidden_while_one_calls() {
+fn the_paths_stay_hidden_while_the_player_calls() {
     let all = Options::two_people();
     let without = Options {
         aids: Aids {
@@ -658,7 +658,7 @@ fn an_aim_that_is_too_soft_is_told_apart_from_one_that_misses() {
 }
 
 #[test]
-fn hints_are_counted_and_told_at_the_end_and_kept_with_the_game() {
+fn hints_are_counted_shown_at_the_end_and_saved_with_the_game() {
     let mut game = small(Options::two_people());
     for _ in 0..200 {
         let screen = game.screen();

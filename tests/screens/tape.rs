@@ -193,7 +193,7 @@ fn a_failed_expectation_shows_line_and_screen() {
 }
 
 #[test]
-fn arguments_that_cannot_be_used_are_told() {
+fn unusable_arguments_are_reported() {
     let error = played("# first\nRun \"lab --sed 3\"").unwrap_err();
     assert!(matches!(&error, PlayError::Run { line: 2, message }
         if message.contains("'--sed'")));
@@ -283,7 +283,7 @@ fn each_instruction_does_what_it_says() {
 }
 
 #[test]
-fn what_is_set_reaches_the_app() {
+fn settings_reach_the_app() {
     let open = |arguments: &str| {
         assert_eq!(arguments, "lab --seed 3");
         Ok(App::new(Place::Home, Settings::default(), 3))

@@ -1,6 +1,6 @@
-// A pupil's way to the class whose host has served this page: one WebSocket to where the page
-// came from. When to call again is the program's business; what brings the pupil back to
-// their place is kept here.
+// Connects a pupil to the class whose host has served this page, by one WebSocket to the page's
+// own address. The program decides when to reconnect; the token that returns a pupil to their
+// seat is kept here.
 
 const classroom = (() => {
   const KEY = "carrom-seat";
@@ -36,7 +36,7 @@ const classroom = (() => {
     line.onclose = lost;
   }
 
-  // Not every browser keeps something for every page.
+  // Some browsers store nothing for some pages.
   function kept() {
     try {
       return JSON.parse(localStorage.getItem(KEY));
@@ -51,7 +51,7 @@ const classroom = (() => {
     } catch {}
   }
 
-  // What this page opens with: who was in this class before is not asked again.
+  // The link that this page opens: a pupil who was in this class before is not asked again.
   function fragment() {
     const given = address.fragment();
     if (!isHere()) return given;
@@ -71,7 +71,7 @@ const classroom = (() => {
     return given || "join";
   }
 
-  // A phone that slept may not know that it has lost the class.
+  // A phone that slept may not know that its connection is lost.
   function awake() {
     const slept = performance.now() - hidden;
     if (line && (line.readyState > WebSocket.OPEN || slept > 3000)) {
@@ -88,7 +88,7 @@ const classroom = (() => {
     addEventListener("pageshow", (event) => event.persisted && awake());
   }
 
-  // Whether a class has served this page, and not a disk or a school's own server.
+  // Whether the host of a class has served this page, not a disk or a school's server.
   const isHere = () => "class" in document.documentElement.dataset;
 
   return { does, start, fragment };

@@ -1,4 +1,4 @@
-// What hands do: keys, the mouse, fingers, and the keys of the moment as buttons.
+// Input: keys, the mouse and fingers, and the current keys as buttons.
 
 const input = (() => {
   const NAMED = {
@@ -12,7 +12,7 @@ const input = (() => {
   const layer = document.getElementById("layer");
   const typing = document.getElementById("typing");
   let say = () => {};
-  // Stands in the field of the menu's keyboard, so that there is something to delete.
+  // Content of the field of the menu's keyboard, so that there is something to delete.
   const FILLER = "\u200b";
   let digits = false, shown = "", likely = null, last = [], own = [], composed = "";
 
@@ -64,14 +64,14 @@ const input = (() => {
     }
   }
 
-  // Does what a key in a field does that goes on or elsewhere, and follows it there.
+  // Carries out a key that moves on or away from a field, and moves the focus with it.
   function leave(name) {
     panels.follow();
     key(name);
   }
 
-  // What comes of a phone's keyboard where there is no field. It deletes only what there is,
-  // and may change a word until it is composed.
+  // Input of a phone's keyboard without a field. It deletes only existing text, and may change a
+  // word until it is composed.
   function typed({ type, isComposing }) {
     const now = typing.value;
     if (now.startsWith(FILLER)) panels.retype(composed, now.slice(FILLER.length));
@@ -87,7 +87,7 @@ const input = (() => {
     for (const kind of ["down", "up"]) say({ do: "mouse", kind, x: x + 0.5, y: y + 0.5 });
   }
 
-  // The menu, with what can be set on every screen.
+  // The menu, with the settings that every screen has.
   function openMenu() {
     const sets = ({ id }) => /^everywhere\.(charset|theme|motion)$/.test(id);
     const choices = own.filter(sets).map(({ keys, help }) => {
@@ -110,10 +110,10 @@ const input = (() => {
 
   function pressed(event) {
     if (event.ctrlKey !== event.altKey || event.metaKey) return;
-    // The keyboard's own, which composes a word; all but an Enter that it hands on.
+    // A keyboard that composes a word handles its own keys, except an Enter that it passes on.
     if (event.keyCode === 229 || (event.isComposing && event.key !== "Enter")) return;
     const letter = [...event.key].length === 1 && event.key !== " " ? event.key : null;
-    // In a field the keys are the field's, but for those that go on or elsewhere.
+    // In a field, keys belong to the field, except those that move on or away.
     if (event.target.closest?.("#screen") && isTyped(event.target)) {
       if (!["Enter", "ArrowUp", "ArrowDown"].includes(event.key)) return;
       event.preventDefault();
@@ -134,7 +134,7 @@ const input = (() => {
     key(name || letter);
   }
 
-  // The mouse is told as it is over a picture; a finger drags there.
+  // Mouse movements are reported over a picture; a finger drags there.
   let hand = null;
 
   function tell(kind, canvas, event) {
@@ -176,7 +176,7 @@ const input = (() => {
     }
   }
 
-  // Shows the keys of the moment: others than before, or beside other elements.
+  // Shows the current keys if they, or the elements beside them, have changed.
   function show(rows = last) {
     last = rows;
     const state = panels.state();
@@ -191,7 +191,7 @@ const input = (() => {
     panels.leaveOut(likely);
   }
 
-  // Fades the edge of the row while there are more buttons behind it.
+  // Fades the edge of the row while more buttons are hidden behind it.
   function markEdge() {
     const row = bar.querySelector(".row");
     if (!row) return;
@@ -227,7 +227,7 @@ const input = (() => {
     return node;
   }
 
-  // The buttons of what lies over the screen.
+  // The buttons of a layer over the screen.
   function answers(rows) {
     const named = rows.filter(({ name }) => name && name !== "scroll");
     const isHelp = layer.className === "help";
@@ -236,9 +236,9 @@ const input = (() => {
     layer.querySelector(".answers").replaceChildren(...nodes);
   }
 
-  // One button for what is likeliest, and a row of small ones. What is an element on the
-  // screen has none here: fields, choices, other prompts; and q has none, for a page is left
-  // as pages are.
+  // One button for the likeliest action, and a row of small ones. Actions of elements on the
+  // screen (fields, choices, other prompts) have none here; nor has q, because a page is left in
+  // the browser's own way.
   function layout(rows, state) {
     const { prompt, prompts, hasFields, hasNumber, hasChoices } = state;
     const row = panels.make("div", "row");
@@ -266,7 +266,7 @@ const input = (() => {
       }
       if (!name) continue;
       if (["Enter", "Space"].includes(keys[0])) {
-        // A step of a value is on the screen to be tapped.
+        // The screen itself has buttons for the steps of a value.
         if (hasFields && /value|change/.test(name)) continue;
         const isPrompt = prompt && prompt.key === keys[0];
         if (likely && ["Enter", "Space"].includes(likely.key)) {
@@ -274,7 +274,7 @@ const input = (() => {
         } else likely = isPrompt ? prompt : { is: "prompt", words: name, key: keys[0] };
         continue;
       }
-      // Choices are on the screen to be tapped.
+      // The choices on the screen can be tapped.
       if (hasChoices && keys.every((it) => /^[0-9a-h]$/.test(it)) && keys.length > 1) continue;
       const letters = keys.filter((it) => !(it in ARROWS));
       if (letters.some((it) => prompts.includes(it))) continue;
@@ -309,7 +309,7 @@ const input = (() => {
     return [primary, row];
   }
 
-  // Goes back, or leaves what lies over the screen.
+  // Goes back, or closes the layer over the screen.
   function back() {
     const row = last.find(({ id, keys }) => id === "everywhere.back" || keys[0] === "Escape");
     key(row ? row.keys[0] : "Escape");

@@ -1,4 +1,4 @@
-// The page: it opens carrom, lets time pass while something moves, and does what it asks.
+// The page: opens carrom, passes it the time while something moves, and carries out its requests.
 
 const page = (() => {
   const body = document.body;
@@ -51,7 +51,7 @@ const page = (() => {
       isBehind ||= await keeper.isBehind();
       catchUp();
     });
-    // What could not be kept is lost with the page.
+    // Data that could not be saved is lost with the page.
     addEventListener("beforeunload", (event) => {
       if (!last.owed) return;
       event.preventDefault();
@@ -59,7 +59,7 @@ const page = (() => {
     });
   }
 
-  // Whether this browser has all that is needed.
+  // Whether this browser has everything that carrom needs.
   function isAble() {
     // One function that uses vectors of the processor.
     const simd = new Uint8Array([
@@ -105,7 +105,7 @@ const page = (() => {
     heed(reply);
     if (isPlain) return schedule();
     draw();
-    // Now that head and foot are there it is known what they take.
+    // Measured again, now that head and foot are there.
     fit();
   }
 
@@ -115,10 +115,10 @@ const page = (() => {
     game.style.height = height && height < innerHeight - 1 ? `${height}px` : "";
   }
 
-  // How many cells there are, and how large pictures are among them.
+  // The number of cells, and the size of pictures in cells.
   const room = () => painter.fit(innerWidth, innerHeight - foot());
 
-  // What head and foot of the page take.
+  // The height of the page's head and foot.
   function foot() {
     const of = (name) => game.querySelector(name).offsetHeight;
     return game.hidden ? 120 : of("header") + of("nav");
@@ -134,8 +134,8 @@ const page = (() => {
     speak({ do: "resize", ...now });
   }
 
-  // Says something to the program, and does what follows; gives what it has told, unless it
-  // stopped.
+  // Sends a command to the program and carries out the reply; returns the reply unless the
+  // program has stopped.
   function speak(command, bytes) {
     try {
       pass();
@@ -176,7 +176,7 @@ const page = (() => {
     if (reply.keep) {
       keeper.keep(kept, () => speak({ do: "slow" }));
     }
-    // A page is not left: it begins again.
+    // A page cannot quit: it starts again.
     if (reply.quit && isPlain) plain.over();
     else if (reply.quit) reopen();
   }
@@ -189,7 +189,7 @@ const page = (() => {
   }
   let isAsked = false;
 
-  // Lets the time pass that has passed, while something moves.
+  // Passes the elapsed time to the program while something moves.
   function pass() {
     const now = performance.now();
     const ms = now - lived;
@@ -199,7 +199,7 @@ const page = (() => {
     outdated = true;
   }
 
-  // Wakes when there is something to draw or something moves, and else never.
+  // Wakes only if there is something to draw or something moves.
   function schedule() {
     if (frame) return;
     const soon = outdated || (last.wake_ms !== null && last.wake_ms <= 17);
@@ -320,7 +320,7 @@ const page = (() => {
     say("Something went wrong in carrom, and it stopped.\nYour answers are saved. Reload the page to continue.");
   }
 
-  // For tests: so many ms pass, and what they bring is drawn.
+  // For tests: lets this many ms pass and draws the result.
   function step(ms) {
     program.call({ do: "pass", ms });
     draw();
@@ -329,7 +329,7 @@ const page = (() => {
   return { start, step, isReady: () => ready, seen: () => ({ ...seen }) };
 })();
 
-// For tests, which drive a carrom of their own with these.
+// For tests, which drive a carrom of their own with these functions.
 window.carrom = {
   call: program.call, cells: program.cells, isReady: page.isReady, seen: page.seen,
   step: page.step, show: panels.show,

@@ -1,6 +1,6 @@
-// The words of the screen as elements: what the program says of it becomes headings, tables,
-// choices, fields and buttons. Nodes stay as long as they mean the same; only what has changed
-// is touched.
+// The words of the screen as elements: the program's description becomes headings, tables, choices,
+// fields and buttons. A node stays as long as its item means the same, and only changed nodes are
+// touched.
 
 const panels = (() => {
   const screen = document.getElementById("screen");
@@ -8,7 +8,7 @@ const panels = (() => {
   const act = { key() {}, press() {}, copy() {} };
   let sheets = [], wasAt = "", prompt = null;
 
-  // A number with what stands behind it, as far as it has been typed.
+  // A number, perhaps not typed completely, with the unit behind it.
   const NUMBER = /^([−-]?[\d.,]*_?)(?: ?(.*))?$/;
 
   function make(name, kind, ...inside) {
@@ -55,7 +55,7 @@ const panels = (() => {
     }));
   }
 
-  // Does what stands at the cell of an item, or what its key does.
+  // Carries out the action at an item's cell, or that of its key.
   const does = (item) => {
     if (item.is === "prompt" && item.key) act.key(item.key);
     else if (item.press) act.press(item.press);
@@ -69,12 +69,12 @@ const panels = (() => {
     return node;
   }
 
-  // Does something when a button is pressed. Not by clicks alone: a browser leaves out a click
-  // that follows a swipe, and gives one that follows a change to what is there by then.
+  // Acts when a button is pressed. Clicks alone are not enough: a browser omits a click after a
+  // swipe, and sends a click after a change to whatever is there by then.
   function pressed(node, act) {
     let held = false;
     node.addEventListener("click", (event) => {
-      // The keyboard is the game's again after a click.
+      // Return the keyboard to the game after a click.
       if (event.detail > 0) node.blur();
       act();
     });
@@ -91,7 +91,7 @@ const panels = (() => {
     });
   }
 
-  // Does something again and again while a button is held.
+  // Repeats an action while a button is held.
   function repeats(node, step) {
     let timer = 0;
     const end = () => clearTimeout(timer);
@@ -115,7 +115,7 @@ const panels = (() => {
   // On a button, what is chosen has its colour by being chosen.
   const plain = (run) => (run.role === "selected" ? { ...run, role: "text" } : run);
 
-  // What follows belongs together: values, rows of a table, choices.
+  // Items that belong together if they follow each other: values, rows of a table, choices.
   const isChoice = (item) => item.chosen !== null && ["text", "pair", "large"].includes(item.is);
   function kindOf(item) {
     if (item.is === "pair" && !isChoice(item)) return "facts";
@@ -134,7 +134,7 @@ const panels = (() => {
       const kind = kindOf(item);
       const last = all[all.length - 1];
       const joins = ["facts", "columns", "choices", "field", "text-field", "list", "tab", "prompt"];
-      // Choices stay one group, whatever air is between them.
+      // Choices stay one group, whatever space is between them.
       const near = !apart || ["choices", "field", "text-field"].includes(kind);
       if (last && last.kind === kind && near && joins.includes(kind)) last.items.push(item);
       else all.push({ kind, apart, items: [item] });
@@ -348,7 +348,7 @@ const panels = (() => {
       const [less, more] = [make("button", "", "−"), make("button", "", "+")];
       const node = make("div", "field number", name, less, input, unit, more);
       Object.assign(input, { inputMode: "decimal", autocomplete: "off", enterKeyHint: "done" });
-      // What has been typed of a number, as far as the game knows it.
+      // The typed part of a number that the game knows.
       let typed = "", shown = "", isTyped = false, item = null;
       for (const [way, key] of [[less, "Left"], [more, "Right"]]) {
         way.type = "button";
@@ -403,7 +403,7 @@ const panels = (() => {
     const node = make("div", "field typed", name, input);
     Object.assign(input, { autocomplete: "off", spellcheck: false, enterKeyHint: "next" });
     for (const kind of ["autocapitalize", "autocorrect"]) input.setAttribute(kind, "off");
-    // What the game has of it, also before that is shown.
+    // The game's text, perhaps not shown yet.
     let item = null, sent = "", isComposing = false;
     // A phone's keyboard composes each word, and a tap on a button does not end that: so what
     // is being composed is sent too.
@@ -436,7 +436,7 @@ const panels = (() => {
     return node;
   }
 
-  // Types what makes one text of another, as far as they differ at the end.
+  // Types the difference between two texts, which is at their ends.
   function retype(old, wanted) {
     const [from, to] = [[...old], [...wanted]];
     let same = 0;
@@ -445,14 +445,14 @@ const panels = (() => {
     for (const letter of to.slice(same)) act.key(letter === " " ? "Space" : letter);
   }
 
-  // Shows in the field with the focus what the game has made of it, after each frame: it may
-  // take less than was typed.
+  // After each frame, shows the game's text in the focused field: the game may accept less than
+  // was typed.
   function settle() {
     justChosen = null;
     document.activeElement?.closest(".field")?.settle?.();
   }
 
-  // Has the focus go with the game to the field that is chosen next, or away where none is.
+  // Moves the focus with the game to the field that is chosen next, or away if there is none.
   const follow = () => (isFollowing = true);
   let isFollowing = false;
 
@@ -495,7 +495,7 @@ const panels = (() => {
     return node;
   }
 
-  // Shows what the program says; sections that are as they were are not told again.
+  // Shows the program's description; the program does not repeat unchanged sections.
   function show(told) {
     sheets = told.map((sheet, at) => ({
       ...sheet,
@@ -551,13 +551,13 @@ const panels = (() => {
     }, 500);
   }
 
-  // Scrolling to what is seen anyway would move the place from which Tab goes on.
+  // Scrolling to a visible element would move the place from which Tab continues.
   function isSeen(node) {
     const [own, round] = [node.getBoundingClientRect(), screen.getBoundingClientRect()];
     return own.top >= round.top && own.bottom <= round.bottom;
   }
 
-  // What lies over the screen, as a dialog: all below it is inert.
+  // The layer over the screen, as a dialog: everything below it is inert.
   function showLayer(sheet) {
     if (!sheet) {
       if (layer.open) layer.close();
@@ -579,14 +579,14 @@ const panels = (() => {
     }
   };
 
-  // Leaves a prompt out that stands at the foot.
+  // Leaves out the prompt that the foot shows.
   function leaveOut(item) {
     for (const node of screen.querySelectorAll(".prompt")) {
       node.hidden = Boolean(item) && node.item.words === item.words && node.item.key === item.key;
     }
   }
 
-  // What is there to do: the likeliest prompt, and whether fields and choices are elements.
+  // The likeliest prompt, and whether fields and choices are elements.
   const state = () => ({
     prompt,
     prompts: [...screen.querySelectorAll(".prompt")].map(({ item }) => item.key),

@@ -205,7 +205,7 @@ pub struct Reply {
     pub wake_ms: Option<f64>,
     /// Whether something is to be kept.
     pub keep: bool,
-    /// How many things could not be kept so far.
+    /// How many things could not be saved so far.
     pub owed: usize,
     /// Whether carrom was left.
     pub quit: bool,

@@ -80,7 +80,7 @@ pub(crate) fn path(name: &str, bytes: &[u8]) -> Option<String> {
 /// carrom has to be opened again to show it.
 ///
 /// # Errors
-/// What is wrong with it, in words.
+/// The fault in words.
 pub(crate) fn take_in(
     keeping: &mut PageStorage,
     name: &str,

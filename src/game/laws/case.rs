@@ -1,4 +1,4 @@
-//! All that the rules look at, and what they can decide.
+//! The facts that the rules use, and their possible decisions.
 
 use super::Law;
 use crate::game::pieces::{COINS_EACH, Colour};
@@ -19,8 +19,7 @@ pub(crate) enum QueenBefore {
     Covered(Colour),
 }
 
-/// A stroke in numbers: what lay on the board before it, what fell, and what
-/// the score and the debts were.
+/// A stroke in numbers: the pieces on the board before it, those that fell, the score and the dues.
 ///
 /// "Own" is the colour of the player who struck.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,8 +38,8 @@ pub(crate) struct Case {
     pub(crate) striker_fell: bool,
     /// Whether the striker touched any piece.
     pub(crate) touched: bool,
-    /// While the pack is unbroken: how many strokes this player has already
-    /// spent on it. `None` once the break is made.
+    /// While the pack is unbroken: how many strokes this player has already made at it. `None`
+    /// after the break.
     pub(crate) break_tries: Option<u8>,
     /// Whether the player owes a coin.
     pub owes: bool,
@@ -70,7 +69,7 @@ impl Side {
         self.before == COINS_EACH
     }
 
-    /// What the queen is worth to it, should it win the board (25b, 27).
+    /// The value of the queen if this side wins the board (25b, 27).
     pub(super) const fn queen_worth(&self) -> u8 {
         if self.score < QUEEN_WORTHLESS_FROM {
             QUEEN_POINTS
@@ -112,7 +111,7 @@ pub(crate) enum TurnFate {
 pub(crate) struct Verdict {
     /// The law that decides; `None` for a rule of the house.
     pub law: Option<Law>,
-    /// What happened and what it means, in one sentence.
+    /// What happened and its consequence, in one sentence.
     pub text: String,
     /// Own coins that are put back at once.
     pub(crate) own_back: u8,
@@ -164,7 +163,7 @@ impl Verdict {
         self.queen_if(true, queen)
     }
 
-    /// What becomes of the queen in this case; in any other she stays.
+    /// The verdict with this change of the queen; otherwise she stays.
     pub(super) fn queen_if(mut self, case: bool, queen: QueenFate) -> Self {
         if case {
             self.queen = queen;

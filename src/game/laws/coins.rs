@@ -3,7 +3,7 @@
 use super::case::{Case, Verdict, coins};
 use super::ruling::Law;
 
-/// The verdict on a stroke that has nothing to do with break, queen or end.
+/// The verdict on a stroke that does not concern the break, the queen or the end.
 pub(super) fn judge(case: &Case) -> Verdict {
     if case.striker_fell {
         striker_fell(case)
@@ -22,7 +22,8 @@ fn proper(case: &Case) -> Verdict {
         (0, _) => Verdict::passes(
             law,
             format!(
-                "{player} pocketed {others} and no own coin: what fell stays down and the turn passes."
+                "{player} pocketed {others} and none of its own: what fell stays down and the turn \
+                 passes."
             ),
         ),
         (_, 0) => Verdict::continues(
@@ -47,15 +48,24 @@ fn striker_fell(case: &Case) -> Verdict {
         ),
         (0, _) => Verdict::passes(
             Law::new(47),
-            format!("The striker fell with {others}: what fell stays down, {player} owes one coin and the turn passes."),
+            format!(
+                "The striker fell with {others}: what fell stays down, {player} owes one coin \
+                 and the turn passes."
+            ),
         ),
         (_, 0) => Verdict::continues(
             Law::new(46),
-            format!("The striker fell with {own}: what fell comes back and one more is due, but {player}'s turn continues."),
+            format!(
+                "The striker fell with {own}: what fell comes back and one more is due, but \
+                 {player}'s turn continues."
+            ),
         ),
         _ => Verdict::continues(
             Law::new(48),
-            format!("The striker fell with {own} and {others}: only {player}'s come back, one more is due, and the turn continues."),
+            format!(
+                "The striker fell with {own} and {others}: only {player}'s come back, one more \
+                 is due, and the turn continues."
+            ),
         ),
     }
     .own_back(case.own.fell)

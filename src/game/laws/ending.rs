@@ -8,7 +8,7 @@ pub(crate) const MOST_POINTS: u8 = 12;
 
 /// The verdict on a stroke that ends the board; `None` if it goes on.
 ///
-/// What the Laws leave open is read in the spirit of their neighbours:
+/// Cases that the Laws leave open follow the nearest law:
 ///
 /// - Both last coins fall properly, with the queen covered before: the player
 ///   wins by the queen, or by 1 where she is worth nothing or is the opponent's
@@ -113,8 +113,8 @@ fn player_finished(case: &Case, other_left: u8) -> Option<Verdict> {
     Some(won(case, 25, other_left + queen, why).queen(fate))
 }
 
-/// What a board brings that is decided by the queen alone: her points, or 1
-/// where she has none any more (75 to 82).
+/// The points of a board that the queen alone decides: hers, or 1 if she has no value any more (75
+/// to 82).
 const fn worth_at_least_one(queen: u8) -> u8 {
     if queen == 0 { 1 } else { queen }
 }

@@ -44,7 +44,7 @@ fn ending(case: &Case) -> Option<Verdict> {
     } else {
         0
     };
-    // Both colours may be cleared at once; to win is worth a point even then.
+    // Both colours may be cleared at once; a win brings a point even then.
     let by = (left + queen).max(1);
     let text = format!(
         "All {} coins are down, so {winner} wins by {}.",
@@ -57,7 +57,8 @@ fn ending(case: &Case) -> Option<Verdict> {
 fn striker_fell(case: &Case) -> Verdict {
     let player = case.colour;
     let text = format!(
-        "The striker fell, so one of {player}'s coins goes back, if there is one, and the turn passes."
+        "The striker fell, so one of {player}'s coins goes back, if there is one, and the turn \
+         passes."
     );
     let queen_open = case.queen_fell || case.queen == QueenBefore::ToCover;
     Verdict::passes(None, text)
@@ -73,7 +74,8 @@ fn proper(case: &Case) -> Verdict {
         (0, true) if case.queen_fell => Verdict::continues(
             None,
             format!(
-                "{player} pocketed the queen and must cover her with an own coin in the next stroke."
+                "{player} pocketed the queen and must cover her with one of its coins in the next \
+                 stroke."
             ),
         ),
         (0, true) => Verdict::passes(
@@ -85,7 +87,7 @@ fn proper(case: &Case) -> Verdict {
         .queen(QueenFate::GoesBack),
         (0, false) => Verdict::passes(
             None,
-            format!("{player} pocketed no own coin, so the turn passes."),
+            format!("{player} pocketed none of its coins, so the turn passes."),
         ),
         (_, true) => Verdict::continues(
             None,

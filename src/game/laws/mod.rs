@@ -1,8 +1,8 @@
-//! The referee: what the rules say of a stroke.
+//! The referee: the verdict of the rules on a stroke.
 //!
-//! A [`Case`] is all that the rules look at, in numbers of coins; a [`Verdict`]
-//! is what follows from it. Neither knows where anything lies. Each file holds
-//! one chapter of the Laws of Carrom of the International Carrom Federation:
+//! A [`Case`] contains the facts that the rules use, as numbers of coins; a [`Verdict`] is the
+//! decision. Neither contains positions. Each file holds one chapter of the Laws of Carrom of the
+//! International Carrom Federation:
 //!
 //! | file | laws |
 //! |---|---|
@@ -13,15 +13,13 @@
 //! | `friendly` | the rules of most families |
 //! | `practice` | no rules at all |
 //!
-//! What cannot happen on a screen is left out: pushing, touching coins, the
-//! hand beyond the arrows, jumping coins (38, 39), coins on edge or on top of
-//! each other (40 to 43), playing out of turn (24), and so every law that begins
-//! "by an improper stroke" (49, 50 and the second half of 71 to 85). The striker
-//! cannot be struck from an illegal place because it cannot be put there, and no stroke
-//! clock runs (23), so there are no fouls (36, 37).
-//! Where the Laws grant a point "if demanded", it is always demanded, and a due
-//! is never forgone (53, 60). Sides are not changed (31 to 34): on a screen all are
-//! alike.
+//! Cases that cannot happen on a screen are left out: pushing, touching coins, the hand beyond the
+//! arrows, jumping coins (38, 39), coins on edge or on top of each other (40 to 43), playing out of
+//! turn (24), and so every law that begins "by an improper stroke" (49, 50 and the second half of
+//! 71 to 85). The striker cannot be struck from an illegal place because it cannot be put there,
+//! and no stroke clock runs (23), so there are no fouls (36, 37). Where the Laws grant a point "if
+//! demanded", it is always demanded, and a due is never forgone (53, 60). Sides are not changed (31
+//! to 34): on a screen they are all the same.
 //!
 //! Carrying a verdict out, from dues that wait (45b, 51) to the place where a piece
 //! is laid (62b, 66, 67) and the order of turns (22), is for `play`, `free_place`
@@ -46,7 +44,7 @@ use serde::{Deserialize, Serialize};
 
 use super::pieces::Colour;
 
-/// Which rules are played; "friendly" in a word.
+/// The rules of a game; "friendly" as one word.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, strum::IntoStaticStr,
 )]
@@ -62,7 +60,7 @@ pub enum Rules {
     Practice,
 }
 
-/// What the rules say of a stroke.
+/// The verdict of the rules on a stroke.
 pub(crate) fn judge(rules: Rules, case: &Case) -> Verdict {
     match rules {
         Rules::Tournament => opening::judge(case)
@@ -74,9 +72,9 @@ pub(crate) fn judge(rules: Rules, case: &Case) -> Verdict {
     }
 }
 
-/// The verdict when coins bar every place for the striker. The Laws do not
-/// foresee it; the turn passes without a penalty.
+/// The verdict if coins block every position of the striker. The Laws do not foresee it; the turn
+/// passes without a penalty.
 pub(crate) fn no_place(player: Colour, to_cover: bool) -> Verdict {
-    let text = format!("Coins bar every place for the striker, so {player}'s turn passes.");
+    let text = format!("Coins block every position of the striker, so {player}'s turn passes.");
     Verdict::passes(None, text).queen_if(to_cover, QueenFate::GoesBack)
 }

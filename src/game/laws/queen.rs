@@ -19,19 +19,26 @@ fn covering(case: &Case) -> Verdict {
     match (case.own.fell, case.striker_fell) {
         (0, false) => Verdict::passes(
             Law::new(69),
-            format!("No coin of {player} fell to cover the queen, so she goes back to the centre and the turn passes."),
+            format!(
+                "No coin of {player} fell to cover the queen, so she goes back to the centre \
+                 and the turn passes."
+            ),
         )
         .queen(QueenFate::GoesBack),
         (0, true) => Verdict::passes(
             Law::clause(73, 'a'),
-            format!("{player} pocketed the striker instead of a cover, so the queen goes back, one coin is due and the turn passes."),
+            format!(
+                "{player} pocketed the striker instead of a cover, so the queen goes back, one \
+                 coin is due and the turn passes."
+            ),
         )
         .one_due()
         .queen(QueenFate::GoesBack),
         (own, true) => Verdict::continues(
             Law::clause(74, 'a'),
             format!(
-                "The striker fell along with the cover, so {} and one due come out, and {player}'s next stroke must cover the queen.",
+                "The striker fell along with the cover, so {} and one due come out, and {player}'s \
+                 next stroke must cover the queen.",
                 coins(own, player)
             ),
         )
@@ -39,7 +46,10 @@ fn covering(case: &Case) -> Verdict {
         .one_due(),
         (_, false) => Verdict::continues(
             Law::new(65),
-            format!("{player} pocketed an own coin after the queen, so she is covered and the turn continues."),
+            format!(
+                "{player} pocketed one of its coins after the queen, so she is covered and the \
+                 turn continues."
+            ),
         )
         .queen(QueenFate::Covered),
     }
@@ -54,20 +64,27 @@ fn pocketed(case: &Case) -> Verdict {
     match (case.own.fell, case.striker_fell) {
         (0, true) if case.own.had_all() => Verdict::passes(
             Law::clause(68, 'd'),
-            format!("The striker fell with the queen while all nine coins of {player} were on the board, so she goes back, one coin is due and the turn passes."),
+            format!(
+                "The striker fell with the queen while all nine coins of {player} were on the \
+                 board, so she goes back, one coin is due and the turn passes."
+            ),
         )
         .one_due()
         .queen(QueenFate::GoesBack),
         (0, true) => Verdict::continues(
             Law::clause(72, 'a'),
-            format!("The striker fell with the queen, so she goes back and one coin is due, but {player}'s turn continues."),
+            format!(
+                "The striker fell with the queen, so she goes back and one coin is due, but \
+                 {player}'s turn continues."
+            ),
         )
         .one_due()
         .queen(QueenFate::GoesBack),
         (own, true) => Verdict::continues(
             Law::clause(71, 'a'),
             format!(
-                "The striker fell with the queen and {}, so all come back and one coin is due, but {player}'s turn continues.",
+                "The striker fell with the queen and {}, so all come back and one coin is due, but \
+                 {player}'s turn continues.",
                 coins(own, player)
             ),
         )
@@ -76,7 +93,10 @@ fn pocketed(case: &Case) -> Verdict {
         .queen(QueenFate::GoesBack),
         (0, false) if !case.may_take_queen => Verdict::passes(
             Law::clause(68, 'a'),
-            format!("{player} had not pocketed an own coin before the queen, so she goes back and the turn passes."),
+            format!(
+                "{player} had not pocketed a coin of its own before the queen, so she goes \
+                 back and the turn passes."
+            ),
         )
         .queen(QueenFate::GoesBack),
         (0, false) => {
@@ -87,26 +107,36 @@ fn pocketed(case: &Case) -> Verdict {
             };
             Verdict::continues(
                 number,
-                format!("{player} pocketed the queen and must cover her with an own coin in the next stroke."),
+                format!(
+                    "{player} pocketed the queen and must cover her with one of its coins in \
+                     the next stroke."
+                ),
             )
         }
         (1, false) if case.own.had_all() => Verdict::continues(
             Law::clause(70, 'b'),
-            format!("With all nine coins of {player} on the board, one coin falling with the queen does not cover her: the next stroke must."),
+            format!(
+                "With all nine coins of {player} on the board, one coin falling with the queen \
+                 does not cover her: the next stroke must."
+            ),
         ),
         (own, false) => {
             let law = Law::clause(70, if case.own.had_all() { 'b' } else { 'a' });
             Verdict::continues(
                 law,
-                format!("{player} pocketed {} with the queen, so she is covered and the turn continues.", coins(own, player)),
+                format!(
+                    "{player} pocketed {} with the queen, so she is covered and the turn \
+                     continues.",
+                    coins(own, player)
+                ),
             )
             .queen(QueenFate::Covered)
         }
     }
 }
 
-/// The queen fell while the player owed a coin: she goes back whatever fell with
-/// her, and the turn is lost.
+/// The queen fell while the player owed a coin: she goes back whatever fell with her, and the turn
+/// passes.
 fn pocketed_in_debt(case: &Case) -> Verdict {
     let player = case.colour;
     let verdict = Verdict::passes(

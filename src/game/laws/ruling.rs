@@ -53,18 +53,18 @@ impl fmt::Display for Law {
 pub struct Ruling {
     /// The law; `None` for a rule of the friendly or practice game.
     pub law: Option<Law>,
-    /// What happened and why it counts so, in one plain sentence.
+    /// What happened and the reason for the decision, in one sentence.
     pub text: String,
     /// What was done on the board and in the score, in that order.
     pub effects: Vec<RulingEffect>,
 }
 
-/// Something that a ruling changes.
+/// A change made by a ruling.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RulingEffect {
     /// A coin or the queen was put back here.
     PutBack(Coin),
-    /// That many coins are still owed, for want of a pocketed one.
+    /// This many coins are still owed, because none is in a pocket.
     StillOwed(Colour, u8),
     /// The queen is covered and belongs to this colour.
     QueenCovered(Colour),

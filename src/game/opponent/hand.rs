@@ -1,4 +1,4 @@
-//! The hand that strikes: never quite as straight nor as fast as was meant.
+//! The hand that strikes, with errors of direction and speed.
 
 use glam::DVec2;
 use rand::RngExt;
@@ -11,7 +11,7 @@ pub const FASTEST: f64 = 4.0;
 
 /// How unsteady a hand is: the standard deviations of its normal errors.
 ///
-/// The striker is placed without error; a placed striker can be looked at.
+/// The striker is placed without error, because a player can check its position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hand {
     /// Error of the direction, as the tangent of the angle: practically radians.
@@ -20,10 +20,10 @@ pub struct Hand {
     pub speed: f64,
 }
 
-/// By how much one stroke slips from what was meant.
+/// The error of one stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Slip {
-    /// Tangent of the angle by which the direction turns, positive to the left.
+    /// Tangent of the error of the direction, positive to the left.
     pub turn: f64,
     /// Change of the speed, as a share of it.
     pub push: f64,
@@ -34,7 +34,7 @@ impl Hand {
         Self { direction, speed }
     }
 
-    /// A slip of this hand.
+    /// A random error of this hand.
     pub(super) fn slip(self, chance: &mut Pcg64) -> Slip {
         Slip {
             turn: self.direction * normal(chance),
@@ -44,8 +44,8 @@ impl Hand {
 }
 
 impl Slip {
-    /// The stroke that comes of `meant`. The speed stays above a fifth of what was
-    /// meant and below [`FASTEST`].
+    /// The stroke that results from `meant`. The speed stays above a fifth of the intended one and
+    /// below [`FASTEST`].
     pub fn applied_to(self, meant: Motion) -> Motion {
         let speed = meant.velocity.length();
         let pushed = (speed * (1.0 + self.push).max(0.2)).min(FASTEST.max(speed));
@@ -57,9 +57,8 @@ impl Slip {
     }
 }
 
-/// A number from the standard normal distribution, as near as twelve even numbers
-/// add up to it (Irwin and Hall): within ±6, and without the logarithm that no two
-/// machines need round alike.
+/// A number from approximately the standard normal distribution, as a sum of twelve uniform numbers
+/// (Irwin and Hall): within ±6, and without a logarithm, which machines round differently.
 fn normal(chance: &mut Pcg64) -> f64 {
     (0..12).map(|_| chance.random::<f64>()).sum::<f64>() - 6.0
 }

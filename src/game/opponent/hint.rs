@@ -1,4 +1,4 @@
-//! A hint for the player: the same search, told in two steps.
+//! A hint for the player: the same search, shown in two steps.
 
 use super::story::Reason;
 use super::words::{self, Teller};
@@ -9,14 +9,13 @@ use crate::physics::Motion;
 /// The best stroke that was found for the player.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StrokeHint {
-    /// Where the striker stands in it.
+    /// The position of the striker.
     pub stand: Stand,
-    /// The stroke, if it is struck exactly so.
+    /// The exact stroke.
     pub stroke: Motion,
-    /// What it does.
+    /// Its effect.
     pub reason: Reason,
-    /// Whether the striker falls in it all the same, because no stroke was found in
-    /// which it does not.
+    /// Whether the striker falls too, because no stroke was found in which it does not.
     pub fouls: bool,
 }
 
@@ -34,7 +33,7 @@ impl StrokeHint {
                 };
                 let cushion = match fall.cushions {
                     0 => "",
-                    _ => " It can go by a cushion.",
+                    _ => " It can go off a cushion.",
                 };
                 format!(
                     "Look at the {} and the {pocket}.{driven}{cushion}",
@@ -49,7 +48,7 @@ impl StrokeHint {
         }
     }
 
-    /// The second step: where to stand, where to aim and how hard, and why.
+    /// The second step: the striker's position, the aim and the speed, and why.
     pub fn how(&self) -> String {
         let place = self.stand.phrase();
         let aim = self
@@ -66,7 +65,7 @@ impl StrokeHint {
             told = format!("{told} {why}");
         }
         if self.fouls {
-            told += " Mind: the striker will fall too. No stroke without that was found.";
+            told += " But the striker will fall too. No stroke was found that avoids that.";
         }
         told
     }

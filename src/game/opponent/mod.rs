@@ -1,22 +1,21 @@
-//! The computer opponent: finds a stroke by playing it in its head.
+//! The computer opponent: finds a stroke by simulation.
 //!
-//! Geometry proposes strokes in closed form; the engine plays the most forgiving of
-//! them; the laws judge what came of each; the best are played again as the hand
-//! might slip. What is chosen depends on the game, the strength and the seed alone:
-//! the search counts shots, not time, and chooses by + − × ÷ √ only, so that every
-//! machine finds the same stroke.
+//! Geometry proposes strokes in closed form; the engine plays those with the largest tolerance; the
+//! laws judge each result; the best are played again with errors of the hand. The choice depends
+//! only on the game, the strength and the seed: the search is limited by a number of shots, not by
+//! time, and uses only + − × ÷ √, so every machine finds the same stroke.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `sight` | clear ways, pockets, the image behind a cushion |
 //! | `shots` | cuts, combinations and cushion shots, put together from the pocket back |
 //! | `wants` | which pieces a player wants to pocket |
-//! | `rehearsal` | a stroke played in the mind |
-//! | `worth` | what a position is worth |
+//! | `rehearsal` | a simulated stroke |
+//! | `worth` | the value of a position |
 //! | `search` | from many strokes to one |
 //! | `strength` | five strengths |
-//! | `hand` | the error of the hand |
-//! | `story` | what a shot was about, from its record, and why it was chosen |
+//! | `hand` | the errors of the hand |
+//! | `story` | the purpose of a shot, from its record, and why it was chosen |
 //! | `words` | the same in words |
 //! | `hint` | the same for the player |
 
@@ -49,25 +48,25 @@ use search::{Candidate, Search};
 use strength::Skill;
 use worth::Judge;
 
-/// What the opponent decided to do, and did.
+/// The opponent's decision and its execution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Decision {
-    /// The striker's motion as it was meant.
+    /// The intended motion of the striker.
     pub meant: Motion,
-    /// How far the hand slipped.
+    /// The error of the hand.
     pub slip: Slip,
     /// Why this stroke.
     pub reason: Reason,
 }
 
 impl Decision {
-    /// The striker's motion as it was struck: what to play on the board.
+    /// The actual motion of the striker, to be played on the board.
     pub fn struck(&self) -> Motion {
         self.slip.applied_to(self.meant)
     }
 
-    /// What the opponent says of its stroke afterwards, when `played` is what came of it:
-    /// the shot it saw and why, with the angles, and how its hand slipped.
+    /// The opponent's comment after its stroke, whose result is `played`: the intended shot and the
+    /// reason, with the angles, and the error of its hand.
     pub fn afterwards(&self, played: &Story) -> String {
         let slipped = words::slipped(self.slip, self.meant.velocity);
         format!("{} {slipped}", self.reason.told(played))
@@ -76,13 +75,13 @@ impl Decision {
 
 /// The stroke of an opponent of this strength for the player whose turn it is.
 ///
-/// The same game, strength and seed give the same decision; take another seed
-/// for each stroke. `None` if the board has ended or coins bar every place for the
-/// striker: then [`Game::no_place`] is called for.
+/// The same game, strength and seed give the same decision; use another seed for each stroke.
+/// `None` if the board has ended or coins block every position of the striker, which requires
+/// [`Game::no_place`].
 pub fn think(game: &Game, strength: Strength, seed: u64) -> Option<Decision> {
     let skill = strength.skill();
     let (choice, reason) = seek(game, skill, seed)?;
-    // A generator of its own, so that the slip does not hang on how long the search was.
+    // A separate generator, so that the error does not depend on the length of the search.
     let mut hand = Pcg64::seed_from_u64(!seed);
     Some(Decision {
         meant: choice.motion,
@@ -91,15 +90,14 @@ pub fn think(game: &Game, strength: Strength, seed: u64) -> Option<Decision> {
     })
 }
 
-/// The best stroke for the player whose turn it is: sought like the champion's, but
-/// for the hand of a club player. `None` as for [`think`].
+/// The best stroke for the player whose turn it is: searched like the champion's, but for the hand
+/// of a club player. `None` as for [`think`].
 ///
-/// A plain cut comes first, for it is what one can learn from; other shots only
-/// where no cut works every other time.
+/// A plain cut is preferred, because players can learn most from it; other shots only if no cut
+/// works at least every other time.
 ///
-/// Place, direction and speed are on the steps in which a player sets
-/// them, and struck exactly so the striker does not fall, wherever there is such a
-/// stroke.
+/// Position, direction and speed are on the steps in which a player sets them, and struck exactly
+/// the striker does not fall, if there is such a stroke.
 pub fn hint(game: &Game, seed: u64) -> Option<StrokeHint> {
     let all = Skill {
         hand: Strength::Club.hand(),
@@ -141,7 +139,7 @@ fn seek(game: &Game, skill: Skill, seed: u64) -> Option<(Candidate, Reason)> {
         chance: Pcg64::seed_from_u64(seed),
     };
     let choice = search.best()?;
-    // Once more as it is meant, for the record.
+    // Once more without errors, for the record.
     let story = match search.rehearsal.play(choice.motion) {
         Some(_) => Story::of(game, &search.rehearsal.shot),
         None => Story::default(),

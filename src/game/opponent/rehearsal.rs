@@ -1,10 +1,10 @@
-//! Playing a stroke in the mind: the engine plays it, the laws judge it.
+//! Simulating a stroke: the engine plays it, the laws judge it.
 
 use super::wants::wants;
 use crate::game::{Game, Piece, Stroke};
 use crate::physics::{Board, Disc, Engine, Limits, Motion, Shot};
 
-/// A board on which strokes are tried and nothing is decided.
+/// A copy of the board for trying strokes.
 pub(super) struct Rehearsal<'a> {
     board: Board,
     game: &'a Game,
@@ -15,10 +15,10 @@ pub(super) struct Rehearsal<'a> {
     pub(super) shot: Shot,
 }
 
-/// What came of a stroke that was tried.
+/// The result of a stroke that was tried.
 pub(super) struct Tried {
     pub(super) after: Game,
-    /// Whether it brought down what the player wanted, and not the striker.
+    /// Whether a wanted piece fell, and the striker did not.
     pub(super) pocketed: bool,
     /// Whether the striker fell.
     pub(super) fouled: bool,

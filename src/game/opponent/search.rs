@@ -1,4 +1,4 @@
-//! Choosing a stroke: geometry proposes, the engine tries, the worth decides.
+//! Choosing a stroke: geometry proposes, the engine tries, the value decides.
 
 use std::ops::Range;
 
@@ -21,24 +21,24 @@ use crate::game::Game;
 use crate::game::steps::on_steps;
 use crate::physics::Motion;
 
-/// Aims that are kept of one course: neighbouring places give much the same shot.
+/// Aims kept for one course: neighbouring positions give nearly the same shot.
 const AIMS_A_COURSE: usize = 4;
-/// Courses that combinations are sought for.
+/// Courses for which combinations are searched.
 const DRIVEN: usize = 12;
 /// Speeds of a break in m/s.
 const BREAK: Range<f64> = 2.8..FASTEST;
 /// Speeds of other strokes without a pocket in mind, in m/s.
 const KNOCK: Range<f64> = 0.6..3.0;
 
-/// A stroke, what it promises, and how often it brought a piece down.
+/// A stroke, its expected value, and how often a piece fell.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Candidate {
     pub(super) motion: Motion,
     worth: f64,
     pub(super) chance: Chance,
-    /// Whether the striker falls when it is struck exactly so.
+    /// Whether the striker falls if it is struck exactly.
     pub(super) fouls: bool,
-    /// How far the direction may be changed in looking for a better one.
+    /// How far the direction may be changed in the search for a better one.
     allowance: f64,
 }
 
@@ -52,7 +52,7 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The best stroke from a legal place; `None` if coins bar them all.
+    /// The best stroke from a legal position; `None` if coins block all of them.
     pub(super) fn best(&mut self) -> Option<Candidate> {
         let places = self.places();
         let resort = Motion::new(*places.first()?, self.game.seat().turn(DVec2::Y));
@@ -67,8 +67,8 @@ impl Search<'_> {
         }))
     }
 
-    /// Places along the base lines; where coins bar all of those, the free one that is
-    /// nearest to the middle.
+    /// Positions along the base lines; if coins block all of them, the free one nearest to the
+    /// middle.
     fn places(&self) -> Vec<DVec2> {
         let lines = self.game.base_lines();
         let mut places = lines.candidates(self.skill.places);
@@ -83,7 +83,7 @@ impl Search<'_> {
         places
     }
 
-    /// Every stroke that geometry proposes, tried once as it is meant.
+    /// Every stroke that geometry proposes, tried once without errors.
     fn first_look(&mut self, places: &[DVec2]) -> Vec<Candidate> {
         let mut proposed: Vec<(Motion, f64)> = Vec::new();
         for aim in self.aims(places) {
@@ -106,7 +106,7 @@ impl Search<'_> {
             .collect()
     }
 
-    /// The aims that forgive most, the most forgiving first.
+    /// The aims with the largest tolerance, the largest first.
     fn aims(&self, places: &[DVec2]) -> Vec<ProposedStroke> {
         let sight = Sight::of(self.game);
         let mut aims = Vec::new();
@@ -143,8 +143,7 @@ impl Search<'_> {
         courses
     }
 
-    /// The place from which a course is a full, straight hit, or the legal one
-    /// nearest to it.
+    /// The position from which a course is a full, straight hit, or the nearest legal one.
     fn straight_place(&self, course: &PocketPath) -> Option<DVec2> {
         let lines = self.game.base_lines();
         let seat = self.game.seat();
@@ -160,15 +159,15 @@ impl Search<'_> {
         }
     }
 
-    /// The best of the choices, which come best first, if the hand is unsteady: the
-    /// same slips for all, so that they differ by what they are and not by luck.
+    /// The best of the choices, which are sorted, for an unsteady hand: with the same errors for
+    /// all, so that luck does not decide.
     fn finalist(&mut self, choices: &[Candidate]) -> Option<Candidate> {
         let count = self.skill.slips;
         let mut slips: Vec<Slip> = (0..count)
             .map(|_| self.skill.hand.slip(&mut self.chance))
             .collect();
         if self.skill.on_steps {
-            // Whoever sets a stroke by keys strikes it exactly so.
+            // A player who sets a stroke by keys strikes it exactly.
             slips[..1.min(count)].fill(Slip::default());
         }
         let finalists = choices.iter().take(self.skill.finalists);
@@ -192,7 +191,7 @@ impl Search<'_> {
         Some(best)
     }
 
-    /// A stroke as often as there are slips, and what it is worth on average.
+    /// The average value of a stroke over these errors.
     fn tried(&mut self, motion: Motion, allowance: f64, slips: &[Slip]) -> Option<Candidate> {
         let motion = if self.skill.on_steps {
             on_steps(motion, self.game.seat())?
@@ -218,7 +217,7 @@ impl Search<'_> {
     }
 }
 
-/// The aims of one course that forgive most, of those that nothing bars.
+/// The unblocked aims of one course with the largest tolerance.
 fn clearest<'a>(
     mut aims: Vec<Unchecked<ProposedStroke>>,
     sight: &'a Sight,

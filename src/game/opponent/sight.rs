@@ -1,11 +1,11 @@
-//! The table as a player sees it: what lies where, and which ways are clear.
+//! The table as a player sees it: positions, and which paths are clear.
 
 use glam::DVec2;
 
 use crate::game::{Coin, Game, Piece, PieceSet};
 use crate::physics::{Board, RestingTarget};
 
-/// Coins on a board, and the numbers that shots are made of.
+/// Coins on a board, and the numbers that shots are computed from.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sight<'a> {
     pub(super) board: Board,
@@ -13,7 +13,7 @@ pub(super) struct Sight<'a> {
     pub(super) coins: &'a [Coin],
 }
 
-/// More than rounding can make of a distance or an allowance.
+/// More than the rounding error of a distance or a tolerance.
 pub(super) const ROUNDING: f64 = 1.0 + 1e-9;
 
 /// A wall of the frame, by the unit vector that points into it.
@@ -51,13 +51,13 @@ impl<'a> Sight<'a> {
         (left * left + 2.0 * self.board.deceleration() * distance).sqrt()
     }
 
-    /// Whether a disc of `radius` can go straight from one point to another past
-    /// every coin but those that take part.
+    /// Whether a disc of `radius` can go straight from one point to another past all coins that do
+    /// not take part.
     fn is_clear(&self, from: DVec2, to: DVec2, radius: f64, part: [Option<usize>; 2]) -> bool {
         let way = to - from;
         let length_squared = way.length_squared();
         let reach = radius + self.coin();
-        // Most coins lie off the whole line, by more than rounding could make of it.
+        // Most coins are clear of the whole line, by more than rounding.
         let off = ROUNDING * (reach * reach * length_squared);
         self.coins.iter().enumerate().all(|(i, coin)| {
             let seen = coin.at - from;
@@ -79,12 +79,12 @@ impl<'a> Sight<'a> {
         at.abs().max_element() <= self.board.side / 2.0 - radius
     }
 
-    /// How a disc of `radius` gets from one point to another by way of a wall;
-    /// `None` where it cannot.
+    /// The path of a disc of `radius` from one point to another off a cushion; `None` if there is
+    /// none.
     ///
-    /// The wall takes the part 1 − e of the velocity across it and leaves the rest,
-    /// so the disc must aim at the image of its goal that lies 1/e times as far
-    /// behind the wall as the goal lies before it.
+    /// The cushion reduces the velocity component towards it by the factor e, so the disc must aim
+    /// at the image of its goal, which lies 1/e times as far behind the cushion as the goal lies in
+    /// front of it.
     pub(super) fn bounce(&self, from: DVec2, to: DVec2, wall: DVec2, radius: f64) -> Option<Way> {
         let e = self.board.cushion_restitution;
         let line = self.board.side / 2.0 - radius;
@@ -107,7 +107,7 @@ impl<'a> Sight<'a> {
     }
 }
 
-/// A way of a disc from one point to another, straight or by a wall.
+/// A path of a disc from one point to another, straight or off a cushion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Way {
     pub(super) from: DVec2,
@@ -116,13 +116,12 @@ pub(super) struct Way {
     pub(super) toward: DVec2,
     /// Its direction at the end.
     pub(super) arriving: DVec2,
-    /// Where the disc's centre is when it meets a wall, and the share of its speed that
-    /// the wall leaves it.
+    /// Where the disc's centre is when it hits a cushion, and the share of its speed that remains.
     wall: Option<(DVec2, f64)>,
 }
 
 impl Way {
-    /// The straight way; `None` if there is none to go.
+    /// The straight path; `None` if its length is 0.
     pub(super) fn straight(from: DVec2, to: DVec2) -> Option<Self> {
         let toward = (to - from).try_normalize()?;
         Some(Self {
@@ -134,7 +133,7 @@ impl Way {
         })
     }
 
-    /// Metres to the wall, and from there to the end.
+    /// Metres to the cushion, and from there to the end.
     fn legs(&self) -> (f64, f64) {
         let turn = self.wall.map_or(self.from, |(at, _)| at);
         (self.from.distance(turn), turn.distance(self.to))
@@ -154,8 +153,8 @@ impl Way {
             .map_or(leaving, |(_, kept)| sight.speed_for(before, leaving / kept))
     }
 
-    /// Whether a disc of `radius` can go it past every coin but itself, if it is the coin
-    /// `own`, and the coin `target` at its end.
+    /// Whether a disc of `radius` can take this path past every coin except itself, if it is the
+    /// coin `own`, and the coin `target` at its end.
     pub(super) fn is_clear(
         &self,
         sight: &Sight,

@@ -1,7 +1,7 @@
-//! What a stroke was about, read from its record.
+//! The purpose of a stroke, read from its record.
 //!
-//! Nothing is taken over from the search: the story of a shot is what the exact
-//! record says happened in it, so that the words are true of it.
+//! Nothing is copied from the search: the story of a shot comes from its exact record, so that the
+//! words are true.
 
 use glam::DVec2;
 
@@ -12,7 +12,7 @@ use crate::game::{Coin, Game, Piece};
 use crate::physics::angle::signed_angle;
 use crate::physics::{EventKind, Shot};
 
-/// How often a stroke worked when it was rehearsed with an unsteady hand.
+/// How often a stroke worked when it was simulated with an unsteady hand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Chance {
     /// The rehearsals in which a wanted piece fell, and the striker did not.
@@ -22,7 +22,7 @@ pub struct Chance {
 }
 
 impl Chance {
-    /// Whether it fell at least every other time.
+    /// Whether it worked at least every other time.
     pub(super) fn works_mostly(self) -> bool {
         self.fell > 0 && self.fell >= self.of - self.fell
     }
@@ -33,14 +33,14 @@ impl Chance {
     }
 }
 
-/// The first meeting of the striker with a coin, which is at rest until then.
+/// The first collision of the striker with a coin, which is at rest until then.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FirstContact {
     /// The coin it met, by its place in [`Game::coins`].
     pub coin: usize,
     /// What that is.
     pub piece: Piece,
-    /// Cushions it had met before.
+    /// Cushions it had hit before.
     pub cushions: u8,
     /// The striker's direction when they met, a unit vector.
     pub heading: DVec2,
@@ -65,16 +65,16 @@ pub struct Fall {
     pub piece: Piece,
     /// The corner it fell into, numbered as the engine does.
     pub corner: usize,
-    /// The piece that sent it there last: the striker, or a coin.
+    /// The last piece that hit it: the striker, or a coin.
     pub sent_by: Piece,
-    /// Cushions it met after that.
+    /// Cushions it hit after that.
     pub cushions: u8,
 }
 
 /// A shot in short.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Story {
-    /// The first meeting; `None` if the striker touched nothing.
+    /// The first collision; `None` if the striker touched nothing.
     pub first_hit: Option<FirstContact>,
     /// The first wanted piece that fell, if any did.
     pub fall: Option<Fall>,
@@ -158,7 +158,7 @@ fn falls<'a>(game: &'a Game, shot: &'a Shot) -> impl Iterator<Item = Fallen> + '
 }
 
 impl Fallen {
-    /// How it came there: back through the record to the last impact.
+    /// How it got there: back through the record to the last impact.
     fn told(&self, coins: &[Coin], shot: &Shot) -> Option<Fall> {
         let mut cushions = 0_u8;
         for event in shot.events().iter().take(self.when).rev() {
@@ -179,8 +179,7 @@ impl Fallen {
     }
 }
 
-/// What a chosen stroke does when it is struck exactly as it was meant, and how sure
-/// it is.
+/// The effect of a chosen stroke if it is struck exactly, and how reliable it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reason {
     /// Whether the pack was unbroken.
@@ -192,8 +191,8 @@ pub struct Reason {
 }
 
 impl Reason {
-    /// The shot that was seen and why, with its angles, told by who struck it, when
-    /// `played` is what came of it.
+    /// The intended shot and the reason, with its angles, in the words of the player who struck it;
+    /// `played` is the result.
     pub fn told(&self, played: &Story) -> String {
         let plan = words::plan(&self.story, self.breaking, played);
         let odds = self.story.fall.and_then(|_| words::odds(self.chance));

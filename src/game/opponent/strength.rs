@@ -1,4 +1,4 @@
-//! How strong an opponent is: how far it looks and how steady its hand is.
+//! The strength of an opponent: how far it looks ahead and how steady its hand is.
 
 use serde::{Deserialize, Serialize};
 use strum::Display;
@@ -23,17 +23,17 @@ use super::hand::Hand;
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "lowercase")]
 pub enum Strength {
-    /// Sees the plain cuts and has a lively hand.
+    /// Sees plain cuts and has an unsteady hand.
     Beginner,
-    /// Picks among more places, and has played before.
+    /// Considers more positions, and has a steadier hand.
     #[default]
     Regular,
-    /// Thinks of the stroke after this one, and sees one coin drive another.
+    /// Considers the next stroke, and sees combinations.
     #[strum(to_string = "club player")]
     Club,
     /// Sees cushion shots too, and tries each with an unsteady hand in mind.
     Expert,
-    /// Sees the same as an expert, tries more of it, and rarely slips.
+    /// Sees the same as an expert, tries more strokes, and rarely makes an error.
     Champion,
 }
 
@@ -41,28 +41,28 @@ pub enum Strength {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Skill {
     pub(super) hand: Hand,
-    /// Places along the base lines that are looked at.
+    /// Positions along the base lines that are considered.
     pub(super) places: u16,
-    /// Whether one coin may be sent by another.
+    /// Whether combinations are considered.
     pub(super) combinations: bool,
-    /// Whether coin or striker may come off a cushion.
+    /// Whether cushion shots are considered.
     pub(super) cushions: bool,
     /// Aims that are tried, the likeliest first.
     pub(super) aims: usize,
-    /// Strengths at which each is tried, as multiples of what just suffices.
+    /// Speeds at which each is tried, as multiples of the least speed.
     pub(super) speeds: &'static [f64],
-    /// Strokes tried without a pocket in mind.
+    /// Strokes tried that do not aim for a pocket.
     pub(super) knocks: usize,
     /// The best of them that are tried with an unsteady hand.
     pub(super) finalists: usize,
-    /// Slips with which each is tried.
+    /// Random errors with which each is tried.
     pub(super) slips: usize,
     /// Small changes of the best that are tried in the same way.
     pub(super) refinements: usize,
     /// Whether the position after the stroke counts.
     pub(super) looks_ahead: bool,
-    /// Whether strokes are held to the [steps](crate::game::steps) in which a player
-    /// sets them, and to what does not foul when it is struck exactly so.
+    /// Whether strokes are restricted to the [steps](crate::game::steps) in which a player sets
+    /// them, and to those without a foul if struck exactly.
     pub(super) on_steps: bool,
 }
 
@@ -81,7 +81,7 @@ impl Strength {
         self.skill().hand
     }
 
-    /// The most shots it plays on the engine in its head before one stroke.
+    /// The most shots it simulates before one stroke.
     pub fn most_rehearsals(self) -> usize {
         self.skill().most_rehearsals()
     }
@@ -152,7 +152,7 @@ impl Strength {
 impl Skill {
     pub(super) fn most_rehearsals(&self) -> usize {
         let first_look = self.aims * self.speeds.len() + self.knocks;
-        // One more: the stroke as it is meant, to tell of it afterwards.
+        // One more: the exact stroke, for the comment afterwards.
         first_look + (self.finalists + self.refinements) * self.slips + 1
     }
 }

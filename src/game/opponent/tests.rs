@@ -118,7 +118,7 @@ fn a_coin_before_a_pocket_is_seen_by_all() {
     assert_eq!((won.winner, won.points), (Team::First, 4), "the hint works");
 }
 
-/// Whoever follows a hint by keys strikes just that stroke, and does not foul by it.
+/// A player who follows a hint by keys strikes exactly that stroke, without a foul.
 #[test]
 fn a_hint_can_be_set_and_keeps_the_striker_on_the_board() {
     let board = Board::default();
@@ -205,8 +205,8 @@ fn bits(stroke: Motion) -> u64 {
     })
 }
 
-/// The search may get faster, but what it finds stays: the stroke of each strength, and the
-/// hint, after so many strokes of club players.
+/// The search may get faster, but its results never change: the stroke of each strength, and the
+/// hint, after this many strokes of club players.
 #[test]
 fn decisions_stay_as_they_were_to_the_last_bit() {
     use Hands::{Four, Two};

@@ -1,5 +1,5 @@
-//! The opponent's stroke in plain words, with the angles. Left, right, top and bottom are
-//! those of the screen, with South below, whoever strikes.
+//! The opponent's stroke in words, with the angles. Left, right, top and bottom refer to the
+//! screen, with South below, whoever strikes.
 
 use std::f64::consts::PI;
 
@@ -11,19 +11,19 @@ use crate::game::Piece;
 use crate::numbers::capital;
 use crate::physics::units::{deg_from_rad, mm_from_m};
 
-/// Below this angle, in radians (1.5°), a hit is called full and a way straight.
+/// Below this angle, in radians (1.5°), a hit is called full and a path straight.
 const FULL: f64 = 0.026;
 
-/// Below this share of its speed a striker is said to stop.
+/// Below this share of its speed the striker "stops".
 const NEARLY_STOPPED: f64 = 0.05;
 
-/// The smallest slip of the direction that is told, in radians: what rounds to 0.1°.
+/// The smallest error of the direction that is mentioned, in radians: it rounds to 0.1°.
 const SMALLEST_SLIP: f64 = 0.05 * PI / 180.0;
 
-/// Who struck, in the words of the teller.
+/// The person in which the stroke is described.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Teller {
-    /// The opponent of itself.
+    /// The opponent about itself.
     I,
     /// A hint, to the player.
     You,
@@ -40,7 +40,7 @@ pub(super) const fn pocket(corner: usize) -> &'static str {
     pockets[corner & 3]
 }
 
-/// A side of a way, as it is seen on the screen.
+/// A side of a path, as seen on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Side {
     Left,
@@ -50,7 +50,7 @@ enum Side {
 }
 
 impl Side {
-    /// The side to the left of a way that leads along `heading`, or to its right.
+    /// The left side of a path along `heading`, or the right one.
     fn of(heading: DVec2, left: bool) -> Self {
         let out = if left {
             heading.perp()
@@ -76,8 +76,8 @@ impl Side {
     }
 }
 
-/// What was meant by a stroke, whether it came about (`played` is the story of what
-/// did), and why the aim was where it was.
+/// The intention of a stroke, whether it succeeded (`played` is the story of the result), and the
+/// reason for the aim.
 pub(super) fn plan(story: &Story, breaking: bool, played: &Story) -> String {
     let Some(hit) = &story.first_hit else {
         return "I found no coin that I could reach, so I played a quiet stroke.".to_owned();
@@ -120,7 +120,7 @@ pub(super) fn plan(story: &Story, breaking: bool, played: &Story) -> String {
 }
 
 impl Story {
-    /// What fell and where to, in a few words; `None` if nothing did.
+    /// What fell into which pocket, in a few words; `None` if nothing fell.
     pub fn brief(&self) -> Option<String> {
         let fall = self.fall.as_ref()?;
         let (piece, pocket, route) = (fall.piece, pocket(fall.corner), route(fall));
@@ -133,7 +133,7 @@ impl Story {
     }
 }
 
-/// By what way a piece fell, where it was not the plain one.
+/// How a piece fell, if not directly.
 fn route(fall: &Fall) -> String {
     let by = match fall.sent_by {
         Piece::Striker => String::new(),
@@ -154,7 +154,7 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
     let Some(hit) = &story.first_hit else {
         return String::new();
     };
-    // The hand slips, so what the opponent tells is what was to come about.
+    // The hand makes errors, so the opponent describes its intention.
     let (i_aimed, my, meets, leaves, goes, stops) = match teller {
         Teller::I => (
             "I aimed",
@@ -185,10 +185,11 @@ pub(super) fn met(story: &Story, teller: Teller) -> String {
     let recoil = if is_full(hit) {
         format!("a full hit sends the {piece} straight on along the line of impact.")
     } else {
-        // Positive α: the coin lies to the right of the way, so one aims to its left.
+        // Positive α: the coin lies to the right of the path, so the aim is to its left.
         let right = hit.alpha > 0.0;
         format!(
-            "the {piece} {leaves} along the line of impact, {} {}, so {i_aimed} {:.1} mm {} its centre.",
+            "the {piece} {leaves} along the line of impact, {} {}, so {i_aimed} {:.1} mm {} its \
+             centre.",
             degrees(hit.alpha),
             Side::of(hit.heading, !right).towards(),
             mm_from_m(hit.offset.abs()),
@@ -211,7 +212,7 @@ fn is_full(hit: &FirstContact) -> bool {
     hit.alpha.abs() < FULL
 }
 
-/// How sure the stroke was, where it was tried often enough to say.
+/// How reliable the stroke was, if it was tried often enough.
 pub(super) fn odds(chance: Chance) -> Option<String> {
     (chance.of >= 4).then(|| {
         let of = chance.of;
@@ -220,11 +221,11 @@ pub(super) fn odds(chance: Chance) -> Option<String> {
             all if all == of => format!("all {of} tries"),
             some => format!("{some} of {of} tries"),
         };
-        format!("In my head, with an unsteady hand, {worked} worked.")
+        format!("I imagined it with an unsteady hand: {worked} worked.")
     })
 }
 
-/// How far the hand slipped from a stroke that was meant along `heading`.
+/// The error of the hand in a stroke along `heading`.
 pub(super) fn slipped(slip: Slip, heading: DVec2) -> String {
     let turned = slip.turn.atan();
     let percent = (100.0 * slip.push).round();
@@ -343,7 +344,7 @@ mod tests {
     }
 
     #[test]
-    fn what_did_not_come_about_is_told_as_wanted() {
+    fn a_failed_stroke_is_described_as_an_intention() {
         let hit = FirstContact {
             coin: 0,
             piece: Piece::White,

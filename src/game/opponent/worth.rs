@@ -1,4 +1,4 @@
-//! What a position is worth to a team, in coins.
+//! The value of a position for a team, in coins.
 
 use glam::DVec2;
 
@@ -14,29 +14,29 @@ use crate::game::{BaseLines, Game, Seat, Team};
 const BOARD: f64 = 20.0;
 /// The queen, covered.
 const QUEEN: f64 = 2.5;
-/// A sure coin for whoever strikes next: it falls, and the turn goes on.
+/// A sure coin for the side that strikes next: it falls, and the turn continues.
 const TO_STRIKE: f64 = 1.6;
 /// A sure coin for the side that has to wait: it may still lie there.
 const TO_WAIT: f64 = 0.5;
-/// Places from which the position is looked over.
+/// Positions of the striker from which the board is evaluated.
 const PLACES: u16 = 7;
 
-/// How a position is looked at.
+/// How a position is evaluated.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Judge {
     pub(super) team: Team,
-    /// What both sides are thought to be able to do.
+    /// The assumed ability of both sides.
     pub(super) skill: Skill,
 }
 
 impl Judge {
-    /// What `game` is worth to the team.
+    /// The value of `game` for the team.
     pub(super) fn worth(&self, game: &Game) -> f64 {
         if let Some(won) = game.play().won {
             return self.sign(won.winner) * (BOARD + f64::from(won.points));
         }
         if game.setup().rules == Rules::Practice {
-            // Nobody to play against: every coin is one's own.
+            // There is no opponent: all coins belong to the player.
             return self.prospect(game, game.seat()) * TO_STRIKE - game.coins().len() as f64;
         }
         let play = game.play();
@@ -48,12 +48,12 @@ impl Judge {
         counted(self.team) + counted(self.team.other()) + self.prospects(game)
     }
 
-    /// 1 for what is good for the team, −1 for what is good for the other.
+    /// 1 if it is good for the team, −1 if it is good for the other.
     fn sign(&self, team: Team) -> f64 {
         if team == self.team { 1.0 } else { -1.0 }
     }
 
-    /// What the next strokes of both sides promise.
+    /// The expected value of the next strokes of both sides.
     fn prospects(&self, game: &Game) -> f64 {
         let (seat, next) = (game.seat(), game.setup().hands.next(game.seat()));
         let sign = |seat| self.sign(game.team(seat));
@@ -95,8 +95,8 @@ impl Judge {
     }
 }
 
-/// The allowance of the easiest stroke that gives a coin this course from `ghost`, if one is
-/// easier than `easiest`. A way is looked along only then.
+/// The tolerance of the easiest stroke that gives a coin this course from `ghost`, if one is easier
+/// than `easiest`. Only then is its path checked.
 fn easiest_of(
     sight: &Sight,
     course: &Unchecked<PocketPath>,
@@ -121,8 +121,8 @@ fn easiest_of(
     easiest
 }
 
-/// How likely a normal error stays within `allowance`, near enough: at one, two
-/// standard deviations 0.67, 0.89 (exactly 0.68, 0.95).
+/// The approximate probability that a normal error is within `allowance`: at one, two standard
+/// deviations 0.67, 0.89 (exactly 0.68, 0.95).
 fn likelihood(allowance: f64, hand: Hand) -> f64 {
     let deviations = allowance / hand.direction;
     let square = deviations * deviations;

@@ -1,4 +1,4 @@
-//! Who plays, and with what help.
+//! Who plays, and with which aids.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,21 +9,21 @@ use crate::game::opponent::Strength;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Player {
-    /// Somebody at the keyboard.
+    /// A person at the keyboard.
     Person,
     /// The computer.
     Computer,
 }
 
-/// Helps drawn while aiming, each to be switched on or off.
+/// Aids that are drawn while aiming; each can be turned on or off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Aids {
-    /// The way of the striker to the first disc it meets.
+    /// The striker's path to the first disc it hits.
     pub line: bool,
-    /// The striker as it will stand when it meets it.
+    /// The striker's position at that contact.
     pub ghost: bool,
-    /// Where both will leave that hit.
+    /// Both paths after that collision.
     pub rays: bool,
 }
 
@@ -37,8 +37,7 @@ impl Default for Aids {
     }
 }
 
-/// Who plays, and with what help: what a game needs beside its setup to go on as it
-/// began.
+/// Who plays, and with which aids: what a game needs besides its setup to continue as before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Company {
     /// Who plays from each seat, in the order of [`Seat::ALL`](crate::game::Seat::ALL).
@@ -47,11 +46,11 @@ pub struct Company {
     pub strengths: [Strength; 4],
     /// Whether the players call the first impact before each stroke.
     pub call: bool,
-    /// Helps while aiming.
+    /// Aids while aiming.
     pub aids: Aids,
 }
 
-/// One thing for each seat by name, as a file has them.
+/// A value for each seat by name, as in a file.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct BySeat<T> {

@@ -1,4 +1,4 @@
-//! What a game looks like, in one number.
+//! The state of a game as one number.
 
 use std::fmt;
 
@@ -6,12 +6,12 @@ use crate::game::seat::Team;
 use crate::game::table::Game;
 use crate::numbers::{FNV_START, fnv1a};
 
-/// A number that differs between games that differ in a single bit, but for one
-/// chance in 10¹⁹: what lies where, the turn, the dues, the queen, the score.
+/// A number that differs for games that differ in a single bit, except with a probability of 10⁻¹⁹:
+/// positions, turn, dues, queen, score.
 ///
-/// It is FNV-1a (64 bits) of those, in an order that is part of the file format, as the
-/// orders are in which pieces, seats and teams are declared. It
-/// finds damage and differences between machines; it is no seal against forgery.
+/// It is FNV-1a (64 bits) of those, in an order that is part of the file format, as the orders are
+/// in which pieces, seats and teams are declared. It detects damage and differences between
+/// machines, not forgery.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Fingerprint(u64);
 
@@ -40,8 +40,7 @@ impl Fingerprint {
         hash
     }
 
-    /// The fingerprint that [`Display`](fmt::Display) wrote; `None` if it wrote no
-    /// such thing.
+    /// Reads what [`Display`](fmt::Display) writes; `None` for anything else.
     pub fn parse(text: &str) -> Option<Self> {
         let digit = |c: char| matches!(c, '0'..='9' | 'a'..='f');
         if text.len() != 16 || !text.chars().all(digit) {

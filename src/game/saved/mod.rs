@@ -1,8 +1,7 @@
-//! A game as it is kept in a file: its record, who plays, and a fingerprint of what
-//! it leads to.
+//! A saved game: its record, who plays, and a fingerprint of the resulting state.
 //!
-//! The file is TOML, a move a line. A beginning of it is never a whole one: `end`
-//! comes last and cannot be left out.
+//! The file is TOML, one move per line. A truncated file is never valid: `end` comes last and is
+//! required.
 
 mod company;
 mod fingerprint;
@@ -14,31 +13,30 @@ pub use fingerprint::Fingerprint;
 
 use super::record::Record;
 
-/// The format of the files that are written now.
+/// The format of new files.
 const FORMAT: u32 = 1;
 
-/// A game as it is kept in a file.
+/// A saved game.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SavedGame {
     /// Name of the player at the keyboard.
     pub player: String,
     /// Who plays.
     pub company: Company,
-    /// All that was done.
+    /// The record of the moves.
     pub record: Record,
     /// The moves that were made with a hint, by their numbers from 0.
     pub hints: Vec<usize>,
-    /// What the game it leads to looks like.
+    /// The fingerprint of the resulting state.
     pub end: Fingerprint,
 }
 
 impl SavedGame {
-    /// Largest file that is read, and so the largest that may be written, in bytes:
-    /// some eight thousand strokes.
+    /// The largest file that is read or written, in bytes: some eight thousand strokes.
     pub(crate) const LARGEST_FILE: usize = 1 << 20;
 }
 
-/// A game of so many strokes that no file may hold it.
+/// The game has too many strokes for a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("the game has become too long for one file")]
 pub struct TooLarge;

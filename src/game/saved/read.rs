@@ -1,4 +1,4 @@
-//! Reads a game from a file, and believes nothing of it.
+//! Reads a game from an untrusted file.
 
 use super::company::BySeat;
 use super::{Company, FORMAT, Fingerprint, Player, SavedGame, is_player_name};
@@ -7,7 +7,7 @@ use crate::game::opponent::Strength;
 use crate::game::record::Record;
 use crate::game::table::Game;
 
-/// What stands in a file.
+/// The contents of a file.
 const FIELDS: [&str; 11] = [
     "format",
     "player",
@@ -23,12 +23,12 @@ const FIELDS: [&str; 11] = [
 ];
 
 impl SavedGame {
-    /// Reads a file and plays all of it; gives it with the game it leads to. `name`
-    /// stands for the file in messages.
+    /// Reads a file and plays all of it; returns it with the resulting game. `name` stands for the
+    /// file in messages.
     ///
     /// # Errors
-    /// All that is wrong with it: that it is no such file, or a newer one; that one of
-    /// its moves cannot be made; that it does not lead where it says.
+    /// All faults: it is not such a file, or a newer one; one of its moves is impossible; its end
+    /// does not match.
     pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Game), FileErrors> {
         let source = Source::of_bytes(name, bytes, Self::LARGEST_FILE)?;
         source.document("a saved game", FORMAT..=FORMAT, &FIELDS, from_fields)
@@ -52,7 +52,7 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         all.map(|strength| [strength; 4])
     };
     let call = fields.parsed("call", "true or false");
-    let aids = fields.parsed("aids", "which helps are drawn");
+    let aids = fields.parsed("aids", "which aids are drawn");
     let setup = fields.parsed("setup", "what was agreed before the first break");
     let moves = fields.all_parsed("moves", "a list of moves");
     let hints = fields.or("hints", Vec::new(), |name| {

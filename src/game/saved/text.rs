@@ -1,4 +1,4 @@
-//! Writes a game down, a thing a line.
+//! Writes a game, one item per line.
 
 use std::fmt::Write;
 
@@ -52,8 +52,8 @@ fn line(text: &mut String, key: &str, of: &impl Serialize) {
     let _ = writeln!(text, "{key} = {}", value(of));
 }
 
-/// A value in one line. There is nothing in a game that TOML could not say; should
-/// that ever change, what is written cannot be read, and a test would tell.
+/// A value in one line. TOML can express everything in a game; otherwise the file could not be
+/// read, and a test would fail.
 fn value(of: &impl Serialize) -> String {
     let mut text = String::new();
     match of.serialize(ValueSerializer::new(&mut text)) {

@@ -259,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_said() {
+    fn formula_errors_are_reported() {
         for (text, message) in [
             ("", "expected a formula, found nothing"),
             ("(a + b", "expected a closing bracket"),

@@ -29,8 +29,9 @@ fn sheet(report: &Report) -> Markup {
             (head(report))
             @if report.attempts.is_empty() {
                 p.nothing {
-                    "There is nothing here yet: every game starts with a clean board. After a round of the quiz "
-                    "this page shows how the answers come closer to the truth."
+                    "There is nothing here yet: every game starts with a clean board. After a \
+                     round of the quiz "
+                    "this page shows how the answers come closer to the true values."
                 }
             } @else {
                 (figures(report))
@@ -52,7 +53,7 @@ fn head(report: &Report) -> Markup {
     }
 }
 
-/// The few figures that say most.
+/// The most important figures.
 fn figures(report: &Report) -> Markup {
     let figure = |value: String, name: &str| {
         html! { div { strong { (value) } span.dim { (name) } } }
@@ -128,7 +129,7 @@ fn listed<T>(title: &str, cut: &Cut<T>, none: &str, table: fn(&[T]) -> Markup) -
     }
 }
 
-/// A share as a bar that is told apart in black and white too.
+/// A share as a bar that is clear in black and white too.
 fn bar(share: f64) -> Markup {
     let width = format!("width: {:.0}%", 100.0 * share.clamp(0.0, 1.0));
     html! { span.bar { span style=(width) {} } }
@@ -182,8 +183,9 @@ fn beliefs(report: &Report) -> Markup {
             }
             p.dim {
                 @if let Some(more) = report.beliefs.and_more() { (more) ". " }
-                "Of how many questions could have shown it, before the middle of all answers and "
-                "since. Named is what makes the answers " (NAMED_ODDS) " times as likely as guessing does."
+                "Out of the questions that could have shown it: in the first half of the answers, "
+                "and since. A misconception is listed once it explains the answers " (NAMED_ODDS)
+                " times better than guessing does."
             }
         }
     }

@@ -82,8 +82,9 @@ fn tables(report: &Report, document: &mut Markdown) {
         let heads = ["what wrong answers had in common", "before", "since", ""];
         table(document, "Misconceptions", &heads, beliefs, rows);
         document.paragraph(&format!(
-            "Of how many questions could have shown it, before the middle of all answers and \
-             since. Named is what makes the answers {NAMED_ODDS} times as likely as guessing does."
+            "Out of the questions that could have shown it: in the first half of the answers, and \
+             since. A misconception is listed once it explains the answers {NAMED_ODDS} times \
+             better than guessing does."
         ));
     }
     let chapters = &report.chapters;

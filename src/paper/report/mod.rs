@@ -1,4 +1,4 @@
-//! The one-page report of what a player has done, for a portfolio or a teacher.
+//! The one-page report on a player's progress, for a portfolio or a teacher.
 
 mod html;
 mod markdown;
@@ -32,7 +32,7 @@ const MOST_BELIEFS: usize = 6;
 const MOST_CHAPTERS: usize = 12;
 const MOST_PACKS: usize = 10;
 
-/// What a report is made from.
+/// The data of a report.
 #[derive(Debug, Clone, Copy)]
 pub struct Sources<'a> {
     /// The player's name.
@@ -49,10 +49,9 @@ pub struct Sources<'a> {
     pub lessons: &'a lessons::ChapterLibrary,
 }
 
-/// The one-page report of what a player has done.
+/// The one-page report on a player's progress.
 ///
-/// It fits one sheet of A4, whatever was done: what is too long is cut, and says how much
-/// more there is.
+/// It fits one sheet of A4: long tables are cut, with the number of further rows.
 #[derive(Debug, Clone)]
 pub struct Report<'a> {
     name: String,
@@ -73,7 +72,7 @@ pub struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// Works out what the report says.
+    /// Computes the contents of the report.
     pub fn new(sources: &Sources<'a>) -> Self {
         let attempts = &sources.history.attempts;
         // The chapters have a table of their own.
@@ -160,7 +159,7 @@ impl<'a> Report<'a> {
         let today = self.calendar.today();
         let when = today.map_or(String::new(), |day| format!(" on {}", long_day(day)));
         format!(
-            "Written by carrom{when} from the answers kept on this computer. Days begin at \
+            "Written by carrom{when} from the answers saved on this computer. Days begin at \
              midnight where it was written. Right: a direction within {RIGHT_DEG}° of the true \
              one, the right one chosen, or {}. {} A chapter is done when all of it has been read \
              and answered.",

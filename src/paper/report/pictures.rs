@@ -57,7 +57,7 @@ fn errors(report: &Report) -> Option<ReportPicture> {
     })
 }
 
-/// Of each confidence the share that was right, on the range for which it pays.
+/// For each confidence the share of right answers, on the range where it pays.
 fn calibration(report: &Report) -> Option<ReportPicture> {
     let said = |it: &Calibrated| it.tally.attempts > 0;
     if !report.calibration.iter().any(said) {
@@ -80,7 +80,7 @@ fn calibration(report: &Report) -> Option<ReportPicture> {
     }
     picture.text(dvec2(25.0, below(2.2)), "right (%)", Role::Dim);
     picture.fill(dvec2(55.0, below(2.5)), dvec2(63.0, below(1.9)), WASH);
-    picture.text(dvec2(84.0, below(2.2)), "honest range", Role::Dim);
+    picture.text(dvec2(84.0, below(2.2)), "calibrated", Role::Dim);
     for (row, it) in report.calibration.iter().enumerate() {
         let y = row as f64 + 0.5;
         let (from, to) = Calibrated::honest(it.confidence);
@@ -124,8 +124,8 @@ fn over_time(report: &Report) -> Option<ReportPicture> {
         name: "calibration-over-time",
         title: "How sure, and how right, over time",
         legend: format!(
-            "Right of the last {reach} answers of each. Honest is: sure above 80, think so \
-             from 50 to 80, guess below."
+            "Right of the last {reach} answers of each. Well calibrated: sure above 80, think so \
+             50 to 80, guess below."
         ),
         svg: svg(words, &picture),
     })

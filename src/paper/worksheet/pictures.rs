@@ -60,17 +60,17 @@ pub(super) fn of_question(question: &Question) -> Option<Svg> {
     let (picture, words) = match (&question.picture, &question.form) {
         (Illustration::Before { .. }, Form::Shot(aim)) => {
             let words = "A striker on its way to a disc at rest, a scale of offsets across its \
-                         path, and where one of the two is to go, seen from above";
+                         path, and the required direction of one disc, seen from above";
             (scale_picture(aim), words.into())
         }
         (Illustration::Before { collision, shown }, Form::Rays { .. }) => {
-            let words = words(collision, ", with an empty protractor for where both go");
+            let words = words(collision, ", with an empty protractor for both directions");
             (protractor_picture(collision, *shown), words)
         }
         (Illustration::Before { collision, .. }, _) => (drawn()?, words(collision, "")),
         (Illustration::After { collision }, _) => (drawn()?, words(collision, ", and both go on")),
         (Illustration::Tracks { .. }, _) => {
-            let words = "Two particles pass a nucleus, each turned by an angle";
+            let words = "Two particles pass a nucleus, each deflected by an angle";
             (drawn()?, words.into())
         }
         (Illustration::Nothing, _) => return None,

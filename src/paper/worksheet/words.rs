@@ -6,14 +6,17 @@ use crate::quiz::{
 };
 
 /// What a student is to know before the first question.
-pub(super) const ADVICE: &str = "Say first, then check: answer every question before you look \
-     anything up, and tick how sure you are. A good guess is worth something, and an honest \
-     \"guess\" costs nothing. Pictures are seen from above and true to scale; left and right \
-     are as the striker sees them on its way. Rims are smooth unless a question says otherwise.";
+pub(super) const ADVICE: &str = "Predict first, then check: answer every question before you look \
+                                 anything up, and tick how sure you are. A good guess is worth \
+                                 something, and an honest \"guess\" costs nothing. Pictures are \
+                                 seen from above and true to scale; left and right are seen along \
+                                 the striker's path. Rims are smooth unless a question says \
+                                 otherwise.";
 
 /// What a key is for.
 pub(super) const KEY_ADVICE: &str = "For the teacher. Each question with its true answer, why it \
-     is true, and the wrong answers to listen for: who gives one of these very likely thinks so.";
+                                     is true, and the wrong answers to listen for: a pupil who \
+                                     gives one of these answers probably reasoned this way.";
 
 /// What opens the same round on a screen.
 pub(super) fn command(code: &Code, concepts: &[String]) -> String {
@@ -50,7 +53,7 @@ pub(super) fn worth(questions: &[Question]) -> String {
 pub(super) fn tolerance() -> String {
     format!(
         "Counts as right: both directions within {RIGHT_DEG}°, where paths are drawn; {}; an \
-         offset that sends the disc within {RIGHT_DEG}° of where it is to go.",
+         offset that sends the disc within {RIGHT_DEG}° of the required direction.",
         Measure::RIGHT
     )
 }
@@ -66,7 +69,7 @@ pub(super) fn points() -> String {
 }
 
 /// The heads of the table of wrong answers.
-pub(super) const WRONG_ANSWERS: [&str; 2] = ["Who says", "may think, and can be told"];
+pub(super) const WRONG_ANSWERS: [&str; 2] = ["Answer", "Possible reasoning, and a reply"];
 
 /// What is to be done where an answer cannot just be written down.
 pub(super) fn task(question: &Question) -> Option<&'static str> {

@@ -1,4 +1,4 @@
-//! Numbers that follow from no collision of two discs: beams and Rutherford's atom.
+//! Numbers that do not follow from a collision of two discs: beams and Rutherford's atom.
 
 use super::super::beam::Beam;
 use super::super::rutherford::{ALPHA_CHARGE, FM, GOLD_DENSITY, MEASURED_SHARE, MEV, Rutherford};
@@ -15,7 +15,7 @@ struct ConstantFields {
 }
 
 impl Default for ConstantFields {
-    /// α particles of radium C on Geiger and Marsden's gold foil of 1913.
+    /// α-particles of radium C on Geiger and Marsden's gold foil of 1913.
     fn default() -> Self {
         Self {
             angle_deg: 60.0,
@@ -74,7 +74,7 @@ const ALL: [(&str, ConstantFormula); 9] = [
     }),
 ];
 
-/// A number that follows from no collision.
+/// A number that does not follow from a collision.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Constant {
     of: ConstantFormula,
@@ -82,7 +82,7 @@ pub(crate) struct Constant {
 }
 
 impl Constant {
-    /// The constant of this name, with the fields that are usual.
+    /// The constant of this name, with its default fields.
     pub(crate) fn named(name: &str) -> Option<Self> {
         let (_, of) = ALL.into_iter().find(|(known, _)| *known == name)?;
         Some(Self {
@@ -91,7 +91,7 @@ impl Constant {
         })
     }
 
-    /// Sets a field from what is written for it.
+    /// Sets a field from its text.
     ///
     /// # Errors
     /// What was expected.

@@ -1,4 +1,4 @@
-//! Everything about a collision that a text can ask for by name.
+//! Everything about a collision that a text can refer to by name.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -16,13 +16,13 @@ use crate::numbers::{fixed, true_minus};
 pub struct Quantity {
     /// Its name in a file.
     pub name: &'static str,
-    /// Its sign in a formula.
+    /// Its symbol in a formula.
     pub symbol: &'static str,
     /// Its unit on the screen, or nothing.
     pub unit: &'static str,
-    /// Decimals it is shown with where nobody says how many.
+    /// The usual number of decimals.
     pub decimals: usize,
-    /// What its value in SI units is multiplied by.
+    /// The factor from SI units.
     scale: f64,
     of: Formula,
 }
@@ -30,15 +30,14 @@ pub struct Quantity {
 /// How a quantity follows from a collision, in SI units where its unit has a scale.
 type Formula = fn(&Collision, &CollisionOutcome) -> Option<f64>;
 
-/// The same by name.
+/// The quantities by name.
 impl PartialEq for Quantity {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
     }
 }
 
-/// A unit of the screen, the decimals shown in it, and what a value in SI units is
-/// multiplied by.
+/// A unit of the screen, its decimals, and the factor from SI units.
 struct Unit(&'static str, usize, f64);
 
 const SPEED: Unit = Unit("m/s", 2, 1.0);
@@ -154,8 +153,7 @@ impl Quantity {
         Self::ALL.into_iter().find(|quantity| quantity.name == name)
     }
 
-    /// Its value in its unit; `None` where it is undefined, as the direction of a
-    /// disc at rest is.
+    /// Its value in its unit; `None` if it is undefined, such as the direction of a disc at rest.
     pub(crate) fn of(&self, collision: &Collision) -> Option<f64> {
         let value = (self.of)(collision, &collision.outcome())? * self.scale;
         value.is_finite().then_some(value + 0.0)
@@ -202,7 +200,7 @@ fn largest_deflection(c: &Collision) -> f64 {
     }
 }
 
-/// The impact angle that passes on half of the energy.
+/// The impact angle at which half of the energy is transferred.
 fn half_energy(c: &Collision) -> Option<f64> {
     let is_smooth = c.bond == Bond::Slip && c.u2 == DVec2::ZERO;
     let alpha = RestingTarget::from(c).alpha_for_energy_passed(0.5)?;

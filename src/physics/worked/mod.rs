@@ -1,8 +1,8 @@
 //! A collision worked out step by step, as a teacher would write it on the board.
 //!
-//! The steps are data: a title, the reason for the step and the lines of working with
-//! the numbers filled in. Whoever shows them chooses the layout and the signs. In the working, masses are in g,
-//! lengths in mm and speeds in m/s.
+//! The steps are data: a title, the reason for the step and the lines of working with the numbers
+//! filled in. The code that shows them chooses the layout and the symbols. In the working, masses
+//! are in g, lengths in mm and speeds in m/s.
 
 mod number;
 mod slip;
@@ -22,10 +22,10 @@ use number::{degrees, vector};
 pub struct WorkedStep {
     /// What is done.
     pub title: &'static str,
-    /// Why it may be done, or what it means, in a sentence or two; may be empty.
+    /// The reason for it, or what it means, in a sentence or two; may be empty.
     pub why: String,
-    /// The working, a formula or a result a line; a line that goes on with the one
-    /// before begins with blanks.
+    /// The working, one formula or result per line; a line that continues the one before begins
+    /// with blanks.
     pub lines: Vec<String>,
 }
 
@@ -133,8 +133,8 @@ fn directions(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     }
 }
 
-/// Where `name`, the body that goes on with velocity `to`, goes beside its old direction
-/// `from`. Recoil angles count clockwise, all others anticlockwise.
+/// The angle of `name`, the body with velocity `to`, from its original direction `from`. Recoil
+/// angles count clockwise, all others anticlockwise.
 fn angle_line(name: &str, angle: Option<f64>, from: DVec2, to: DVec2) -> String {
     let (body, sign) = match name {
         "θ₁" => ("striker", "v₁"),
@@ -207,7 +207,7 @@ fn check(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     }
 }
 
-/// Beside which speeds count as noise, in m/s.
+/// The speed in m/s relative to which smaller ones count as noise.
 fn speed_scale(c: &Collision) -> f64 {
     c.u1.length() + c.u2.length()
 }

@@ -1,10 +1,10 @@
-//! Numbers as they stand in a worked solution: four digits, no noise.
+//! Numbers as a worked solution prints them: four digits, no noise.
 
 use glam::DVec2;
 
 use crate::numbers::{four_figures, true_minus};
 
-/// What is smaller than this share of its scale is shown as 0.
+/// A number below this share of its scale is shown as 0.
 const NOISE: f64 = 1e-9;
 
 /// A number to four significant digits with a proper minus sign.
@@ -17,7 +17,7 @@ pub(crate) fn beside(x: f64, scale: f64) -> String {
     number(if x.abs() <= NOISE * scale { 0.0 } else { x })
 }
 
-/// A number to be put after an operator: in brackets where it is negative.
+/// A number after an operator: in brackets if it is negative.
 pub(super) fn factor(x: f64, scale: f64) -> String {
     let text = beside(x, scale);
     if text.starts_with('−') {

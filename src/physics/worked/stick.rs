@@ -1,5 +1,5 @@
-//! The working for discs that stick: the velocity of their centre of mass, and a
-//! turn about it.
+//! The working for discs that stick: the velocity of their centre of mass, and the rotation about
+//! it.
 
 use super::number::{beside, number, vector};
 use super::{WorkedStep, angle_line, grams, mm, speed_scale};
@@ -69,7 +69,7 @@ fn turning(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     }
 }
 
-/// Where the pair goes, for the two stay together.
+/// The direction of the pair, because the two stay together.
 fn direction(c: &Collision, after: &CollisionOutcome) -> WorkedStep {
     WorkedStep {
         title: "Read off the direction",

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::number::{beside, degrees, number};
 use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
 
-/// How near to 90° the working calls square.
+/// How close to 90° counts as a right angle.
 const SQUARE: f64 = 1e-9;
 
 pub(super) fn result(c: &Collision, after: &CollisionOutcome) -> String {
@@ -81,7 +81,7 @@ fn striker(c: &Collision, after: &CollisionOutcome) -> String {
     }
 }
 
-/// Where a disc goes, by the side of the striker's old course.
+/// The direction of a disc relative to the striker's original path.
 fn course(angle: f64, positive: &str, negative: &str, whose: &str) -> String {
     match beside(angle.to_degrees().abs(), 180.0).as_str() {
         "0" => format!("straight on in {whose} original direction"),
@@ -94,7 +94,7 @@ fn course(angle: f64, positive: &str, negative: &str, whose: &str) -> String {
     }
 }
 
-/// The angle between the two departures, and what it says about the masses.
+/// The angle between the paths, and what it shows about the masses.
 fn parting(c: &Collision, after: &CollisionOutcome) -> String {
     let Some(separation) = after.separation else {
         return String::new();
@@ -120,7 +120,7 @@ fn parting(c: &Collision, after: &CollisionOutcome) -> String {
     format!("{parted}: {}.", reason(c, separation))
 }
 
-/// Why the two part at this angle where the target was at rest.
+/// Why the angle has this size if the target was at rest.
 fn reason(c: &Collision, separation: f64) -> String {
     let off = separation.to_degrees() - 90.0;
     let elastic = c.restitution >= 1.0;

@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_filled_is_said() {
+    fn an_undefined_figure_is_reported() {
         for (text, hit, message) in [
             (
                 "{speed3}",

@@ -121,7 +121,7 @@ fn spoilt(count: usize, change: impl Fn(&mut Concept)) -> Vec<String> {
 }
 
 #[test]
-fn what_gives_a_right_choice_away_is_found() {
+fn tell_tale_right_choices_are_found() {
     let faults = |count, change: fn(&mut Concept)| spoilt(count, change).join("\n");
     assert_eq!(faults(1, |_| {}), "");
     let long = faults(1, |it| it.right = "x".repeat(90));

@@ -1,5 +1,5 @@
-//! Two equal discs that both move: who sees them part at 90°, and what is seen on the
-//! board.
+//! Two equal discs that both move: the frame in which the angle between their paths is 90°, and
+//! the angle in the laboratory frame.
 
 use glam::DVec2;
 
@@ -10,11 +10,11 @@ use crate::physics::units::g_from_kg;
 /// The largest impact angle asked about, as its cosine: beyond it they hardly touch.
 const LEAST_COSINE: f64 = 0.3;
 
-/// The smallest impact angle asked about, as its sine: a meeting nearer to head-on is not
-/// seen to be off-centre.
+/// The smallest impact angle asked about, as its sine: closer to head-on the picture does not
+/// show that the collision is off-centre.
 const LEAST_SINE: f64 = 0.17;
 
-/// Nearer to 90° than this no one is asked whether it is more or less, in degrees.
+/// How far from 90° an angle must be, in degrees, before the question asks "more or less?".
 const NEAR_SQUARE_DEG: f64 = 5.0;
 
 /// Two equal discs about to meet.
@@ -24,7 +24,7 @@ struct MovingPair {
     speed: u32,
     /// Speed of the coin in m/s.
     target_speed: u32,
-    /// Direction of the coin against that of the striker, 0 to 180 degrees to the left.
+    /// Direction of the coin relative to the striker's, 0 to 180 degrees to the left.
     way_deg: u32,
     /// Angle from the striker's path to the line of impact, in degrees.
     line_deg: u32,
@@ -46,7 +46,7 @@ impl MovingPair {
         })
     }
 
-    /// The hit, if they come together and squarely enough to be drawn.
+    /// The collision, if they approach each other and it is neither too grazing nor too head-on to draw.
     fn collision(&self) -> Option<Collision> {
         let towards = |speed: u32, deg: f64| {
             f64::from(speed) * DVec2::from_angle(rad_from_deg(self.direction_deg + deg))
@@ -66,7 +66,7 @@ impl MovingPair {
         })
     }
 
-    /// A question about the two, after this sentence on where they meet.
+    /// A question about the pair, with this sentence about where they meet.
     fn told(&self, collision: Collision, place: &str) -> Outline {
         let way = match self.way_deg {
             0 => "ahead of the striker in the same direction".into(),
@@ -119,7 +119,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 
 const TOPIC: &str = "both-moving";
 
-/// Who sees 90°, or what somebody sees who moves along.
+/// Which observer sees 90°, or what a moving observer sees.
 fn frames(
     pair: &MovingPair,
     outcome: &CollisionOutcome,
@@ -149,7 +149,7 @@ fn frames(
                               this observer see?"
         )
     };
-    // The board would be the frame of the centre of mass.
+    // Then the laboratory frame would be the centre-of-mass frame.
     if pair.way_deg == 180 && pair.speed == pair.target_speed {
         return None;
     }
@@ -208,8 +208,8 @@ fn frames(
     ))
 }
 
-/// More or less than 90° on the board. For equal masses without loss v₁·v₂ = u₁·u₂, so
-/// that alone the way of the coin decides.
+/// More or less than 90° in the laboratory frame. For equal masses without loss v₁·v₂ = u₁·u₂,
+/// so the initial directions alone decide.
 fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Question> {
     const CORNERS: [&str; 3] = ["Less than 90°", "Exactly 90°", "More than 90°"];
     let separation = outcome.separation?;
@@ -252,7 +252,7 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -
         ))
 }
 
-/// The angle between the two on the board.
+/// The angle between the two paths in the laboratory frame.
 fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Question> {
     let sign = if pair.way_deg == 180 { -1.0 } else { 1.0 };
     let dot = sign * f64::from(pair.speed * pair.target_speed);
@@ -277,8 +277,8 @@ fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Opt
         ))
 }
 
-/// How fast one of the two leaves: equal discs exchange their parts along the line of
-/// impact, and each keeps its own across it.
+/// How fast one of the two leaves: equal discs exchange their components along the line of
+/// impact, and each keeps its own perpendicular component.
 fn speed(
     pair: &MovingPair,
     of_target: bool,

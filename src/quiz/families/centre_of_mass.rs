@@ -1,5 +1,5 @@
-//! The frame of the centre of mass: how fast it moves, by what angle Θ it sees both
-//! turned, and what that is on the board.
+//! The centre-of-mass frame: how fast it moves, the scattering angle Θ in it, and the
+//! corresponding angle in the laboratory frame.
 
 use std::f64::consts::PI;
 
@@ -52,7 +52,7 @@ fn why_turn(alpha: f64, turn: f64) -> String {
     )
 }
 
-/// Θ asked for.
+/// A question that asks for Θ.
 fn turn(hit: &Hit, turn: f64) -> Outline {
     let picture = Illustration::before(hit.collision(), Markings::given(hit));
     let on_board = hit
@@ -88,7 +88,7 @@ fn turn_from_angle(hit: &Hit) -> Option<Question> {
         .why(why_turn(alpha, angle))
 }
 
-/// Θ from an offset of so many tenths of r₁ + r₂, which makes the figures easy.
+/// Θ from an offset of a whole number of tenths of r₁ + r₂, which keeps the arithmetic easy.
 fn turn_from_offset(hit: &Hit, tenths: u32) -> Option<Question> {
     let reach_mm = hit.reach_mm();
     let offset_mm = (reach_mm * f64::from(tenths)).round() / 10.0;
@@ -118,7 +118,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
     let name = hit.pieces.target_name();
     let [m1, m2] = hit.masses_g();
     let (u1, u2) = (hit.speed, target_speed.unwrap_or(0.0));
-    // On the same way the striker has to catch up.
+    // In the same direction the striker has to catch up.
     if u2 >= u1 {
         return None;
     }
@@ -130,7 +130,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
     let velocity = collision.centre_of_mass_velocity();
     let along = velocity.dot(forward);
     let exchanged = (m2 * u1 + m1 * u2) / (m1 + m2);
-    // A centre that hardly moves has no ratio to be off by.
+    // Answers are compared by their ratio, which is meaningless for a speed near 0.
     if along.abs() < 0.1 || exchanged.abs() < 0.1 || (u1 + u2).abs() < 0.1 {
         return None;
     }
@@ -181,7 +181,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         ))
 }
 
-/// A question that goes from Θ back to the board.
+/// A question that goes from Θ back to the laboratory frame.
 fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) -> Outline {
     let told = format!(
         "{}, and no energy is lost. In the centre-of-mass frame both discs are deflected by Θ = \
@@ -197,7 +197,7 @@ fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) 
         .says(format!("You used Θ for {mixed}."))
 }
 
-/// The angle by which the board sees the striker turned, in degrees.
+/// The striker's deflection in the laboratory frame, in degrees.
 fn theta1_deg(hit: &Hit, turn_deg: f64) -> Option<f64> {
     let (m1, m2) = (hit.pieces.striker().mass, hit.pieces.target().mass);
     lab_scattering_angle(rad_from_deg(turn_deg), m1, m2).map(deg_from_rad)

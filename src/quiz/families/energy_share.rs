@@ -1,4 +1,4 @@
-//! What share of the striker's energy each one has after the hit, and what share is lost.
+//! What share of the striker's energy each disc has after the collision, and what share is lost.
 
 use super::prelude::*;
 use super::speeds::{SHRUNK, sine_for_cosine};
@@ -33,7 +33,7 @@ fn percent(x: f64) -> String {
 const HALVES: &str =
     "You gave each of them half. That is right only at 45°, and only for equal masses.";
 
-/// What the striker keeps, equal masses.
+/// The share that the striker keeps, with equal masses.
 fn kept(hit: &Hit) -> Option<Question> {
     let alpha = hit.alpha().abs();
     let shares = RestingTarget::from(&hit.collision()).energy_shares(alpha);
@@ -56,14 +56,14 @@ fn kept(hit: &Hit) -> Option<Question> {
         .wrong(HalfAndHalf, 50.0)
         .says(HALVES)
         .why(format!(
-            "Of its speed the striker keeps the component perpendicular to the line of impact, \
-             sin {}° = {sin}. The share of the energy is the square: {sin}² = {}.",
+            "The striker keeps the component perpendicular to the line of impact, sin {}° = {sin} \
+             of its speed. The share of the energy is the square: {sin}² = {}.",
             bare_degrees(alpha),
             percent(sin.value.powi(2)),
         ))
 }
 
-/// What the struck disc takes.
+/// The share that the target gets.
 fn passed(hit: &Hit) -> Option<Question> {
     let name = hit.pieces.target_name();
     let alpha = hit.alpha().abs();
@@ -121,7 +121,7 @@ fn passed(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// What is lost: only of what the two have against each other along the line of impact.
+/// The share that is lost: only energy of the relative motion along the line of impact can be.
 fn lost(hit: &Hit) -> Option<Question> {
     let alpha = hit.alpha().abs();
     let masses = RestingTarget::from(&hit.collision());

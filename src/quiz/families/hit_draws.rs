@@ -1,4 +1,4 @@
-//! Hits that more than one family asks about.
+//! Drawing hits, for the families that share it.
 
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
@@ -13,8 +13,8 @@ pub(super) const ALL: &[Pieces] = &[Pieces::Equal, Pieces::Tournament, Pieces::M
 
 pub(super) const NO_LOSS: &[f64] = &[1.0];
 
-/// What a hit on a resting target is drawn from: these sets of pieces, impact angles in
-/// degrees in steps of five, and e.
+/// What a hit on a target at rest is drawn from: sets of pieces, impact angles in degrees in
+/// steps of five, and values of e.
 pub(super) struct HitDraws<'a>(
     pub(super) &'a [Pieces],
     pub(super) RangeInclusive<u32>,
@@ -22,8 +22,8 @@ pub(super) struct HitDraws<'a>(
 );
 
 impl HitDraws<'_> {
-    /// A hit: the pieces, α, e, a speed of 2 to 5 m/s, the side, and a direction that is
-    /// the freer the harder the question.
+    /// Draws the pieces, α, e, a speed of 2 to 5 m/s, the side, and a direction, which takes more
+    /// values the harder the question is.
     pub(super) fn draw(&self, difficulty: Difficulty, dice: &mut Dice) -> Option<Hit> {
         let Self(pieces, fives_deg, restitutions) = self;
         let pieces = *dice.pick(pieces)?;
@@ -55,8 +55,8 @@ pub(super) fn drawn(
     HitDraws(&[pieces], 20..=70, &[restitution]).draw(difficulty, dice)
 }
 
-/// A direction of the striker on the picture, in degrees: a multiple of one that is the
-/// smaller the harder the question.
+/// A direction of the striker in the picture, in degrees: a multiple of 360°, 90° or 30°,
+/// smaller for a harder question.
 pub(super) fn direction_deg(difficulty: Difficulty, dice: &mut Dice) -> f64 {
     let turn = match difficulty {
         Difficulty::Easy => 360,
@@ -75,12 +75,12 @@ pub(super) fn pair(m1_g: u32, m2_g: u32) -> Pieces {
     }
 }
 
-/// A picture of a hit about to happen that shows nothing of where the two will meet.
+/// A picture before the collision without any mark of where the discs will meet.
 pub(super) fn unmarked(hit: &Hit) -> Illustration {
     Illustration::before(hit.collision(), Markings::FIGURES)
 }
 
-/// The hit with its masses, its speed and where the two meet, without a word on loss.
+/// The masses, the speed and the point of impact in words, without the loss.
 pub(super) fn in_short(hit: &Hit) -> String {
     let place = match hit.given {
         ImpactPoint::Angle { .. } => format!(
@@ -96,7 +96,7 @@ pub(super) fn in_short(hit: &Hit) -> String {
     format!("{}; {place}.", hit.who("striker", &hit.hits()))
 }
 
-/// A hit between smooth discs with its masses and its speed alone.
+/// The masses and the speed of smooth discs in words, nothing more.
 pub(super) fn off_centre(hit: &Hit) -> String {
     format!("{}, off-centre.", hit.who("smooth striker", &hit.hits()))
 }
@@ -106,7 +106,7 @@ pub(super) fn in_degrees(deg: impl Into<f64>) -> String {
     Measure::Angle.print(deg.into())
 }
 
-/// A number and an angle in radians as they are read off, rounded as printed.
+/// A number as it is read off, rounded as printed.
 pub(super) fn read_off(x: f64) -> f64 {
     Intermediate::new(x, |_| ()).value
 }
@@ -115,7 +115,7 @@ pub(super) fn read_off_angle(angle: f64) -> f64 {
     Intermediate::angle(angle, |_| ()).value
 }
 
-/// What is found from rounded readings, beside the exact result where they differ.
+/// The result from rounded readings, with the exact result where they differ.
 pub(super) fn within_readings(found: &str, exact: &str) -> String {
     match found == exact {
         true => exact.to_owned(),
@@ -128,7 +128,7 @@ pub(super) const fn place(compared: Ordering) -> usize {
     (compared as i8 + 1) as usize
 }
 
-/// What is said to whoever forgets the loss, with the e there is.
+/// Feedback for an answer that ignores the loss, with the actual e.
 pub(super) fn here_e(says: &str, e: f64) -> String {
     format!("{says} Here e = {}.", significant(e))
 }

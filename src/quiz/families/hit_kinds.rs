@@ -35,8 +35,7 @@ pub(super) enum HitKind {
     LossyMarbles,
 }
 
-/// The kinds that a round of hits asks when it is easy, middle and hard, each as often as it
-/// stands here.
+/// The kinds that a round of hits asks at each difficulty, each as often as it is listed.
 pub(super) const KINDS: [&[HitKind]; 3] = {
     use HitKind::*;
     [
@@ -47,9 +46,9 @@ pub(super) const KINDS: [&[HitKind]; 3] = {
 };
 
 impl HitKind {
-    /// All hits of this kind that are good to ask, in a fixed order, with the
-    /// target on the right and the striker moving to the right at 1 m/s. They are looked
-    /// for once, for it takes thousands of hits to find them.
+    /// All hits of this kind that make a clear question, in a fixed order, with the target on the
+    /// right and the striker moving to the right at 1 m/s. They are found once, because the
+    /// search goes through thousands of hits.
     pub(super) fn candidates(self) -> &'static [Hit] {
         const COUNT: usize = HitKind::VARIANTS.len();
         static FOUND: [OnceLock<Vec<Hit>>; COUNT] = [const { OnceLock::new() }; COUNT];
@@ -100,7 +99,7 @@ impl HitKind {
     }
 }
 
-/// A hit with the target on the right and nothing else about it.
+/// A hit with the target on the right, at 1 m/s to the right.
 fn plain(pieces: Pieces, given: ImpactPoint, restitution: f64) -> Hit {
     Hit {
         pieces,
@@ -125,7 +124,7 @@ fn offsets(pieces: Pieces) -> Vec<ImpactPoint> {
     (1..=tenths as u32).map(offset).collect()
 }
 
-/// Every hit of these pieces, at these places and with these e, that is good to ask.
+/// Every hit of these pieces, points of impact and values of e that makes a clear question.
 fn every(pieces: &[Pieces], places: &[ImpactPoint], restitutions: &[f64]) -> Vec<Hit> {
     let mut hits = Vec::new();
     for &it in pieces {
@@ -153,7 +152,7 @@ fn mirrored(given: ImpactPoint) -> ImpactPoint {
     }
 }
 
-/// Whether two hits ask about the same hit, but for side, speed and direction.
+/// Whether two hits differ in nothing but side, speed and direction.
 fn same_hit(a: &Hit, b: &Hit) -> bool {
     let close = |x: f64, y: f64| (x - y).abs() < 1e-9;
     a.pieces == b.pieces
@@ -169,9 +168,9 @@ fn within_reason(hit: &Hit) -> bool {
     hit.head_on() || drawable
 }
 
-/// How far apart the two nearest of the truth and all predictions for a hit are, in
-/// radians: as [`Question::clearance`](crate::quiz::Question::clearance) has it, without
-/// the words of a question, for thousands of hits are looked through.
+/// The smallest distance between any two of the truth and the predictions for a hit, in radians:
+/// as [`Question::clearance`](crate::quiz::Question::clearance), but without the words of a
+/// question, because thousands of hits are searched.
 fn clearance(hit: &Hit) -> f64 {
     let held = OF_RAYS
         .into_iter()
@@ -180,8 +179,7 @@ fn clearance(hit: &Hit) -> f64 {
     nearest(&rays, Rays::gap)
 }
 
-/// Whether the angles that are printed add up to the printed separation, to the last
-/// place.
+/// Whether the printed angles add up to the printed separation, to the last digit.
 fn adds_up(hit: &Hit) -> bool {
     let outcome = hit.outcome();
     match (outcome.theta1, outcome.theta2, outcome.separation) {

@@ -1,5 +1,5 @@
-//! The most a striker can be turned by one hit: whether there is a limit, where it lies,
-//! and how to aim for it.
+//! The greatest deflection of a striker in one collision: whether there is a limit, what it is,
+//! and where to aim for it.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -42,8 +42,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A hit with these masses that turns the striker as far as can be, or one at 30° where
-/// nothing does.
+/// A hit with these masses at the greatest deflection, or one at 30° where no α gives a greatest.
 fn turned_most(
     (m1_g, m2_g): (u32, u32),
     e_tenths: u32,
@@ -66,7 +65,7 @@ fn most(hit: &Hit) -> LargestDeflection {
     RestingTarget::from(&hit.collision()).largest_deflection()
 }
 
-/// The largest θ₁ and the α that brings it, where a limit lies well below 90°.
+/// The largest θ₁ and the α at which it occurs, if there is a limit well below 90°.
 fn turned(hit: &Hit) -> Option<(f64, f64)> {
     match most(hit) {
         LargestDeflection::Turned { theta1, alpha } => Some((theta1, alpha)),
@@ -145,7 +144,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// By how many degrees at most.
+/// The greatest deflection in degrees.
 fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let hit = turned_most(*dice.pick(&HEAVIER.concat())?, e_tenths, difficulty, dice);
     let (theta1, _) = turned(&hit)?;
@@ -183,8 +182,8 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
         .why(why)
 }
 
-/// A question where to aim a heavier striker without loss: the hit, the largest θ₁, the α
-/// that brings it, and what is told.
+/// A question about where to aim a heavier striker without loss: the hit, the largest θ₁, the α
+/// at which it occurs, and the outline with its setting.
 fn aimed(dice: &mut Dice) -> Option<(Hit, f64, f64, Outline)> {
     let hit = turned_most(*dice.pick(&HEAVIER.concat())?, 10, Difficulty::Hard, dice);
     let (theta1, alpha) = turned(&hit)?;

@@ -1,10 +1,10 @@
-//! "Make it so": choose the offset that sends a disc the way it is to go, and shoot.
+//! "Make it so": choose the offset that sends a disc in a given direction, and shoot.
 
 use super::prelude::*;
 use crate::physics::units::m_from_mm;
 use crate::quiz::question::{AimTask, Ray, Topic};
 
-/// Lighter strikers, which can be turned by any angle.
+/// Lighter strikers, which can be deflected by any angle.
 const LIGHT: [Pieces; 3] = [
     Pieces::Marbles,
     Pieces::Own {
@@ -24,7 +24,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
         }
         Difficulty::Hard => (*dice.pick(&LIGHT)?, f64::from(5 * (6 + dice.below(21)))),
     };
-    // Square across, some of what is believed would be head-on or a graze.
+    // At 90° some wrong answers would be head-on or a graze.
     if (wanted_deg - 90.0).abs() < 1.0 {
         return None;
     }
@@ -46,12 +46,12 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// What is to be done.
+/// The shot to make.
 struct ShotTask {
     hit: Hit,
     /// The side on which the target has to lie: 1 for the right, −1 for the left.
     side: f64,
-    /// How far off the striker's path the disc is to go.
+    /// The angle to the striker's original direction at which the disc has to leave.
     wanted_deg: f64,
 }
 
@@ -84,11 +84,11 @@ impl ShotTask {
             .why(self.why(&why, wanted))
     }
 
-    /// Turn the striker, which is no heavier than its target: no loss.
+    /// Deflect the striker, which is not heavier than its target, without loss.
     fn striker(&self) -> Option<Question> {
         let reach_mm = self.hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
-        // Seen from the centre of mass the striker is turned by Θ = 180° − 2α, and
+        // In the centre-of-mass frame the striker is deflected by Θ = 180° − 2α, and
         // sin(Θ − θ₁) = (m₁/m₂) sin θ₁, from θ₁ = atan2(sin Θ, cos Θ + m₁/m₂).
         let ratio = self.hit.mass_ratio();
         let turn = wanted + (ratio * wanted.sin()).clamp(-1.0, 1.0).asin();
@@ -116,7 +116,7 @@ impl ShotTask {
                 theta = bare_degrees(wanted),
             )
         };
-        // Nothing lies further across to be hit, nor can the target leave square to it.
+        // Both wrong answers need an angle below 90°: beyond it no offset gives them.
         let across = self.wanted_deg < 90.0;
         let if_so = |so: bool, offset_mm: f64| so.then_some(self.at(offset_mm));
         self.asks(Ray::Striker, alpha)
@@ -150,7 +150,7 @@ impl ShotTask {
         self.side * m_from_mm(offset_mm)
     }
 
-    /// Why it is this impact angle in radians, and so which offset.
+    /// Why: the sentence on the impact angle in radians, then the offset that follows.
     fn why(&self, angle: &str, alpha: f64) -> String {
         let reach_mm = self.hit.reach_mm();
         format!(
@@ -167,7 +167,7 @@ impl ShotTask {
         Intermediate::angle(alpha, |alpha| significant(reach_mm * alpha.sin()))
     }
 
-    /// The question, which wants this impact angle in radians.
+    /// The question whose solution is this impact angle in radians.
     fn asks(&self, ray: Ray, alpha: f64) -> Outline {
         let hit = &self.hit;
         let name = hit.pieces.target_name();
@@ -175,7 +175,7 @@ impl ShotTask {
         let [m1, m2] = [m1_g, m2_g].map(significant);
         let reach_mm = hit.reach_mm();
         let wanted = rad_from_deg(self.wanted_deg);
-        // The striker is thrown to the side away from its target.
+        // The striker is deflected to the side away from its target.
         let (sent, asked, rightward) = match ray {
             Ray::Target => (name, "target", self.side > 0.0),
             Ray::Striker => ("striker", "striker", self.side < 0.0),

@@ -1,10 +1,10 @@
-//! The families of questions, one file a family.
+//! The families of questions, one file per family.
 //!
-//! A family draws figures with the dice and declares a whole [`Question`] of them: the
-//! text, the picture, the true answer, what each misconception would answer, and why the
-//! truth is true. It need not care whether the answers can be told apart: [`Family::ask`]
-//! draws again until they can. A new family is a file of its own, and a line in the table
-//! here; its topics stand in the table of topics.
+//! A family draws numbers with the dice and builds a whole [`Question`] from them: the text, the
+//! picture, the right answer, the answer each misconception leads to, and the explanation. It
+//! need not check whether the answers can be told apart: [`Family::ask`] draws again until they
+//! can. A new family is a file of its own and a line in the table here; its topics are listed in
+//! the table of topics.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question};
 
@@ -26,14 +26,14 @@ mod speeds;
 mod weigh;
 pub(super) mod where_to;
 
-/// How many draws a question may take before a family is given up: a guard against a
-/// family that has nothing clear to ask. A test sees that none needs a twentieth of it.
+/// How many draws a question may take before the generator gives up: a guard against a family
+/// without any clear question. A test checks that none needs a twentieth of it.
 const DRAWS: usize = 20_000;
 
-/// One draw, clear or not; `None` where the figures drawn make no question.
+/// One draw, clear or not; `None` if the numbers drawn make no question.
 type Draw = fn(Difficulty, &mut Dice) -> Option<Question>;
 
-/// Each family's name as shown, and how it draws a question: in the order of [`Family`].
+/// Each family's name as shown and its generator, in the order of [`Family`].
 #[rustfmt::skip]
 static TABLE: [(&str, Draw); Family::ALL.len()] = [
     ("where will they go?", where_to::ask),
@@ -62,9 +62,9 @@ impl Family {
         TABLE[self as usize].0
     }
 
-    /// A question of this family that is clear, with the draws it took. The same dice
-    /// always bring the same question: the draws of a family are part of the format of
-    /// a round's code. `None` only where a family has nothing clear to ask.
+    /// A clear question of this family, with the number of draws it took. The same dice always
+    /// give the same question: the draws of a family are part of the format of a round's code.
+    /// `None` only if a family has no clear question.
     pub fn ask(self, difficulty: Difficulty, dice: &mut Dice) -> Option<(Question, usize)> {
         (1..=DRAWS).find_map(|draws| {
             let question = Question {

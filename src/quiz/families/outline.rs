@@ -1,4 +1,4 @@
-//! A question in the making.
+//! A question under construction.
 
 use serde_json::{Map, Value};
 
@@ -10,16 +10,16 @@ use crate::quiz::question::{
 
 /// A wrong answer as it is declared, whether or not it can be given.
 struct OutlinedAnswer {
-    /// Whoever gives it follows this; `None` for a wrong choice that follows nothing known.
+    /// The misconception behind it; `None` for a wrong choice without a known one.
     misconception: Option<Misconception>,
-    /// `None` where there is nothing to answer so here.
+    /// `None` if the misconception leads to no answer here.
     response: Option<Response>,
     says: String,
 }
 
-/// A question in the making: what is told, what is asked, what is true, and what is wrong.
+/// A question under construction: its setting, what it asks, the right answer and wrong ones.
 ///
-/// Wrong answers are declared whether or not they make sense for the figures drawn;
+/// Wrong answers are declared whether or not they make sense for the numbers drawn;
 /// [`why`](Self::why) leaves out those that cannot be given or happen to be right.
 pub(super) struct Outline {
     question: Question,
@@ -51,20 +51,20 @@ impl Outline {
         }
     }
 
-    /// A question about a hit that is given in full.
+    /// A question about a hit whose numbers are all given.
     pub(super) fn about(hit: &Hit) -> Self {
         let picture = Illustration::before(hit.collision(), Markings::given(hit));
         Self::told(hit, hit.setting(), picture)
     }
 
-    /// A question about a hit that is told in other words, beside another picture.
+    /// A question about a hit with its own setting and picture.
     pub(super) fn told(hit: &Hit, text: impl Into<String>, picture: Illustration) -> Self {
         let mut draft = Self::new(text, picture);
         draft.question.figures = figures(hit);
         draft
     }
 
-    /// What is asked, after what has been told.
+    /// Adds the sentence that asks to the setting.
     pub(super) fn ask(mut self, text: impl AsRef<str>) -> Self {
         self.question.text += " ";
         self.question.text += text.as_ref();
@@ -87,19 +87,19 @@ impl Outline {
         self
     }
 
-    /// A number is asked for, and this is it.
+    /// The answer is this number.
     pub(super) fn number(mut self, quantity: Measure, truth: f64) -> Self {
         self.question.form = Form::Number { quantity, truth };
         self
     }
 
-    /// A shot is asked for.
+    /// The answer is a shot.
     pub(super) fn shot(mut self, aim: AimTask) -> Self {
         self.question.form = Form::Shot(aim);
         self
     }
 
-    /// One of these texts is asked for, and this one is right.
+    /// The answer is one of these texts; `right` is its index.
     pub(super) fn options<T: Into<String>>(
         mut self,
         options: impl IntoIterator<Item = T>,
@@ -110,8 +110,8 @@ impl Outline {
         self
     }
 
-    /// What a misconception answers, as a number of the quantity asked for or an offset in
-    /// metres; `None` where it answers nothing here.
+    /// The answer a misconception leads to, as a number of the quantity asked for or an offset in
+    /// metres; `None` if it leads to none here.
     pub(super) fn wrong(
         mut self,
         misconception: Misconception,
@@ -125,8 +125,9 @@ impl Outline {
         self
     }
 
-    /// Which of the [`options`](Self::options) a misconception chooses, or somebody who follows
-    /// none that is known. Of misconceptions that choose alike the first counts.
+    /// The [`option`](Self::options) that a misconception leads to; `None` as the misconception
+    /// for a wrong option without a known one. If several lead to the same option, the first
+    /// counts.
     pub(super) fn chooses(
         mut self,
         misconception: impl Into<Option<Misconception>>,
@@ -136,7 +137,7 @@ impl Outline {
         self
     }
 
-    /// What to say to whoever gives the wrong answer declared last.
+    /// The feedback for the wrong answer declared last.
     pub(super) fn says(mut self, says: impl Into<String>) -> Self {
         if let Some(last) = self.wrong.last_mut() {
             last.says = says.into();
@@ -156,7 +157,7 @@ impl Outline {
         });
     }
 
-    /// Puts the choices into any order.
+    /// Shuffles the choices.
     pub(super) fn shuffled(mut self, dice: &mut Dice) -> Self {
         if let Form::Choice { options, right } = &mut self.question.form {
             let mut order: Vec<usize> = (0..options.len()).collect();
@@ -177,10 +178,10 @@ impl Outline {
         self
     }
 
-    /// Why the truth is true, which is all that was left to say: the question, with the wrong
-    /// answers that can be given and are not right by accident.
+    /// Adds the explanation and finishes the question, leaving out wrong answers that cannot be
+    /// given or happen to be right.
     pub(super) fn why(self, why: impl Into<String>) -> Option<Question> {
-        /// What rounding alone may do.
+        /// The largest difference that rounding alone can make.
         const SAME: f64 = 1e-6;
         let mut question = self.question;
         question.why = why.into();

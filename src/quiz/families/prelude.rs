@@ -1,4 +1,4 @@
-//! What nearly every family of figures is declared with.
+//! Imports that nearly every generated family needs.
 
 pub(super) use super::hit_draws::{
     ALL, EQUAL, HitDraws, NO_LOSS, UNEQUAL, direction_deg, drawn, here_e, in_degrees, in_short,

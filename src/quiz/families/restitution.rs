@@ -1,5 +1,5 @@
-//! What the coefficient of restitution e does: speeds of parting, the corner, and where the
-//! right angle is found again.
+//! What the coefficient of restitution e does: the speed of separation, the angle between the
+//! paths, and which masses give a right angle in spite of a loss.
 
 use super::prelude::*;
 use super::separation::twice_alpha;
@@ -25,7 +25,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A hit of which the striker's mass is asked for, in words.
+/// The setting of a question that asks for the striker's mass.
 fn of_any_striker(hit: &Hit) -> String {
     format!(
         "A smooth striker hits a smooth coin of {} g at rest, off-centre. {}",
@@ -36,7 +36,7 @@ fn of_any_striker(hit: &Hit) -> String {
 
 const NOT_HERE: &str = "For equal masses the angle is 90° only if no energy is lost.";
 
-/// Whether, and with which striker, there is a right angle in spite of loss.
+/// Whether a right angle is possible in spite of a loss, and with which striker.
 fn square_again(dice: &mut Dice) -> Option<Question> {
     const STRIKERS: [&str; 4] = [
         "for a certain lighter striker",
@@ -112,7 +112,7 @@ fn parting(dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// A hit that is square in spite of loss.
+/// A collision with a loss after which the paths are at right angles.
 fn square(dice: &mut Dice) -> Option<Hit> {
     let (m1_g, m2_g, e_tenths) = *dice.pick(&SQUARE.concat())?;
     let e = f64::from(e_tenths) / 10.0;
@@ -124,7 +124,7 @@ const COMPONENT: &str = "The angle is 90° if the striker's final velocity has n
 
 const PROPORTIONAL: &str = "That component is proportional to m₁ − e m₂.";
 
-/// The striker's mass that brings the right angle back.
+/// The striker's mass for which the angle is 90°.
 fn striker_for_square(dice: &mut Dice) -> Option<Question> {
     let hit = square(dice)?;
     let ([m1, m2], e) = (hit.masses_g(), hit.restitution);
@@ -149,7 +149,7 @@ fn striker_for_square(dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// The e that brings the right angle to two masses.
+/// The e for which the angle between two given masses' paths is 90°.
 fn e_for_square(dice: &mut Dice) -> Option<Question> {
     let hit = square(dice)?;
     let e = hit.restitution;
@@ -174,7 +174,7 @@ fn e_for_square(dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// How far loss closes the corner of equal masses.
+/// The angle between the paths of equal masses with a loss.
 fn corner(dice: &mut Dice) -> Option<Question> {
     let e = f64::from(*dice.pick(&[2, 3, 4, 5, 6, 7])?) / 10.0;
     let hit = drawn(Pieces::Equal, e, Difficulty::Hard, dice)?;
@@ -199,7 +199,7 @@ fn corner(dice: &mut Dice) -> Option<Question> {
         .wrong(LossOpensAngle, 180.0 - deg_from_rad(separation))
         .says("You made the angle larger by as much as the loss makes it smaller.")
         .why(format!(
-            "Of its speed the striker keeps sin {alpha}° = {across} perpendicular to the line of \
+            "The striker keeps sin {alpha}° = {across} of its speed perpendicular to the line of \
              impact and (1 − {}) / 2 × cos {alpha}° = {along} along it. The tangent of the angle is {across} / {along}, and the angle is {}.",
             significant(e),
             between(across.value, along.value),
@@ -207,7 +207,7 @@ fn corner(dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// e from the two angles after a hit, the masses being known.
+/// e from the two angles after a collision of known masses.
 fn e_from_angles(dice: &mut Dice) -> Option<Question> {
     let e = tenths(dice)?;
     let (m1_g, m2_g) = *dice.pick(&[(15, 15), (20, 20), (15, 10), (20, 15), (10, 15), (15, 20)])?;
@@ -236,7 +236,7 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
         .wrong(UpsideDown, k * (m1 + m2) / m1 - 1.0)
         .says("You swapped the two masses.")
         .wrong(Lossless, 1.0)
-        .says("You assumed e = 1: then the angle would be another.")
+        .says("You assumed e = 1: then the angles would differ.")
         .why(format!(
             "Along the line of impact the striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {shown}. As k = (1 + e) m₂ / (m₁ + m₂), e = {shown} × {} / {} \
              − 1 = {}.",

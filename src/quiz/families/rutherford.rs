@@ -1,4 +1,4 @@
-//! Rutherford's law: how many are counted at two angles, 1 / sin⁴(Θ/2).
+//! Rutherford's law: counts at two angles are in the ratio of 1 / sin⁴(Θ/2).
 
 use super::prelude::*;
 use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
@@ -11,7 +11,7 @@ const FOILS: [(&str, f64); 4] = [
     ("copper", 29.0),
 ];
 
-/// Two angles in degrees, and how many times as many are counted at the first.
+/// Two angles in degrees, and the count at the first divided by the count at the second.
 const WHOLE: [(u32, u32, u32); 4] = [(60, 180, 16), (60, 120, 9), (60, 90, 4), (90, 180, 4)];
 
 /// A foil and the α-particles thrown at it.
@@ -63,12 +63,12 @@ fn half_sine(deg: f64) -> f64 {
     rad_from_deg(deg / 2.0).sin()
 }
 
-/// How many times as many are counted at the first angle as at the second.
+/// The count at the first angle divided by the count at the second.
 fn times_as_many(from_deg: f64, to_deg: f64) -> f64 {
     (half_sine(to_deg) / half_sine(from_deg)).powi(4)
 }
 
-/// Why, for two angles, where the fourth power of their ratio is printed so.
+/// The explanation for two angles; `power` prints the fourth power of the ratio of the sines.
 fn why(from_deg: f64, to_deg: f64, power: impl Fn(f64) -> String) -> String {
     let half = |deg: f64| bare_degrees(rad_from_deg(deg / 2.0));
     let ratio = half_sine(to_deg) / half_sine(from_deg);
@@ -86,7 +86,7 @@ fn why(from_deg: f64, to_deg: f64, power: impl Fn(f64) -> String) -> String {
 fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (near, far, times) = *dice.pick(&WHOLE)?;
     let (near_deg, far_deg) = (f64::from(near), f64::from(far));
-    // Asked from the small angle to the large one, or back.
+    // The question goes from the small angle to the large one, or back.
     let more_here = dice.coin();
     let many = |n: u32| format!("{n} times as many");
     let few = |n: u32| format!("1/{n} as many");
@@ -120,9 +120,9 @@ fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         .why(why(near_deg, far_deg, significant))
 }
 
-/// What misconceptions answer that is asked for a ratio.
+/// The right ratio and the wrong ones.
 fn wrong_ratios(draft: Outline, from_deg: f64, to_deg: f64, by_energy: f64) -> Outline {
-    // Straight back has a whole angle whose sine is 0 but for rounding.
+    // At 180° the sine of the whole angle is 0 except for rounding.
     let whole = (to_deg < 175.0).then(|| times_as_many(2.0 * from_deg, 2.0 * to_deg));
     let truth = by_energy * times_as_many(from_deg, to_deg);
     draft
@@ -152,7 +152,7 @@ fn ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         .why(why(here_deg, there_deg, significant))
 }
 
-/// The energy changes with the angle: d goes as 1 / E, and counts as d².
+/// Energy and angle both change: d is proportional to 1 / E, and counts to d².
 fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let (here_deg, there_deg) = two_angles(dice)?;
     let to_energy_mev = f64::from(3 + dice.below(6));
@@ -189,17 +189,17 @@ fn ratio_of_energies(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// The ratio is given, the angle asked for.
+/// The ratio is given, and the question asks for the angle.
 fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
     let from_deg = f64::from(15 * (2 + dice.below(5)));
     let fewer = f64::from(*dice.pick(&[2_u32, 3, 4, 5, 8, 10, 16, 20, 50])?);
-    // The angle at which sin⁴ of its half, or what is taken for it, is so many times as
-    // large; NaN beyond 180°.
+    // The angle at which sin⁴ of half the angle, or what a misconception uses instead, is that
+    // many times as large; NaN beyond 180°.
     let half_sine = half_sine(from_deg);
     let at = |sine: f64| 2.0 * deg_from_rad(sine.asin());
     let root = fewer.sqrt().sqrt();
     let truth = at(half_sine * root);
-    // Close to straight back the sine hardly grows any more.
+    // Close to 180° the sine of half the angle hardly grows any more.
     if truth.is_nan() || truth > 165.0 {
         return None;
     }

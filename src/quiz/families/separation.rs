@@ -1,5 +1,4 @@
-//! The corner that the two ways out make: more, exactly or less than 90°, and how many
-//! degrees.
+//! The angle between the paths: more than, exactly or less than 90°, and how many degrees.
 
 use super::prelude::*;
 use crate::quiz::misconceptions::reasoning;
@@ -13,7 +12,7 @@ const LESS: usize = 2;
 /// Masses in grams and e in tenths: m₁, m₂, e.
 type MassesAndLoss = (u32, u32, u32);
 
-/// Alike, with a heavier striker, and with a lighter one.
+/// Equal masses, a heavier striker, and a lighter one.
 const LOSSLESS_PAIRS: [&[MassesAndLoss]; 3] = [
     &[(15, 15, 10), (18, 18, 10), (20, 20, 10)],
     &[(15, 6, 10), (20, 10, 10), (24, 16, 10)],
@@ -27,7 +26,7 @@ const LOSSY_PAIRS: [&[MassesAndLoss]; 3] = [
     &[(10, 20, 9), (10, 30, 6), (15, 30, 8), (20, 40, 9)],
 ];
 
-/// A lighter striker, at m₁ = e m₂ and to both sides of it.
+/// A lighter striker: m₁ = e m₂, and e above and below that.
 const NEAR_SQUARE: [&[MassesAndLoss]; 5] = [
     &[(10, 20, 5), (10, 20, 8), (10, 20, 3)],
     &[(12, 20, 6), (12, 20, 9), (12, 20, 3)],
@@ -51,7 +50,7 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
     let (m1_g, m2_g, e_tenths) = *dice.pick(&pairs.concat())?;
     let e = f64::from(e_tenths) / 10.0;
     let hit = drawn(pair(m1_g, m2_g), e, difficulty, dice)?;
-    // The lighter the striker against e times the target, the wider.
+    // The smaller m₁ is compared with e m₂, the larger the angle.
     let right = place((10 * m1_g).cmp(&(e_tenths * m2_g)));
     let lossy = e_tenths < 10;
     let not_here = if m1_g == m2_g {
@@ -114,11 +113,11 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
         })
 }
 
-/// Of whoever lets loss widen the angle between equal masses.
+/// Feedback if the answer assumes that a loss makes the angle larger for equal masses.
 const CLOSES: &str = "You assumed that the loss makes the angle larger. But the two separate more \
                       slowly, so the striker follows the coin.";
 
-/// Of whoever lets the heavier striker rebound, or the lighter one follow.
+/// Feedback if the heavier striker rebounds in the answer, or the lighter one follows.
 pub(super) const FOLLOWS_OR_BOUNCES: &str = "You exchanged the two cases: a heavier striker \
                                              follows the coin, a lighter one rebounds.";
 
@@ -190,7 +189,7 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
         .why(reasoning(&hit))
 }
 
-/// Of whoever takes twice the impact angle for the corner.
+/// Feedback for an answer of twice the impact angle.
 pub(super) fn twice_alpha(alpha: f64, name: &str) -> String {
     format!(
         "You answered twice {}. But only the {name} leaves at the impact angle.",

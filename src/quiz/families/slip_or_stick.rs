@@ -1,4 +1,4 @@
-//! Slipping, e = 0 with smooth rims, against sticking: how the two go on.
+//! Smooth rims with e = 0, compared with rims that stick: how the two discs move on.
 
 use super::prelude::*;
 use crate::physics::Bond;
@@ -7,9 +7,9 @@ use crate::physics::Bond;
 enum Rims {
     /// Smooth, and nothing is lost.
     Lossless,
-    /// Smooth, and nothing springs back.
+    /// Smooth, without rebound: e = 0.
     Slip,
-    /// They hold fast.
+    /// The discs are joined where they touch.
     Stick,
 }
 
@@ -76,7 +76,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// How do they go on? Equal masses.
+/// A choice between ways to move on, with equal masses.
 fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
     /// The first three in the order of [`Rims`].
     const WAYS: [&str; 4] = [
@@ -95,7 +95,7 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
     let hit = &hit.with_restitution(rims.restitution());
     let outcome = rims.collision(hit).outcome();
     let across = significant(hit.speed * hit.alpha().abs().sin());
-    // What is said to whoever lets them part at less than 90°, or stay together.
+    // Feedback for "less than 90°" and for "stay together".
     let (narrow, together, why) = match rims {
         Rims::Lossless => (
             "You assumed that some energy is lost. With e = 1 none is lost.",
@@ -141,14 +141,13 @@ fn by_choice(hit: &Hit, dice: &mut Dice) -> Option<Question> {
         .why(why)
 }
 
-/// The striker's share of the masses, which is the share of its speed that the two have in
-/// common.
+/// The striker's share of the total mass: the fraction of its speed that both have afterwards.
 fn share(hit: &Hit) -> f64 {
     let [m1, m2] = hit.masses_g();
     m1 / (m1 + m2)
 }
 
-/// The striker's speed along the line of impact and across it.
+/// The components of the striker's speed along the line of impact and perpendicular to it.
 fn parts(hit: &Hit) -> (f64, f64) {
     let (sin, cos) = hit.alpha().abs().sin_cos();
     (hit.speed * cos, hit.speed * sin)
@@ -158,7 +157,7 @@ fn shared(along: &Intermediate) -> String {
     format!("Along the line of impact both move on at {along} m/s.")
 }
 
-/// The angle at which the two slip apart.
+/// The angle between the paths of discs that slip.
 fn parting(hit: &Hit) -> Option<Question> {
     let name = hit.pieces.target_name();
     let (along, across) = parts(hit);
@@ -190,7 +189,7 @@ fn parting(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// How fast the striker slips on.
+/// The striker's final speed.
 fn striker_speed(hit: &Hit) -> Option<Question> {
     let (along, across) = parts(hit);
     let speed = |rims: Rims| rims.collision(hit).outcome().v1.length();
@@ -227,7 +226,7 @@ fn striker_speed(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// How fast the stuck pair goes on.
+/// The final speed of the joined pair.
 fn pair_speed(hit: &Hit) -> Option<Question> {
     let (u, share) = (hit.speed, share(hit));
     let shown = Intermediate::new(share, |share| significant(share * u));
@@ -261,7 +260,7 @@ fn pair_speed(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// The share of the energy that is lost as they slip.
+/// The share of the energy that discs that slip lose.
 fn loss(hit: &Hit) -> Option<Question> {
     let (sin, cos) = hit.alpha().abs().sin_cos();
     let (share, at_stake) = (share(hit), cos.powi(2));

@@ -16,7 +16,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// The struck disc's speed: the head-on formula, for the part along the line of impact.
+/// The target's speed: the head-on formula for the component along the line of impact.
 fn target(hit: &Hit) -> Option<Question> {
     let name = hit.pieces.target_name();
     let (u, alpha, e) = (hit.speed, hit.alpha().abs(), hit.restitution);
@@ -65,17 +65,17 @@ fn target(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// Of whoever takes the sine for the cosine in what the struck disc of this name gets.
+/// Feedback for a sine instead of the cosine in the target's speed or energy.
 pub(super) fn sine_for_cosine(name: &str) -> String {
     format!("You used the sine instead of the cosine. The {name} gets the most head-on.")
 }
 
-/// Of whoever takes e off a speed without loss.
+/// Feedback for a lossless speed multiplied by e.
 pub(super) const SHRUNK: &str = "You multiplied the speed for e = 1 by e. But e multiplies the \
                                  speed of separation, not each of the two speeds.";
 
-/// The striker's speed, equal masses: the part across the line of impact, which is all
-/// that it keeps.
+/// The striker's speed with equal masses: it keeps only the component perpendicular to the line
+/// of impact.
 fn striker(hit: &Hit) -> Option<Question> {
     let (u, alpha) = (hit.speed, hit.alpha().abs());
     let outcome = hit.outcome();

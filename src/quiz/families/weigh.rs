@@ -1,4 +1,4 @@
-//! A mass from what is seen after the hit: which is the heavier, and how heavy it is.
+//! Weighing by what is seen after the collision: which disc is heavier, and by how much.
 
 use super::prelude::*;
 use super::separation::FOLLOWS_OR_BOUNCES;
@@ -31,7 +31,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A hit seen from the outside.
+/// A collision of which only the angles are known.
 struct SeenHit {
     hit: Hit,
     coin_g: f64,
@@ -69,7 +69,7 @@ impl SeenHit {
     }
 }
 
-/// The two angles of a hit that was seen, in a sentence.
+/// A sentence with the two angles seen.
 pub(super) fn seen_angles(theta1: f64, theta2: f64) -> String {
     format!(
         "The striker was deflected by θ₁ = {}; the coin left at θ₂ = {} on the other side.",
@@ -78,7 +78,7 @@ pub(super) fn seen_angles(theta1: f64, theta2: f64) -> String {
     )
 }
 
-/// Which of the two is the heavier, from the corner.
+/// Which disc is heavier, from the angle between the paths.
 fn which(dice: &mut Dice) -> Option<Question> {
     let alike = dice.below(3) == 0;
     let coins_g: &[u32] = if alike { &[STRIKER_G] } else { &COINS_G };
@@ -86,7 +86,7 @@ fn which(dice: &mut Dice) -> Option<Question> {
     let right = place(seen.coin_g.total_cmp(&STRIKER));
     let turned_less = place(tenths(seen.theta1).cmp(&tenths(seen.theta2)));
     if right == ALIKE && turned_less == ALIKE {
-        // Whoever compares the two angles is right by accident.
+        // Comparing the two angles would give the right answer by accident.
         return None;
     }
     let why = match right {
@@ -121,7 +121,7 @@ fn which(dice: &mut Dice) -> Option<Question> {
 
 const RATIO_UPSIDE_DOWN: &str = "You inverted the ratio of the masses.";
 
-/// The mass of the coin by the momentum across the striker's way: angles and speeds.
+/// The coin's mass from the momentum perpendicular to the striker's path: angles and speeds.
 fn by_momentum(seen: &SeenHit) -> Option<Question> {
     let outcome = seen.hit.outcome();
     let (u, v1, v2) = (seen.hit.speed, outcome.v1.length(), outcome.v2.length());
@@ -157,7 +157,7 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
         ))
 }
 
-/// The mass of the coin by the two angles alone.
+/// The coin's mass from the two angles alone.
 fn by_angles(seen: &SeenHit) -> Option<Question> {
     let (theta1, theta2) = (seen.theta1, seen.theta2);
     let e = seen.hit.restitution;

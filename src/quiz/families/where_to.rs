@@ -1,4 +1,4 @@
-//! "Where will they go?": both rays of a hit on a resting target.
+//! "Where will they go?": both rays after a collision with a target at rest.
 
 use std::collections::BTreeMap;
 
@@ -66,7 +66,7 @@ pub(super) fn unequal_masses(difficulty: Difficulty, dice: &mut Dice) -> Option<
     of_kinds(kinds, difficulty, dice)
 }
 
-/// Both rays from the picture alone: no figure is given, only what can be seen.
+/// Both rays from the picture alone: no numbers are given.
 pub(super) fn from_picture(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     let hit = dice.pick(&[EqualAngle])?.draw(difficulty, &[], dice)?;
     let (angle, eye) = match difficulty {
@@ -86,7 +86,7 @@ pub(super) fn from_picture(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     Some(Question {
         topic: "from-the-picture".into(),
         text: format!(
-            "Two equal discs, one at rest, no energy lost, and no figures. {eye} where will they \
+            "Two equal discs, one at rest, no energy lost, and no numbers. {eye} where will they \
              go?"
         ),
         picture: Illustration::before(hit.collision(), shown),
@@ -101,7 +101,7 @@ fn of_kinds(kinds: [&[HitKind]; 3], difficulty: Difficulty, dice: &mut Dice) -> 
     Some(Question::from(&hit))
 }
 
-/// What misconceptions make of a hit.
+/// The wrong answers that misconceptions lead to for this hit.
 fn beliefs(hit: &Hit) -> Vec<WrongAnswer> {
     OF_RAYS
         .into_iter()
@@ -139,7 +139,7 @@ pub(super) fn figures(hit: &Hit) -> Figures {
     figures.into_iter().collect()
 }
 
-/// The question where the two of a hit will go.
+/// The question where the two discs will go.
 impl From<&Hit> for Question {
     fn from(hit: &Hit) -> Self {
         Self {

@@ -1,10 +1,10 @@
-//! What the player says, and how it is kept in databases and files: JSON, with the units in the
-//! names.
+//! What the player answers, and how it is stored in databases and files: JSON, with the units in
+//! the names.
 
 use super::{Confidence, Rays};
 use crate::physics::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 
-/// What is said to a question, in the way it asks for.
+/// An answer to a question, in the form it asks for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Response {
     /// Where the two will go.
@@ -18,7 +18,7 @@ pub enum Response {
 }
 
 impl Response {
-    /// The rays, where it is those.
+    /// The rays, if it is an answer by rays.
     pub const fn rays(self) -> Option<Rays> {
         match self {
             Self::Rays(rays) => Some(rays),
@@ -26,8 +26,8 @@ impl Response {
         }
     }
 
-    /// The text with which it is kept: "rays 60 still", "number 2.1", "choice 2" (from
-    /// 1), "shot 15" (angles in degrees, the offset in millimetres).
+    /// The text that stores it: "rays 60 still", "number 2.1", "choice 2" (from 1), "shot 15"
+    /// (angles in degrees, the offset in millimetres).
     pub fn to_text(self) -> String {
         match self {
             Self::Rays(rays) => {
@@ -43,10 +43,10 @@ impl Response {
         }
     }
 
-    /// What such a text says; `None` if it is none.
+    /// Reads such a text; `None` if it is not one.
     pub fn parse(text: &str) -> Option<Self> {
         let finite = |text: &str| text.parse().ok().filter(|x: &f64| x.is_finite());
-        // An angle is that of a disc that moves, or of none.
+        // `None` is a disc that stays still.
         let angle = |text: &str| match text {
             STILL => Some(None),
             text => finite(text).map(|angle| Some(rad_from_deg(angle))),
@@ -68,10 +68,10 @@ impl Response {
 /// The word for a disc that stays still.
 const STILL: &str = "still";
 
-/// An answer: what is said, and how sure the player is of it.
+/// An answer, and how sure the player is of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Answer {
-    /// What is said.
+    /// The answer itself.
     pub said: Response,
     /// How sure the player is.
     pub confidence: Confidence,
@@ -83,12 +83,12 @@ impl Answer {
         Self { said, confidence }
     }
 
-    /// The text of what is said, then how sure the player is: "choice 2 think-so".
+    /// The text of the answer, then how sure the player is: "choice 2 think-so".
     pub fn to_text(self) -> String {
         format!("{} {}", self.said.to_text(), self.confidence.id())
     }
 
-    /// The answer of such a text; `None` if it is none.
+    /// Reads such a text; `None` if it is not one.
     pub fn parse(text: &str) -> Option<Self> {
         let (said, confidence) = text.rsplit_once(' ')?;
         Some(Self {
@@ -103,7 +103,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_said_is_read_as_it_is_written() {
+    fn answers_read_back_as_written() {
         for text in [
             "rays 60 still",
             "rays -0.5 30.25",
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn what_says_nothing_is_refused() {
+    fn an_invalid_answer_is_refused() {
         for text in [
             "",
             "rays",

@@ -1,4 +1,4 @@
-//! How sure a player is, and what that brings.
+//! How sure a player is, and the points for it.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr};
@@ -30,7 +30,7 @@ pub enum Confidence {
 }
 
 impl Confidence {
-    /// All three, from the least.
+    /// All three, the least sure first.
     pub const ALL: [Self; 3] = [Self::Guess, Self::ThinkSo, Self::Sure];
 
     /// As shown.
@@ -60,11 +60,10 @@ impl Confidence {
     /// | think so | −2 | 9 |
     /// | sure | −6 | 10 |
     ///
-    /// and straight lines between. The lines cross at a credit of 0.5 (guess and
-    /// think so) and 0.8 (think so and sure), so whoever expects less than a half is
-    /// best served by saying "guess", and "sure" pays only from four fifths on:
-    /// being honest is the way to most points. This is the idea of certainty-based
-    /// marking (A. R. Gardner-Medwin, 1995) with other numbers.
+    /// and straight lines between. The lines cross at a credit of 0.5 (guess and think so) and 0.8
+    /// (think so and sure), so "guess" earns the most for an expected credit below a half, and
+    /// "sure" only above four fifths: honesty earns the most points. This is the idea of
+    /// certainty-based marking (A. R. Gardner-Medwin, 1995) with other numbers.
     pub fn points(self, credit: f64) -> f64 {
         let (worst, best) = match self {
             Self::Guess => (0.0, 7.0),

@@ -8,10 +8,9 @@ const STREAM: u64 = 0x0a02_bdbf_7bb3_c0a7;
 
 /// Choices that follow from a seed, the same on every machine.
 ///
-/// The generator is PCG-XSH-RR 64/32 ("PCG32"; M. E. O'Neill, 2014), started with
-/// the seed as its state and with a fixed stream. Neither seeding nor choosing is
-/// left to a library's changing taste: a choice among n is the upper half of the
-/// product of n and the generator's next 32 bits.
+/// The generator is PCG-XSH-RR 64/32 ("PCG32"; M. E. O'Neill, 2014), started with the seed as its
+/// state and with a fixed stream. Neither seeding nor choosing is left to a library, which may
+/// change: a choice among n is the upper half of the product of n and the generator's next 32 bits.
 pub struct Dice(Pcg32);
 
 impl Dice {
@@ -20,7 +19,7 @@ impl Dice {
         Self(Pcg32::new(seed, STREAM))
     }
 
-    /// A whole number below `n`, all as good as equally likely; 0 if `n` is 0.
+    /// A whole number below `n`, all practically equally likely; 0 if `n` is 0.
     pub fn below(&mut self, n: u32) -> u32 {
         ((u64::from(self.0.next_u32()) * u64::from(n)) >> 32) as u32
     }
@@ -35,7 +34,7 @@ impl Dice {
         items.get(self.below(items.len() as u32) as usize)
     }
 
-    /// Puts `items` into any order (Fisher and Yates).
+    /// Shuffles `items` (Fisher and Yates).
     pub(crate) fn shuffle<T>(&mut self, items: &mut [T]) {
         for last in (1..items.len()).rev() {
             items.swap(last, self.below(last as u32 + 1) as usize);

@@ -10,7 +10,7 @@ pub enum Difficulty {
     Easy,
     /// One idea, in any setting.
     Middle,
-    /// Two ideas at once, or one the other way round.
+    /// Two ideas at once, or one in reverse.
     Hard,
 }
 
@@ -23,7 +23,7 @@ impl Difficulty {
         self.into()
     }
 
-    /// That of question `i` (from 0) of `count` in a round that rises.
+    /// The difficulty of question `i` (from 0) of `count` in a round that gets harder.
     pub(crate) fn rising(i: usize, count: usize) -> Self {
         let third = (3 * i).checked_div(count).unwrap_or(0);
         Self::ALL[third.min(2)]

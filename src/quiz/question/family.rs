@@ -1,4 +1,4 @@
-//! The families of questions by name; what they ask is declared a floor above.
+//! The families of questions by name; a higher layer declares what they ask.
 
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
@@ -12,33 +12,33 @@ pub enum Family {
     FromAngle,
     /// Both rays from the offset, equal masses.
     FromOffset,
-    /// Both rays from the picture alone, without a figure.
+    /// Both rays from the picture alone, without numbers.
     FromPicture,
     /// Both rays with unequal masses.
     UnequalMasses,
     /// How fast each one leaves.
     Speeds,
-    /// What corner the two ways out make.
+    /// The angle between the paths.
     Separation,
-    /// What share of the energy each one has after the hit.
+    /// What share of the energy each disc has after the collision.
     EnergyShare,
     /// What the coefficient of restitution does, and what it is.
     Restitution,
-    /// How far a striker can be turned at most.
+    /// The greatest deflection of a striker.
     LargestDeflection,
-    /// A mass from what is seen after the hit.
+    /// A mass from what is seen after the collision.
     Weigh,
-    /// Slipping with e = 0 against sticking: how the two go on.
+    /// Smooth rims with e = 0, compared with rims that stick: how the two move on.
     SlipOrStick,
-    /// Two equal discs that both move: who sees 90°?
+    /// Two equal discs that both move: in which frame is it 90°?
     BothMoving,
-    /// Its speed, and the angle Θ by which it sees both turned.
+    /// The speed of the centre-of-mass frame, and the scattering angle Θ in it.
     CentreOfMass,
-    /// How many are counted at two angles.
+    /// The counts at two angles.
     Rutherford,
-    /// Choose the offset that sends a disc where it is to go.
+    /// Choose the offset that sends a disc in a given direction.
     MakeItSo,
-    /// The written questions, one idea each.
+    /// The questions in words, one idea each.
     Concept,
     /// Those that were written after the codes of [`Concept`](Self::Concept) were fixed.
     Ideas,

@@ -1,11 +1,11 @@
-//! What is noted of a question or an answer, as JSON.
+//! The figures of a question or an answer, as JSON.
 
 use serde_json::{Map, Value};
 
-/// What is noted of a question or an answer, by names that end in the unit.
+/// The figures of a question or an answer, by names that end in the unit.
 pub type Figures = Map<String, Value>;
 
-/// The figures that stand in a JSON object; none in any other value.
+/// The figures in a JSON object; none in any other value.
 pub(crate) fn figures(value: Value) -> Figures {
     match value {
         Value::Object(figures) => figures,

@@ -12,7 +12,7 @@ use crate::numbers::millimetres;
 pub enum Form {
     /// By two rays, turned or typed.
     Rays {
-        /// Where the two go.
+        /// Where the two discs go.
         truth: Rays,
         /// The side on which the target lies: 1 for the right, −1 for the left.
         side: f64,
@@ -28,7 +28,7 @@ pub enum Form {
     },
     /// By choosing.
     Choice {
-        /// What there is to choose from, two to five texts.
+        /// The choices, two to five texts.
         options: Vec<String>,
         /// The right one, counted from 0.
         right: usize,
@@ -37,21 +37,21 @@ pub enum Form {
     Shot(AimTask),
 }
 
-/// A shot that is to send one of the two a given way.
+/// A shot that has to send one of the two discs in a given direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AimTask {
-    /// The hit, head-on; its offset is the player's to set.
+    /// The hit, head-on; the player sets its offset.
     pub collision: Collision,
-    /// Which of the two has a way to go.
+    /// Which of the two discs has to go there.
     pub ray: Ray,
-    /// Its way: θ₁ or θ₂ in radians, with the signs of [`Rays`].
+    /// Its direction: θ₁ or θ₂ in radians, with the signs of [`Rays`].
     pub wanted: f64,
-    /// An offset in metres that does it.
+    /// An offset in metres that solves it.
     pub offset: f64,
 }
 
 impl AimTask {
-    /// What becomes of the hit with this offset in metres.
+    /// The outcome of the hit with this offset in metres.
     pub(crate) fn outcome(&self, offset: f64) -> CollisionOutcome {
         self.with(offset).outcome()
     }
@@ -64,14 +64,13 @@ impl AimTask {
         }
     }
 
-    /// The furthest offset that can be set, in millimetres either way: a little more than still
-    /// hits.
+    /// The largest offset that can be set, in millimetres either way: slightly beyond a graze.
     pub(crate) fn furthest_offset_mm(&self) -> f64 {
         (1.1 * mm_from_m(self.collision.contact_distance())).ceil()
     }
 
-    /// How far off its way the disc goes with this offset, in radians from 0 to π;
-    /// `None` if it does not move, or if nothing is hit.
+    /// The error of the disc's direction with this offset, in radians from 0 to π; `None` if it
+    /// does not move, or if nothing is hit.
     pub(crate) fn error(&self, offset: f64) -> Option<f64> {
         let outcome = self.outcome(offset);
         if !outcome.hit() {
@@ -83,10 +82,10 @@ impl AimTask {
 }
 
 impl Form {
-    /// Whether this form can be answered so: the answer is of the form's kind and in its range.
+    /// Whether an answer is of the form's kind and in its range.
     ///
-    /// Answers come from devices, files and databases that anybody can change. Each is checked
-    /// here before it is used, so that whatever reads an answer later can rely on it.
+    /// Answers come from devices, files and databases that anybody can change. Each is checked here
+    /// before it is used, so that later code can rely on it.
     pub fn accepts(&self, said: &Response) -> bool {
         match (self, said) {
             (Self::Rays { .. }, Response::Rays(rays)) => rays.are_in_range(),
@@ -119,9 +118,9 @@ impl Form {
         }
     }
 
-    /// How far an answer is from `truth`, or from what somebody believes, counted in what
-    /// still counts as right: 1 is the edge, 0 is the same answer. Infinite where they
-    /// are of different kinds.
+    /// The distance of an answer from `truth` or from a misconception's answer, in units of the
+    /// tolerance: 1 is the limit of what counts as right, 0 the same answer. Infinite for answers
+    /// of different kinds.
     pub fn distance(&self, said: &Response, truth: &Response) -> f64 {
         match (self, said, truth) {
             (Self::Number { quantity, .. }, Response::Number(said), Response::Number(truth)) => {
@@ -131,8 +130,7 @@ impl Form {
         }
     }
 
-    /// How far apart two answers are, counted in the widest that can count as right: see
-    /// [`Measure::spacing`].
+    /// How far apart two answers are, in units of the largest tolerance: see [`Measure::spacing`].
     pub(crate) fn spacing(&self, a: &Response, b: &Response) -> f64 {
         let angle = |angle: f64| deg_from_rad(angle) / RIGHT_DEG;
         match (self, a, b) {
@@ -156,7 +154,7 @@ impl Form {
         }
     }
 
-    /// An answer in words, as long as it takes: "striker 60.0° left, coin 30.0° right".
+    /// An answer in words, of any length: "striker 60.0° left, coin 30.0° right".
     pub fn words(&self, said: &Response) -> String {
         match (self, said) {
             (Self::Rays { target, .. }, Response::Rays(rays)) => rays.words(target),

@@ -1,4 +1,4 @@
-//! How good an answer is, by how far off it is.
+//! How good an answer is, from its error.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -8,35 +8,33 @@ use crate::physics::units::{deg_from_rad, rad_from_deg};
 use super::tolerance::{RIGHT_DEG, apart_deg};
 use super::{Answer, Confidence, Form, Measure, Question, Ray, Rays, Response};
 
-/// Up to this share of what counts as right an answer earns full credit: for an angle
-/// 2°, about what can be read off the picture.
+/// Up to this share of the tolerance an answer earns full credit: 2° for an angle, about what can
+/// be read off the picture.
 const FULL_CREDIT: f64 = 0.5;
 
-/// From this many times what counts as right on an answer earns nothing: for an angle
-/// 30°.
+/// From this many times the tolerance on an answer earns nothing: 30° for an angle.
 const NO_CREDIT: f64 = 7.5;
 
-/// Credit from 0 to 1 for an answer that is off by `distance`, counted in what still
-/// counts as right: 1 up to a half, then cos² down to 0 at seven and a half, which has
-/// no corner at either end. Infinite earns 0.
+/// Credit from 0 to 1 for an answer whose error is `distance`, in units of the tolerance: 1 up to a
+/// half, then cos² down to 0 at seven and a half, which is smooth at both ends. Infinite earns 0.
 fn credit(distance: f64) -> f64 {
     let share = (distance - FULL_CREDIT) / (NO_CREDIT - FULL_CREDIT);
     let credit = (FRAC_PI_2 * share.clamp(0.0, 1.0)).cos().powi(2);
-    // The cosine of what is nearly a right angle is only nearly nothing.
+    // The cosine of π/2 is not exactly 0 in floating point.
     if credit < 1e-12 { 0.0 } else { credit }
 }
 
 /// How good one ray is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RayGrade {
-    /// Error in radians, 0 to π; 0 if the disc rightly stays still, `None` if it
-    /// moves in the answer alone or in truth alone.
+    /// Error in radians, 0 to π; 0 if the disc rightly stays still, `None` if it moves only in the
+    /// answer or only in truth.
     pub error: Option<f64>,
 }
 
 impl RayGrade {
-    /// Credit from 0 to 1: full up to 2°, nothing from 30° on. A ray where there is
-    /// none, or none where there is one, earns 0.
+    /// Credit from 0 to 1: full up to 2°, nothing from 30° on. A ray for a disc that stays still,
+    /// or none for one that moves, earns 0.
     pub(crate) fn credit(&self) -> f64 {
         self.error
             .map_or(0.0, |error| credit(deg_from_rad(error) / RIGHT_DEG))
@@ -59,7 +57,7 @@ pub struct RaysGrade {
 }
 
 impl RaysGrade {
-    /// Grades what was said of both.
+    /// Grades the answer for both.
     pub(crate) fn new(said: &Rays, truth: &Rays) -> Self {
         let [striker, target] = Ray::BOTH.map(|ray| RayGrade {
             error: said.apart(truth, ray),
@@ -72,7 +70,7 @@ impl RaysGrade {
         f64::midpoint(self.striker.credit(), self.target.credit())
     }
 
-    /// Error of the ray that is further off, in radians; `None` where there is none.
+    /// The larger error of the two rays, in radians; `None` if there is none.
     pub(crate) fn error(&self) -> Option<f64> {
         let errors = [self.striker.error, self.target.error];
         errors.into_iter().flatten().reduce(f64::max)
@@ -91,17 +89,18 @@ pub struct Grade {
     pub credit: f64,
     /// Whether it counts as right.
     pub right: bool,
-    /// How far off the angle was, in radians, or of two rays the one further off;
-    /// `None` where there was no angle to be off.
+    /// The error of the angle in radians, for two rays the larger one; `None` if there was no
+    /// angle.
     pub angle_error: Option<f64>,
-    /// Each of two rays, if that is what was asked for.
+    /// Each of the two rays, if the question asked for rays.
     pub rays: Option<RaysGrade>,
     /// How sure the player was.
     pub confidence: Confidence,
 }
 
 impl Form {
-    /// Credit from 0 to 1 for an answer. One of another kind than was asked for earns nothing.
+    /// Credit from 0 to 1 for an answer. An answer of another kind than the question asks for earns
+    /// nothing.
     ///
     /// A number of a chapter earns full credit within its tolerance, and then less in a
     /// straight line, down to none at four times it.
@@ -124,7 +123,7 @@ impl Form {
         self.distance(said, &self.truth()) <= 1.0
     }
 
-    /// Each of two rays, if that is what is asked for.
+    /// Each of the two rays, if the question asks for rays.
     pub(crate) fn rays_grade(&self, said: &Response) -> Option<RaysGrade> {
         match (self, said) {
             (Self::Rays { truth, .. }, Response::Rays(said)) => Some(RaysGrade::new(said, truth)),
@@ -132,8 +131,8 @@ impl Form {
         }
     }
 
-    /// How far off the angle was, in radians, or of two rays the one further off; `None`
-    /// where there was no angle to be off.
+    /// The error of the angle in radians, for two rays the larger one; `None` if there was no
+    /// angle.
     pub fn angle_error(&self, said: &Response) -> Option<f64> {
         match (self, said) {
             (Self::Number { quantity, truth }, Response::Number(said)) => match quantity {

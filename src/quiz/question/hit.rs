@@ -1,4 +1,4 @@
-//! One hit at rest, as a player reads of it: where will the two go?
+//! A hit on a target at rest, as the player reads it: where will the two discs go?
 
 use glam::DVec2;
 
@@ -8,10 +8,10 @@ use crate::physics::{Collision, CollisionOutcome, ImpactPoint};
 use super::{Pieces, Rays, Topic};
 use crate::numbers::{self, significant};
 
-/// A hit: the figures as the player reads them. All else follows from them.
+/// A hit: the numbers as the player reads them. Everything else follows from them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
-    /// What meets what.
+    /// The striker and the target.
     pub pieces: Pieces,
     /// Where they meet.
     pub given: ImpactPoint,
@@ -25,7 +25,7 @@ pub struct Hit {
 }
 
 impl From<&Collision> for Hit {
-    /// The hit of smooth discs on a target at rest that a collision is, by its offset.
+    /// A collision of smooth discs with the target at rest, as a hit given by its offset.
     fn from(collision: &Collision) -> Self {
         Self {
             pieces: Pieces::Own {
@@ -33,7 +33,7 @@ impl From<&Collision> for Hit {
                 target: collision.target,
             },
             given: ImpactPoint::Offset {
-                // A head-on hit is exactly that in words too, whatever rounding left.
+                // A head-on hit is described as exactly head-on, despite rounding.
                 offset_mm: (collision.offset * 1e9).round() / 1e6,
             },
             restitution: collision.restitution,
@@ -81,12 +81,12 @@ impl Hit {
         }
     }
 
-    /// What becomes of it.
+    /// Its outcome.
     pub fn outcome(&self) -> CollisionOutcome {
         self.collision().outcome()
     }
 
-    /// Where the two really go.
+    /// Where the two discs really go.
     pub fn truth(&self) -> Rays {
         Rays::from(&self.outcome())
     }
@@ -118,7 +118,7 @@ impl Hit {
         self.pieces.striker().mass / self.pieces.target().mass
     }
 
-    /// Whether both weigh the same.
+    /// Whether both masses are equal.
     pub(in crate::quiz) fn masses_are_equal(&self) -> bool {
         self.mass_ratio().total_cmp(&1.0).is_eq()
     }
@@ -128,8 +128,8 @@ impl Hit {
         [self.pieces.striker(), self.pieces.target()].map(|disc| g_from_kg(disc.mass))
     }
 
-    /// What meets what: "A striker of 15.0 g hits a coin of 5.50 g at rest", where the
-    /// striker is called so and does so.
+    /// The first sentence: "A striker of 15.0 g hits a coin of 5.50 g at rest", with this name for
+    /// the striker and this verb.
     pub(in crate::quiz) fn who(&self, striker: &str, does: &str) -> String {
         let [m1, m2] = self.masses_g().map(significant);
         let name = self.pieces.target_name();
@@ -181,7 +181,7 @@ impl Hit {
         format!("{} Where will they go?", self.setting())
     }
 
-    /// The hit in words, without what the picture alone can tell.
+    /// The hit in words, without what only the picture shows.
     pub fn setting(&self) -> String {
         let name = self.pieces.target_name();
         let side = self.side_name();

@@ -1,29 +1,29 @@
-//! What is seen beside a question.
+//! The picture beside a question.
 
 use super::Hit;
 use crate::physics::Collision;
 use crate::physics::ImpactPoint;
 use crate::physics::rutherford::Rutherford;
 
-/// What is seen beside a question.
+/// The picture beside a question.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Illustration {
     /// Nothing: words alone.
     Nothing,
-    /// A hit about to happen. Once the answer is given, it does.
+    /// A collision about to happen. It is played once the answer is given.
     Before {
         /// The hit.
         collision: Collision,
-        /// What of it is drawn in.
+        /// The geometry that is marked.
         shown: Markings,
     },
-    /// A hit that has happened: the ways out, with their angles. Once the answer is
-    /// given, it can be watched.
+    /// A collision that has happened: the final paths, with their angles. It can be watched once
+    /// the answer is given.
     After {
         /// The hit.
         collision: Collision,
     },
-    /// Two particles thrown at a nucleus, turned by these angles in radians.
+    /// Two particles that pass a nucleus, deflected by these angles in radians.
     Tracks {
         /// The nucleus and the particles.
         rutherford: Rutherford,
@@ -32,15 +32,15 @@ pub enum Illustration {
     },
 }
 
-/// What of a hit's geometry is drawn in, besides the discs and the ways in.
+/// The geometry that a picture marks, besides the discs and their paths before the collision.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Markings {
     /// The impact parameter, between the two centre lines.
     pub offset: bool,
     /// The line of impact where the two will meet, and α.
     pub angle: bool,
-    /// Figures: speeds, and those of what is drawn in. Without them the picture is all
-    /// there is to go by.
+    /// Numbers: speeds, and those of the marked geometry. Without them the picture gives all the
+    /// information.
     pub figures: bool,
 }
 
@@ -52,14 +52,14 @@ impl Markings {
         figures: true,
     };
 
-    /// All figures, and nothing of where the two will meet.
+    /// All numbers, and no mark of where the discs will meet.
     pub(crate) const FIGURES: Self = Self {
         offset: false,
         angle: false,
         figures: true,
     };
 
-    /// What a hit is given by, with all figures.
+    /// The quantity that a hit is given by, with all numbers.
     pub(crate) const fn given(hit: &Hit) -> Self {
         let angle = matches!(hit.given, ImpactPoint::Angle { .. });
         Self {

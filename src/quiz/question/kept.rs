@@ -5,15 +5,15 @@ use serde_json::{Value, json};
 use super::{Figures, Form, Measure, Rays, Response, figures};
 use crate::physics::units::mm_from_m;
 
-/// Where the words of a choice are kept: its place among the others is the round's alone.
+/// The field for the words of a choice: its position depends on the round.
 const CHOICE: &str = "choice";
 const OFFSET: &str = "offset_mm";
-/// Most letters of a choice. Those of questions have at most 90; this also holds those of years
-/// to come.
+/// The most letters of a choice. Present questions have at most 90; this leaves room for later
+/// ones.
 const LONGEST_CHOICE: usize = 400;
 
 impl Form {
-    /// An answer to a question of this form as it is kept.
+    /// An answer to a question of this form as it is stored.
     pub fn kept(&self, said: &Response) -> Figures {
         figures(match (self, said) {
             (_, Response::Rays(rays)) => rays.json(),
@@ -23,8 +23,8 @@ impl Form {
         })
     }
 
-    /// Whether an answer that was kept can have been given to a question of some form: it is of
-    /// one kind and in the range of that kind, as for [`Form::accepts`].
+    /// Whether a stored answer is possible for any form: it is of one kind and in its range, as for
+    /// [`Form::accepts`].
     pub fn could_be_kept(answer: &Figures) -> bool {
         let number = |(name, value): (&String, &Value)| {
             let x = value.as_f64()?;

@@ -1,15 +1,14 @@
-//! What a number that is asked for measures.
+//! What a number in an answer measures.
 
 use super::tolerance::{RIGHT_DEG, ROUNDING, apart_deg, is_within};
 use crate::numbers;
 
-/// The furthest off that a share can be right, in percentage points.
+/// The largest tolerance of a share, in percentage points.
 const MOST_SHARE: f64 = 4.0;
-/// The furthest off that a coefficient of restitution can be right.
+/// The largest tolerance of a coefficient of restitution.
 const MOST_RESTITUTION: f64 = 0.04;
 
-/// What a number that is asked for measures: its unit, how it is printed, and how near
-/// is near enough.
+/// What a number in an answer measures: its unit, how it is printed, and its tolerance.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Measure {
     /// An angle in degrees.
@@ -26,9 +25,9 @@ pub enum Measure {
     Times,
     /// A coefficient of restitution.
     Restitution,
-    /// A number of a chapter, in any unit, which says itself how near is near enough.
+    /// A number of a chapter, in any unit, with its own tolerance.
     Own {
-        /// What stands for it in formulas: "θ₁".
+        /// Its symbol in formulas: "θ₁".
         sign: String,
         /// Its unit.
         unit: String,
@@ -39,15 +38,16 @@ pub enum Measure {
 
 impl Measure {
     /// In words what counts as right: see [`distance`](Self::distance).
-    pub(crate) const RIGHT: &str = "an angle, a share or e within a tenth of the truth, but never \
-        further off than 4°, 4 percentage points or 0.04; any other number within a twentieth";
+    pub(crate) const RIGHT: &str = "an angle, a share or e within a tenth of the true value, but \
+                                    never more than 4°, 4 percentage points or 0.04 off; any other \
+                                    number within a twentieth";
 
     /// The unit behind a number, as typed beside it; empty for a pure number.
     pub fn unit(&self) -> &str {
         self.words().0
     }
 
-    /// Its name in files, with which a number is kept: "angle_deg".
+    /// Its name in files, under which a number is stored: "angle_deg".
     pub fn id(&self) -> &'static str {
         self.words().1
     }
@@ -96,20 +96,17 @@ impl Measure {
         numbers::with_unit(&bare, self.unit())
     }
 
-    /// How far `said` is from `truth`, counted in what still counts as right: 1 is the
-    /// edge.
+    /// The distance of `said` from `truth` in units of the tolerance.
     ///
-    /// An angle, a share or e counts as right within a tenth of the truth, but never
-    /// further off than 4°, 4 percentage points or 0.04, for it can be seen or reckoned
-    /// better than that; nor need it be nearer than 1°, a fifth of a point or 0.01. All
-    /// others count by a twentieth of the truth either way, as a ratio; infinite where a
-    /// ratio says nothing.
+    /// The tolerance of an angle, a share or e is a tenth of the true value, but at most 4°, 4
+    /// percentage points or 0.04, because it can be seen or calculated better than that, and at
+    /// least 1°, a fifth of a point or 0.01. All other numbers may differ by a twentieth either
+    /// way, as a ratio; infinite if a ratio is meaningless.
     pub fn distance(&self, said: f64, truth: f64) -> f64 {
         self.spacing(said, truth) / self.width(truth)
     }
 
-    /// How far off a number counts as right about this `truth`, as a share of the widest
-    /// that can count as right about any.
+    /// The tolerance at this `truth`, as a share of the largest tolerance.
     pub(in crate::quiz) fn width(&self, truth: f64) -> f64 {
         let near = |least: f64, most: f64| (truth.abs() / 10.0).clamp(least, most) / most;
         match self {
@@ -120,10 +117,9 @@ impl Measure {
         }
     }
 
-    /// How far apart two numbers are, counted in the widest that can count as right
-    /// about either: never more than [`distance`](Self::distance). By it questions are
-    /// chosen whose truth and beliefs lie apart, so it is part of what a round's code
-    /// fixes, and may not change.
+    /// How far apart two numbers are, in units of the largest tolerance: never more than
+    /// [`distance`](Self::distance). Questions are chosen by it so that the answers lie apart; it
+    /// is therefore part of the format of a round's code and may not change.
     pub(crate) fn spacing(&self, a: f64, b: f64) -> f64 {
         match self {
             Self::Angle => apart_deg(a, b) / RIGHT_DEG,
@@ -139,13 +135,13 @@ impl Measure {
                     f64::INFINITY
                 }
             }
-            // On the very edge it is right, whatever rounding left of it.
+            // Exactly at the limit it is right, despite rounding.
             Self::Own { tolerance, .. } => ((a - b).abs() / tolerance - ROUNDING).max(0.0),
         }
     }
 
-    /// The largest number that makes sense and can be typed; the smallest is 0, but for
-    /// angles its opposite.
+    /// The largest number that makes sense and can be typed; the smallest is 0, or for angles its
+    /// negative.
     pub const fn largest(&self) -> f64 {
         match self {
             Self::Angle => 180.0,

@@ -1,23 +1,22 @@
-//! What students may believe, by name; what each predicts and is told is declared a
-//! floor above.
+//! What students may believe, by name; a higher layer declares the predictions and the feedback.
 
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
-/// Something students may believe. First those that say where both discs of a hit
-/// will go; then those that show in something else (a speed, a share, a ratio, a choice of
-/// words), in the order in which their subjects are taught.
+/// A misconception that students may have. First those about the directions of both discs; then
+/// those that show in something else (a speed, a share, a ratio, a choice of words), in the order
+/// in which their subjects are taught.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Misconception {
     /// The scattering angle is taken to be the impact angle.
     CopiedAngle,
-    /// The right angle of equal masses is taken to hold for all.
+    /// The right angle of equal masses is taken to hold for all masses.
     AlwaysSquare,
-    /// The two are taken to share a right angle evenly.
+    /// The two discs are taken to leave at 45° each.
     HalfAndHalf,
-    /// The striker's angle is given to the target and the target's to the striker.
+    /// The angles of striker and target are swapped.
     Swapped,
-    /// The heavier disc is taken to go on, or to lie, as if nothing had hit it.
+    /// The heavier disc is taken to move on, or to stay at rest, as if there had been no collision.
     HeavyUnmoved,
     /// The striker is taken to keep its direction, though it is not the heavier one
     /// (that is another belief).
@@ -25,87 +24,87 @@ pub enum Misconception {
     /// The target is taken to be pushed along the striker's path, not along the line of
     /// impact.
     PushedAhead,
-    /// The striker is taken to be drawn after the target.
+    /// The striker is taken to follow the target to the same side.
     SameSide,
-    /// Both angles right, each to the wrong side.
+    /// Both angles are right, each on the wrong side.
     SidesExchanged,
-    /// The target is taken to throw the striker back as a wall would.
+    /// The striker is taken to bounce off the target as off a wall.
     OffAWall,
     /// α is taken to be 90° · b / (r₁ + r₂), where it is the sine that is b / (r₁ + r₂).
     OffsetAsAngle,
     /// e < 1 is taken for e = 1. With equal masses that is "always 90°".
     Lossless,
-    /// What equal masses do head-on is taken to hold for all.
+    /// The striker is taken to stop head-on, as it does with equal masses.
     AlwaysStops,
-    /// Momenta of different directions added like plain numbers.
+    /// Momenta of different directions are added as plain numbers.
     ScalarMomentum,
-    /// Speeds taken to add up to the speed before.
+    /// The final speeds are taken to add up to the original speed.
     SpeedsAdd,
-    /// Momentum taken to be lost with the energy.
+    /// Momentum is taken to be lost with the energy.
     MomentumLost,
-    /// Momentum taken to be conserved for each body by itself.
+    /// Momentum is taken to be conserved for each body by itself.
     EachKeepsMomentum,
-    /// Momentum taken to be conserved only if something still moves afterwards.
+    /// Momentum is taken to be conserved only if something still moves afterwards.
     GoneAtRest,
-    /// Momentum and kinetic energy taken for one quantity.
+    /// Momentum and kinetic energy are taken for one quantity.
     MomentumAsEnergy,
-    /// Kinetic energy given a direction and components.
+    /// Kinetic energy is given a direction and components.
     EnergyComponents,
-    /// Bodies that stay together taken to exert the larger impulse.
+    /// Bodies that stay together are taken to exert the larger impulse.
     StickingHitsHarder,
-    /// The two forces of a hit taken to differ.
+    /// The forces of the two discs on each other are taken to differ.
     HeavierPushesHarder,
-    /// The formula for a head-on hit used on the whole velocity.
+    /// The head-on formula is used with the whole velocity.
     OneLineFormula,
-    /// Sine and cosine exchanged.
+    /// Sine and cosine are swapped.
     SineCosine,
-    /// Angles taken to depend on how fast the hit is.
+    /// The angles are taken to depend on the speed.
     SpeedOpensAngle,
-    /// Energy taken in proportion to speed.
+    /// Energy is taken to be proportional to speed.
     EnergyAsSpeed,
-    /// The heavier disc taken to have the more energy.
+    /// The heavier disc is taken to get more energy.
     HeavyTakesEnergy,
-    /// All angles, or all offsets, taken to do alike.
+    /// All angles, or all offsets, are taken to be equally likely.
     EveryAngleAlike,
-    /// A ratio inverted, or the two masses swapped in a formula.
+    /// A ratio is inverted, or the two masses are swapped in a formula.
     UpsideDown,
     /// The heavier striker is taken to rebound and the lighter one to go on.
     HeavyRebounds,
-    /// The larger angle taken to have the larger count.
+    /// The larger angle is taken to have the larger count.
     CountsReversed,
-    /// An inverse proportion taken for a direct one.
+    /// An inverse proportion is taken for a direct one.
     DirectForInverse,
-    /// No limit to how far a heavier striker can be turned.
+    /// The deflection of a heavier striker is taken to have no limit.
     BeyondLargest,
-    /// e taken off the whole velocity.
+    /// The whole velocity is multiplied by e.
     LossOnEverything,
-    /// e taken as the share of energy that is kept.
+    /// e is taken as the share of energy that is left.
     EAsEnergy,
-    /// A loss taken to make the angle between the paths larger.
+    /// A loss is taken to make the angle between the paths larger.
     LossOpensAngle,
-    /// A right angle taken to be impossible with loss.
+    /// A right angle is taken to be impossible with a loss.
     LossForbidsSquare,
-    /// Grip at the contact taken to do nothing.
+    /// Friction at the contact is taken to have no effect.
     GripIgnored,
-    /// Grip at the contact taken to stop all motion across it.
+    /// At e = 0 smooth rims are taken to stop all tangential motion.
     GripStopsAll,
-    /// An angle of one frame read in another.
+    /// An angle of one frame is used in another.
     FramesMixed,
-    /// The frame's velocity subtracted where it must be added.
+    /// The frame's velocity is subtracted where it must be added.
     FrameReversed,
-    /// The centre of mass taken halfway, whatever the masses.
+    /// The centre of mass is taken to be halfway, whatever the masses.
     HalfwayCentre,
-    /// The right angle looked for on the ground although both move.
+    /// The right angle is expected in the laboratory frame although both move.
     SquareOnTheGround,
-    /// The whole angle used where its half belongs.
+    /// The whole angle is used instead of half of it.
     HalfAngleForgotten,
-    /// A law falling too gently: a square where the fourth power belongs.
+    /// The law falls too slowly: a square instead of the fourth power.
     TooGentle,
-    /// Nothing heavy or fast taken ever to come back.
+    /// Nothing heavy or fast is taken ever to bounce back.
     NeverBack,
-    /// The rules for a target at rest used although it moves.
+    /// The rules for a target at rest are used although it moves.
     CoinAtRest,
-    /// An angle turned by the impact angle where it is turned by twice as much.
+    /// The impact angle is subtracted once instead of twice.
     DoubleAngleForgotten,
 }
 
@@ -113,8 +112,8 @@ impl Misconception {
     /// All of them.
     pub const ALL: &'static [Self] = Self::VARIANTS;
 
-    /// Those that most students bring along; questions that find out what one believes look
-    /// for them first.
+    /// Those that most students have; the round that finds out what a student believes tests for
+    /// them first.
     pub const COMMON: [Self; 7] = [
         Self::CopiedAngle,
         Self::AlwaysSquare,
@@ -148,7 +147,7 @@ impl Misconception {
         self.into()
     }
 
-    /// The misconception of an `id`; ids of former versions have theirs for ever.
+    /// The misconception of an `id`; ids of former versions stay valid.
     pub fn with_id(id: &str) -> Option<Self> {
         match id {
             "linear-offset" => Some(Self::OffsetAsAngle),

@@ -1,4 +1,4 @@
-//! A question, its answer, and how good the answer is; the lowest floor of the quiz.
+//! A question, its answer and its grade: the lowest layer of the quiz.
 
 mod answer;
 mod confidence;

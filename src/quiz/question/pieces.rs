@@ -5,14 +5,14 @@ use crate::physics::Disc;
 /// A striker and its target.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pieces {
-    /// Two alike, 15 g each.
+    /// Two equal discs, 15 g each.
     Equal,
     /// The heaviest striker and the heaviest coin that tournaments allow, 15 g on
     /// 5.5 g.
     Tournament,
     /// Two glass marbles, 20 g on 40 g.
     Marbles,
-    /// Any two discs, as the lab puts them together.
+    /// Any two discs, as set in the lab.
     Own {
         /// Body 1.
         striker: Disc,

@@ -1,5 +1,5 @@
-//! One question of any family: what is asked, what is seen, what is true, and what each
-//! misconception would answer.
+//! A question of any family: its text, its picture, the right answer, and the answers of
+//! misconceptions.
 
 use std::collections::BTreeMap;
 
@@ -9,8 +9,8 @@ use super::{
     Answer, Difficulty, Family, Figures, Form, Illustration, Misconception, Ray, Response, Topic,
 };
 
-/// Answers nearer to each other than this cannot be told apart, counted in the widest
-/// that can count as right; more than 2, so that no answer fits two.
+/// Answers closer to each other than this cannot be told apart, in units of the largest tolerance;
+/// more than 2, so that no answer fits two.
 pub const MIN_SEPARATION: f64 = 2.0625;
 
 /// A question, ready to be asked on a screen, on paper or line by line.
@@ -28,16 +28,15 @@ pub struct Question {
     pub picture: Illustration,
     /// How it is answered, and the true answer.
     pub form: Form,
-    /// What misconceptions would answer; one that happens to be right is not among
-    /// them.
+    /// The answers of misconceptions, except any that happen to be right.
     pub beliefs: Vec<WrongAnswer>,
-    /// What to say to wrong choices that follow no known misconception, by the choice
-    /// counted from 0; a choice that is not here has nothing of its own to be told.
+    /// The feedback for wrong choices without a known misconception, by the choice counted from 0;
+    /// a choice that is not listed has no feedback of its own.
     pub replies: BTreeMap<usize, String>,
-    /// Why the true answer is true, on the question's own figures: one to four short
+    /// The explanation of the right answer with the question's numbers: one to four short
     /// sentences.
     pub why: String,
-    /// The figures that fix it, with the units in their names, to be kept with every
+    /// The numbers that determine it, with the units in their names, to be stored with every
     /// answer.
     pub figures: Figures,
 }
@@ -49,10 +48,9 @@ pub struct WrongAnswer {
     pub misconception: Misconception,
     /// Its answer.
     pub said: Response,
-    /// Of two rays the one that gives it away whatever the other does; `None` if only
-    /// both together do.
+    /// The ray that reveals the misconception by itself; `None` if only both rays together do.
     pub telltale: Option<Ray>,
-    /// One or two sentences on what is wrong with it, on the question's figures.
+    /// One or two sentences on what is wrong with it, with the question's numbers.
     pub says: String,
 }
 
@@ -81,12 +79,12 @@ pub struct Diagnosis {
 pub enum Fit {
     /// All of it.
     Whole,
-    /// The ray that gives it away; the other one is off in its own way.
+    /// Only the ray that reveals it; the other ray has an error of its own.
     OneRay(Ray),
 }
 
 impl Question {
-    /// The frame in which its hit is shown once it is answered: the one it asks about.
+    /// The frame in which its collision is shown after the answer: the one it asks about.
     pub(crate) fn seen_from(&self) -> Frame {
         match self.family {
             Family::CentreOfMass => Frame::CentreOfMass,
@@ -94,17 +92,16 @@ impl Question {
         }
     }
 
-    /// How far apart the two nearest of the true answer and all that misconceptions
-    /// would answer are, counted in the widest that can count as right. Choices are 0 or
-    /// infinitely far apart.
+    /// The smallest distance between any two of the right answer and the misconceptions' answers,
+    /// in units of the largest tolerance. Choices are 0 or infinitely far apart.
     pub fn clearance(&self) -> f64 {
         let held = self.beliefs.iter().map(|belief| belief.said);
         let answers: Vec<Response> = held.chain([self.form.truth()]).collect();
         nearest(&answers, |a, b| self.form.spacing(a, b))
     }
 
-    /// Whether an answer tells which of the misconceptions it follows, if any, and whether
-    /// it has to be found rather than read in the text: only such questions are asked.
+    /// Whether an answer shows which misconception it fits, if any, and cannot simply be copied
+    /// from the text: only such questions are asked.
     pub(crate) fn is_clear(&self) -> bool {
         let told = match &self.form {
             Form::Number { quantity, truth } => self.text.contains(&quantity.print(*truth)),
@@ -113,8 +110,8 @@ impl Question {
         !told && self.clearance() > MIN_SEPARATION
     }
 
-    /// All wrong answers that have something of their own to be told, with the misconception
-    /// that each follows, if any: those of misconceptions, then other choices.
+    /// All wrong answers with feedback of their own, and the misconception behind each, if any:
+    /// those of misconceptions, then other choices.
     pub(crate) fn wrong_answers(&self) -> Vec<(Response, Option<Misconception>, &str)> {
         let beliefs = self.beliefs.iter();
         let beliefs = beliefs.map(|it| (it.said, Some(it.misconception), it.says.as_str()));
@@ -126,11 +123,10 @@ impl Question {
 
     /// Finds the misconception that an answer fits best, if it fits one.
     ///
-    /// A right answer fits none. A fit of the whole answer goes before a fit of the
-    /// telltale ray alone; among those the nearest goes first, to a fortieth of what
-    /// counts as right (a tenth of a degree), and then the first in
-    /// [`OF_RAYS`](crate::quiz::misconceptions::OF_RAYS). A telltale ray must also be off
-    /// the truth by more than counts as right.
+    /// A right answer fits none. A fit of the whole answer takes precedence over a fit of the
+    /// telltale ray alone; among those the closest, compared in steps of a fortieth of the
+    /// tolerance (a tenth of a degree), and then the first in
+    /// [`OF_RAYS`](crate::quiz::misconceptions::OF_RAYS). A telltale ray must also be wrong.
     pub fn diagnose(&self, answer: &Answer) -> Option<Diagnosis> {
         self.belief_of(answer).map(|(belief, fit)| Diagnosis {
             misconception: belief.misconception,
@@ -138,7 +134,7 @@ impl Question {
         })
     }
 
-    /// The belief that an answer fits best, and how much of it fits.
+    /// The misconception that an answer fits best, and how much of the answer fits.
     pub(in crate::quiz) fn belief_of(&self, answer: &Answer) -> Option<(&WrongAnswer, Fit)> {
         if self.form.is_right(&answer.said) {
             return None;
@@ -161,8 +157,8 @@ impl Question {
         self.beliefs.iter().map(|belief| belief.misconception)
     }
 
-    /// How far off an answer may be and still fit a belief, as a share of the widest that can
-    /// count as right: 1 but for angles, shares and e that are small.
+    /// How far an answer may be from a misconception's answer and still fit it, as a share of the
+    /// largest tolerance: 1 except for small angles, shares and e.
     pub(in crate::quiz) fn width(&self, belief: &WrongAnswer) -> f64 {
         match (&self.form, belief.said) {
             (Form::Number { quantity, .. }, Response::Number(x)) => quantity.width(x),
@@ -170,8 +166,8 @@ impl Question {
         }
     }
 
-    /// The chance that a guess fits what a misconception would answer so far: both rays,
-    /// or one of them, which is as easily guessed as a number.
+    /// The chance that a guess fits a misconception's answer to this extent: both rays, or one of
+    /// them, which is as easily guessed as a number.
     pub(crate) fn by_chance(&self, fit: Fit) -> f64 {
         match fit {
             Fit::Whole => self.form.by_chance(),
@@ -179,7 +175,7 @@ impl Question {
         }
     }
 
-    /// How `said` fits a belief, and how far off it is.
+    /// How `said` fits a misconception's answer, and the distance between them.
     fn fit(&self, belief: &WrongAnswer, said: &Response) -> Option<(Fit, f64)> {
         let distance = self.form.distance(said, &belief.said);
         if distance <= 1.0 {
@@ -199,8 +195,7 @@ impl Question {
     }
 }
 
-/// The distance of the two of these that are nearest to each other; infinite where there
-/// are no two.
+/// The smallest distance between any two of these; infinite if there are fewer than two.
 pub(in crate::quiz) fn nearest<T>(all: &[T], distance: impl Fn(&T, &T) -> f64) -> f64 {
     let pairs = (1..)
         .zip(all)

@@ -44,11 +44,11 @@ impl Ray {
     }
 }
 
-/// Where the two go, or are said to go.
+/// Where the two discs go, or are predicted to go.
 ///
-/// Angles in radians with the signs of physics: scattering angle θ₁ of the striker
-/// positive anticlockwise, recoil angle θ₂ of the target positive clockwise, both
-/// from the striker's direction before. `None` is a disc that stays still.
+/// Angles in radians with the signs of physics: scattering angle θ₁ of the striker positive
+/// anticlockwise, recoil angle θ₂ of the target positive clockwise, both from the striker's
+/// original direction. `None` is a disc that stays still.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Rays {
     /// Scattering angle θ₁.
@@ -84,7 +84,7 @@ impl Rays {
         })
     }
 
-    /// Rays as [`Rays::json`] writes them; `None` if they are none.
+    /// Reads what [`Rays::json`] writes; `None` for anything else.
     pub(crate) fn of_figures(figures: &Figures) -> Option<Self> {
         let ray = |name| match figures.get(name)? {
             Value::Null => Some(None),
@@ -99,8 +99,8 @@ impl Rays {
         })
     }
 
-    /// Both as one sees them along the striker's path, `target` being what the struck
-    /// disc is called: "striker 60.0° left, coin 30.0° right".
+    /// Both as seen along the striker's path, with this name for the target: "striker 60.0° left,
+    /// coin 30.0° right".
     pub fn words(&self, target: &str) -> String {
         let [striker, other] = Ray::BOTH.map(|ray| ray.words(self.get(ray)));
         format!("striker {striker}, {target} {other}")
@@ -114,8 +114,8 @@ impl Rays {
         }
     }
 
-    /// How far one ray is from the same ray of `other`, in radians from 0 to π; 0 if
-    /// the disc stays still in both, `None` if it does so in one alone.
+    /// How far one ray is from the same ray of `other`, in radians from 0 to π; 0 if the disc stays
+    /// still in both, `None` if it does so in only one.
     pub fn apart(&self, other: &Self, ray: Ray) -> Option<f64> {
         match (self.get(ray), other.get(ray)) {
             (None, None) => Some(0.0),

@@ -1,15 +1,15 @@
-//! How near is near enough, for every kind of answer.
+//! The tolerance of every kind of answer.
 
 /// Up to this error an angle counts as right, in degrees.
 pub const RIGHT_DEG: f64 = 4.0;
 
 /// The chance that two guessed rays fit two given ones: about 8° in 90°, twice.
 pub(super) const RAYS_BY_CHANCE: f64 = 0.01;
-/// The chance that a guessed number, or one guessed ray, fits a given one: about 8° in 90°,
-/// or a tenth of a scale on which one guesses within a factor of two.
+/// The chance that a guessed number, or one guessed ray, fits a given one: about 8° in 90°, or a
+/// tenth of a scale on which people guess within a factor of two.
 pub(super) const NUMBER_BY_CHANCE: f64 = 0.08;
 
-/// What rounding between two units adds to a number, as a share of it.
+/// The relative error from converting between two units.
 pub(super) const ROUNDING: f64 = 1e-9;
 
 /// Whether a number lies within a range, or beyond one of its ends by no more than rounding

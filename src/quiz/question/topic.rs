@@ -1,8 +1,8 @@
 //! What questions are about: their topics, and which families ask about which.
 //!
-//! What a player knows and when it comes back is noted by topic. One family may ask about
-//! several, and several may ask about one, each in its own way. The written questions are
-//! about the subjects of their files, which need not stand here: a teacher's own are free.
+//! Knowledge and reviews are stored by topic. One family may ask about several topics, and several
+//! families about one, each in its own way. The topic of a question in words is its file's name,
+//! which need not be listed here: teachers choose their own.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -12,18 +12,18 @@ use serde::Deserialize;
 
 use super::{Family, Passage};
 
-/// What a question is about. Keep it by its [`id`](Self::id), which stays the same for good;
-/// show its [`name`](Self::name). Two with the same id are one topic.
+/// What a question is about. Store it by its [`id`](Self::id), which never changes; show its
+/// [`name`](Self::name). Two with the same id are one topic.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Topic(Cow<'static, str>);
 
-/// What is known of a topic: a row of `assets/topics.csv`. Which topics a chapter has, and in which
-/// order, is part of the format of codes such as `read-abd-7`; a page may change.
+/// The description of a topic: a row of `assets/topics.csv`. Which topics a chapter has, and in
+/// which order, is part of the format of codes such as `read-abd-7`; a page may change.
 #[derive(Deserialize)]
 struct TopicRow {
     id: String,
     name: String,
-    /// The families of figures that ask about it, by their ids.
+    /// The generated families that ask about it, by their ids.
     families: String,
     chapter: String,
     page: String,
@@ -36,18 +36,17 @@ static ROWS: LazyLock<Vec<TopicRow>> = LazyLock::new(|| {
 });
 
 impl Topic {
-    /// The topic of an id. Every id is one's: an unknown one is that of a written question,
-    /// and is named by its words.
+    /// The topic of an id. An unknown id belongs to a question in words and is its own name.
     pub fn with_id(id: impl Into<Cow<'static, str>>) -> Self {
         Self(id.into())
     }
 
-    /// The topic of the subject of a written question, which is the name of its file.
+    /// The topic of a question in words: the name of its file.
     pub(in crate::quiz) fn of_subject(subject: &str) -> Self {
         Self::with_id(subject.replace(' ', "-"))
     }
 
-    /// The topics of the families of figures.
+    /// The topics of the generated families.
     #[cfg(test)]
     pub(crate) fn all() -> impl Iterator<Item = Self> {
         ROWS.iter()
@@ -55,7 +54,7 @@ impl Topic {
             .map(|it| Self::with_id(it.id.as_str()))
     }
 
-    /// What it is kept by: "corner-with-loss".
+    /// Its id: "corner-with-loss".
     pub fn id(&self) -> &str {
         &self.0
     }
@@ -72,7 +71,7 @@ impl Topic {
         }
     }
 
-    /// The families of figures that ask about it.
+    /// The generated families that ask about it.
     pub(in crate::quiz) fn families_of_figures(&self) -> Vec<Family> {
         let families = self.known().map_or("", |row| &row.families);
         families.split(' ').filter_map(Family::with_id).collect()
@@ -84,7 +83,7 @@ impl Topic {
         taught.map(|row| Self::with_id(row.id.as_str()))
     }
 
-    /// The page that teaches it; `None` of a teacher's own subjects.
+    /// The page that teaches it; `None` for a teacher's own subjects.
     pub fn taught_on(&self) -> Option<Passage> {
         let TopicRow { chapter, page, .. } = self.known()?;
         Some(Passage { chapter, page })

@@ -6,8 +6,8 @@ use std::fmt;
 use super::review;
 use crate::quiz::question::{Dice, Question, Topic};
 
-/// The chapters of the program by their ids, each with its letter in codes. The letters stay
-/// for good: a chapter that comes later gets the next one.
+/// The chapters of the program by their ids, each with its letter in codes. The letters never
+/// change: a new chapter gets the next one.
 const LETTERS: [(char, &str); 12] = [
     ('a', "momentum-is-a-vector"),
     ('b', "the-line-of-impact"),
@@ -23,8 +23,8 @@ const LETTERS: [(char, &str); 12] = [
     ('l', "when-energy-is-lost"),
 ];
 
-/// Some chapters, at least one of which teaches what questions are about. In codes they are
-/// letters: `read-abd-7` asks about the chapters 1, 2 and 4.
+/// Some chapters, at least one of which teaches a topic of questions. In codes they are letters:
+/// `read-abd-7` asks about the chapters 1, 2 and 4.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ChaptersRead(BTreeSet<char>);
 
@@ -57,8 +57,8 @@ impl ChaptersRead {
         ids.flat_map(|(_, id)| Topic::taught_in(id))
     }
 
-    /// Up to so many questions about what they teach, every topic before any comes again,
-    /// rising in difficulty.
+    /// Up to this many questions about what they teach, every topic once before any is repeated,
+    /// easy ones first.
     pub(super) fn questions(&self, count: usize, dice: &mut Dice) -> Vec<Question> {
         let topics: Vec<Topic> = self.topics().collect();
         let mut order: Vec<Topic> = Vec::new();

@@ -10,7 +10,7 @@ use crate::quiz::concepts::Library;
 use crate::quiz::families;
 use crate::quiz::question::{Family, Misconception, Topic};
 
-/// What stands in codes before the letters of chapters.
+/// The prefix of the letters of chapters in codes.
 const READ: &str = "read";
 
 /// What a round is made of.
@@ -25,37 +25,35 @@ pub struct Course {
 /// Which questions a round asks.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CourseKind {
-    /// Ten hits to predict: the round a bare number is the code of.
+    /// Ten hits to predict: the round whose code is a bare number.
     Hits,
     /// A few of all kinds.
     Quick,
-    /// All kinds, mixed, as they were before every misconception was met often enough: for
-    /// codes that are about.
+    /// All kinds, mixed by the earlier rule, for existing codes.
     Mixed,
-    /// All kinds, mixed so that every misconception is met often enough to be seen.
+    /// All kinds, mixed so that every misconception is tested often enough to be detected.
     Even,
-    /// What tells most of what somebody believes: each question follows from the answers
-    /// before it.
+    /// Finding out what a student believes: each question is chosen by the answers before it.
     FindOut,
-    /// What can show a misconception.
+    /// Questions that can show a misconception.
     Check(Misconception),
-    /// All kinds, with no word of what was right until the end.
+    /// All kinds, with no feedback until the end.
     Exam,
     /// One family.
     Topic(Family),
     /// What these chapters teach.
     Read(ChaptersRead),
-    /// A question about each of these topics, because they are due, the longest due
-    /// first; where they are many, about the first of them.
+    /// A question about each of these topics, which are due, the longest due first; if there are
+    /// many, about the first of them.
     Review(Vec<Topic>),
-    /// Written questions that are not in the program: a teacher's own. In a code that
-    /// was only just read there are none yet: [`Code::with_own`] gives them.
+    /// A teacher's own questions in words. A code that has just been read has none yet:
+    /// [`Code::with_own`] adds them.
     Own(Arc<Library>),
 }
 
 impl CourseKind {
-    /// The kinds that are there for everyone, whatever has been answered before; then
-    /// come one topic, and what is due.
+    /// The kinds that do not depend on earlier answers; one topic, and what is due, come after
+    /// them.
     pub const ALWAYS: [Self; 5] = [
         Self::FindOut,
         Self::Quick,
@@ -74,7 +72,7 @@ impl CourseKind {
         self.entry().1
     }
 
-    /// How many questions it has unless told otherwise.
+    /// The usual number of questions.
     pub fn length(&self) -> usize {
         self.entry().2
     }
@@ -96,7 +94,7 @@ impl CourseKind {
         }
     }
 
-    /// The kind of an `id`; a review has none, for it is its player's alone.
+    /// The kind of an `id`; a review has none, because it belongs to one player.
     pub fn with_id(id: &str) -> Option<Self> {
         let topics = Self::topics().map(Self::Topic);
         let checks = Misconception::ALL.iter().copied().map(Self::Check);
@@ -110,8 +108,8 @@ impl CourseKind {
             .or_else(|| read().map(Self::Read))
     }
 
-    /// The families that make a round of one topic: all but the hits of every kind,
-    /// which are a course of their own.
+    /// The families of rounds on one topic: all except the hits of every kind, which are a course
+    /// of their own.
     pub fn topics() -> impl Iterator<Item = Family> {
         let all = Family::ALL.iter().copied();
         all.filter(|family| *family != Family::WhereTo)
@@ -130,8 +128,8 @@ impl Course {
         Self { kind, count }
     }
 
-    /// A round of so many questions, held from 1 to [`Course::MOST`]; ten hits are
-    /// always ten, and a review has a question a topic.
+    /// A round of this many questions, clamped from 1 to [`Course::MOST`]; ten hits are always ten,
+    /// and a review has one question per topic.
     pub fn of(kind: CourseKind, count: usize) -> Self {
         let count = match kind {
             CourseKind::Hits | CourseKind::Review(_) => kind.length(),
@@ -140,34 +138,33 @@ impl Course {
         Self { kind, count }
     }
 
-    /// Whether the player hears only at the end what was right.
+    /// Whether there is no feedback until the end.
     pub(crate) fn tells_at_end(&self) -> bool {
         matches!(self.kind, CourseKind::Exam | CourseKind::FindOut)
     }
 
-    /// Whether what is asked follows from what was answered, so that there is no such round
-    /// on paper or for a class.
+    /// Whether questions depend on earlier answers, so that the round cannot be on paper or for a
+    /// class.
     pub(crate) fn follows_answers(&self) -> bool {
         self.kind == CourseKind::FindOut
     }
 }
 
-/// The code of a round: the same code brings the same questions on every machine and in
-/// every version.
+/// The code of a round: the same code gives the same questions on every machine and in every
+/// version.
 ///
 /// It reads `even-7`, with a count `even12-7`, a topic `speeds-7`, a misconception
-/// `copied-angle-7`, what some chapters teach `read-abd-7`, and `hits-7` or simply `7` for
-/// ten hits. Only `own-7` hangs on something else: on the files of own
-/// questions being the same.
+/// `copied-angle-7`, what some chapters teach `read-abd-7`, and `hits-7` or simply `7` for ten
+/// hits. Only `own-7` depends on something else: on the teacher's own files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Code {
     /// What the round is made of.
     pub course: Course,
-    /// What is left to chance.
+    /// The seed of the random choices.
     pub seed: u64,
 }
 
-/// Why a text is no code of a round.
+/// Why a text is not the code of a round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NoCode {
     /// It does not look like one.
@@ -176,7 +173,7 @@ pub enum NoCode {
          speeds-7, or 7 for ten hits"
     )]
     Unlike,
-    /// A round has not so many questions.
+    /// A round cannot have that many questions.
     #[error(
         "expected 1 to {} questions in the code of a round, as in mixed12-7",
         Course::MOST
@@ -185,7 +182,7 @@ pub enum NoCode {
     /// Ten hits are ten.
     #[error("expected no number of questions for ten hits, as in hits-7")]
     Hits,
-    /// A review is of what one player has answered.
+    /// A review depends on one player's answers.
     #[error(
         "a review has no code, as everyone has another; choose it in carrom quiz, or give \
          a code such as mixed-7"
@@ -202,7 +199,7 @@ impl Code {
         }
     }
 
-    /// Reads a code; `None` if it is none. Case and blanks around it do not matter.
+    /// Reads a code; `None` if it is not one. Case and surrounding blanks do not matter.
     pub fn parse(text: &str) -> Option<Self> {
         Self::read(text).ok()
     }
@@ -229,7 +226,7 @@ impl Code {
                 let fixed = kind == CourseKind::Hits;
                 let course = (count.parse().ok())
                     .map(|count| (count, Course::of(kind, count)))
-                    // A count that would not be kept is no code of a round.
+                    // A count that would be changed is not part of a valid code.
                     .filter(|(count, course)| course.count == *count);
                 let no_count = if fixed { NoCode::Hits } else { NoCode::Count };
                 course.ok_or(no_count)?.1
@@ -238,11 +235,11 @@ impl Code {
         Ok(Self { course, seed })
     }
 
-    /// The name of the round that an answer was noted with, as codes are written: the code, or
-    /// that of a review, of which there is no round to be read back.
+    /// The round stored with an answer, as codes are written: the code, or that of a review, which
+    /// cannot be opened again.
     ///
     /// # Errors
-    /// Why it is no such name.
+    /// Why it is not such a name.
     pub(crate) fn read_noted(text: &str) -> Result<(String, Option<Self>), NoCode> {
         match Self::read(text) {
             Ok(code) => Ok((code.to_string(), Some(code))),
@@ -264,10 +261,10 @@ impl Code {
 }
 
 impl Code {
-    /// The code, where its questions are the same for all, whatever they answer.
+    /// The code, if its questions are the same for everyone, whatever they answer.
     ///
     /// # Errors
-    /// If each is asked by their own answers, in words.
+    /// If the questions depend on the answers, the reason in words.
     pub(crate) fn same_for_all(self) -> Result<Self, String> {
         match self.course.follows_answers() {
             true => Err(format!(
@@ -278,10 +275,10 @@ impl Code {
         }
     }
 
-    /// The code with these own questions, where it asks for own ones.
+    /// The code with a teacher's questions, if it asks for these.
     ///
     /// # Errors
-    /// If it does and there are none, in words.
+    /// If it does and there are none, the reason in words.
     pub fn with_own(mut self, own: &Arc<Library>) -> Result<Self, String> {
         if let CourseKind::Own(library) = &mut self.course.kind {
             if own.concepts.is_empty() {
@@ -370,7 +367,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_code_is_refused() {
+    fn an_invalid_code_is_refused() {
         for text in [
             "",
             "-",

@@ -1,26 +1,25 @@
-//! Mixed questions in which every misconception is met often enough to be seen.
+//! Mixed questions that test every misconception often enough to detect it.
 //!
-//! The families of the older mixed rounds come alike often, so that some misconceptions could
-//! show themselves in every other question and others in none of twenty. Here of some
-//! questions, drawn with the dice, the one is asked that can show most of what has not been
-//! met enough.
+//! In the older mixed rounds all families are equally frequent, so some misconceptions could show
+//! in every other question and others in none of twenty. Here some candidates are drawn with the
+//! dice, and the round asks the one that best tests what has not been tested enough.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Form, Misconception, Question};
 
-/// How many questions are drawn for each that is asked.
+/// How many candidates are drawn for each question.
 const CANDIDATES: usize = 32;
 
-/// How much a common misconception should be met in a round of twenty, and another, counted
-/// as [`shown`].
+/// How much a common misconception, and another, should be tested in a round of twenty, measured by
+/// [`shown`].
 const ENOUGH: [u32; 2] = [16, 3];
 
-/// How many times as much what a common misconception lacks weighs.
+/// The weight of a deficit of a common misconception.
 const PREFERRED: u32 = 8;
 
-/// What a question can show, and how strongly: about the logarithm, to the base of 3, of how
-/// much more likely what fits is than from a guess. Whole, so that no choice hangs on the
-/// last digit. What has to be reckoned to less than half of the widest that can count as
-/// right shows too seldom to count.
+/// What a question can show, and how strongly: about the logarithm, to base 3, of how much more
+/// likely a fit is than by guessing. Whole numbers, so that no choice depends on the last digit. An
+/// answer that has to be calculated to less than half of the largest tolerance shows too rarely to
+/// count.
 fn shown(question: &Question) -> impl Iterator<Item = (Misconception, u32)> {
     let strength = match question.form {
         Form::Rays { .. } => 4,
@@ -34,7 +33,7 @@ fn shown(question: &Question) -> impl Iterator<Item = (Misconception, u32)> {
     wide.filter_map(move |belief| Some((belief.in_codes()?, strength)))
 }
 
-/// How much each misconception has been met.
+/// How much each misconception has been tested.
 #[derive(Default)]
 struct TimesMet(Vec<(Misconception, u32)>);
 
@@ -44,7 +43,7 @@ impl TimesMet {
         met.map(|(_, strength)| strength).sum()
     }
 
-    /// How much a question adds of what has not been met enough, in a round of `count`.
+    /// How much a question adds to what has not been tested enough, in a round of `count`.
     fn gain(&self, question: &Question, count: usize) -> u32 {
         let each = shown(question).map(|(it, strength)| {
             let common = Misconception::COMMON.contains(&it);
@@ -56,12 +55,12 @@ impl TimesMet {
     }
 }
 
-/// In a round shorter than this every third question is of a family that has not come yet,
-/// whatever it can show: what is mixed is to stay so. A longer one has room for both.
+/// In a round shorter than this every third question is of a family that has not come yet, whatever
+/// it can show, so that the round stays mixed. A longer one has room for both.
 const LONG: usize = 16;
 
-/// Questions of these families, rising in difficulty. No family comes twice in a row, and none
-/// much oftener than once in four.
+/// Questions of these families, rising in difficulty. No family comes twice in a row, and none much
+/// more often than once in four.
 pub(super) fn questions(families: &[Family], count: usize, dice: &mut Dice) -> Vec<Question> {
     let mut met = TimesMet::default();
     let mut questions: Vec<Question> = Vec::with_capacity(count);

@@ -1,28 +1,27 @@
-//! Finding out what somebody believes: each question is chosen by the answers before it.
+//! Finding out what a student believes: each question is chosen by the answers before it.
 //!
-//! Whoever answers holds one of the misconceptions, or none. The evidence of the answers
-//! says how likely each is. Of some questions, drawn with the dice, the one is asked whose
-//! answer is expected to tell most about that, in bits (D. V. Lindley, 1956). It ends when
-//! one misconception stands clear of the others, when none is left, or after as many
-//! questions as the course has.
+//! The student is assumed to hold one of the misconceptions, or none. The answers determine the
+//! probability of each. Some candidates are drawn with the dice, and the round asks the one whose
+//! answer is expected to give the most information, in bits (D. V. Lindley, 1956). It ends when one
+//! misconception is established, when none is left, or after as many questions as the course has.
 
 use crate::quiz::misconceptions::{Clue, Evidence, SLIP, evidence};
 use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Question};
 
-/// How likely somebody is to hold none of the misconceptions, before the first answer.
+/// The probability of holding none of the misconceptions, before the first answer.
 const NONE_BEFORE: f64 = 0.25;
 /// How many times as likely a common misconception is as another.
 const COMMON: f64 = 5.0;
-/// From this probability on a misconception that is named stands clear of the others.
+/// From this probability on, a named misconception is established.
 const CLEAR: f64 = 0.95;
-/// From this probability on that none is held, none is left.
+/// From this probability of "none" on, none is left.
 const NONE_LEFT: f64 = 0.9;
-/// So many questions at least are asked before anything is settled.
+/// The smallest number of questions before the round can end.
 const FEWEST: usize = 3;
 /// How many questions come before the first hard one.
 const BEFORE_HARD: usize = 3;
 
-/// What is drawn for each question: a family, and how many of each difficulty.
+/// The candidates drawn for each question: families, and how many of each difficulty.
 const CANDIDATES: [(Family, usize); 11] = [
     (Family::FromAngle, 1),
     (Family::FromOffset, 1),
@@ -37,8 +36,8 @@ const CANDIDATES: [(Family, usize); 11] = [
     (Family::Concept, 6),
 ];
 
-/// What is not looked for, as it shows only to somebody who has read of foils, of grip or of
-/// the limit that is set to a heavier striker.
+/// Misconceptions that are not tested for: only students who have read about foils, friction or the
+/// greatest deflection can show them.
 const NOT_SOUGHT: [Misconception; 8] = [
     Misconception::EveryAngleAlike,
     Misconception::BeyondLargest,
@@ -50,14 +49,14 @@ const NOT_SOUGHT: [Misconception; 8] = [
     Misconception::NeverBack,
 ];
 
-/// How likely each misconception that is looked for is, and none, as far as answers tell.
+/// The probability of each misconception that is tested for, and of none, given the answers.
 struct Posterior {
     held: Vec<(Misconception, f64)>,
     none: f64,
 }
 
 impl Posterior {
-    /// After answers that say this.
+    /// After answers with this evidence.
     fn new(evidence: &[Evidence]) -> Self {
         let weight = |it: Misconception| {
             let found = evidence.iter().find(|found| found.misconception == it);
@@ -84,14 +83,14 @@ impl Posterior {
         }
     }
 
-    /// How likely a misconception is.
+    /// The probability of a misconception.
     fn of(&self, misconception: Misconception) -> f64 {
         let found = self.held.iter().find(|(it, _)| *it == misconception);
         found.map_or(0.0, |(_, likely)| *likely)
     }
 
-    /// How much the answer to a question is expected to tell, in bits: the mutual
-    /// information of what is held and of what the answer shows.
+    /// The information expected from the answer to a question, in bits: the mutual information of
+    /// the belief and the answer.
     fn information(&self, question: &Question) -> f64 {
         let by_chance = question.by_chance(Fit::Whole);
         let known = question.beliefs.iter();
@@ -99,8 +98,8 @@ impl Posterior {
             .filter_map(|belief| Some((belief, belief.in_codes()?)))
             .collect();
         let others = (1.0 - by_chance * known.len() as f64).max(0.0);
-        // How likely each is held that can show, and shows then: what is reckoned to few
-        // degrees is the sooner missed by an unsteady hand.
+        // The probability of each misconception that can show, and that it then shows: an answer
+        // with a small tolerance is missed more easily.
         let held = known.iter().map(|(belief, misconception)| {
             let shows = (1.0 - SLIP) * question.width(belief);
             (self.of(*misconception), shows)
@@ -110,7 +109,7 @@ impl Posterior {
             .clone()
             .map(|(likely, shows)| likely * (1.0 - shows))
             .sum();
-        // Whoever holds what it cannot show, or nothing, fits each by chance.
+        // A student who holds none of these fits each by chance.
         let each = held
             .clone()
             .map(|(likely, shows)| likely * shows + elsewhere * by_chance);
@@ -126,8 +125,7 @@ fn bits(p: f64) -> f64 {
     if p > 0.0 { -p * p.log2() } else { 0.0 }
 }
 
-/// Whether these answers settle what is believed: one misconception is named and stands
-/// clear, or none is left. `in_codes` are the same answers with misconceptions as codes count them.
+/// Whether these answers settle it: one misconception is named and established, or none is left. `in_codes` are the same answers with misconceptions as codes count them.
 pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
     if clues.len() < FEWEST {
         return false;
@@ -139,8 +137,8 @@ pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
         || posterior.none >= NONE_LEFT
 }
 
-/// The question that tells most after these answers, with misconceptions as codes count them, of
-/// those that the dice bring; none of `asked` again.
+/// The most informative question after these answers, with misconceptions as codes count them, of
+/// those drawn with the dice; none of `asked` again.
 pub(super) fn ask(asked: &[Question], in_codes: &[Clue], dice: &mut Dice) -> Option<Question> {
     let posterior = Posterior::new(&evidence(in_codes));
     let hardest = match asked.len() < BEFORE_HARD {
@@ -157,7 +155,7 @@ pub(super) fn ask(asked: &[Question], in_codes: &[Clue], dice: &mut Dice) -> Opt
             if asked.iter().any(|old| old.text == question.text) {
                 continue;
             }
-            // To a millionth of a bit: no choice hangs on the last digit of a logarithm.
+            // To a millionth of a bit, so that no choice depends on the last digit of a logarithm.
             let tells = (1e6 * posterior.information(&question)).round() as i64;
             if best.as_ref().is_none_or(|(most, _)| tells > *most) {
                 best = Some((tells, question));

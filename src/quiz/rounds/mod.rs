@@ -1,4 +1,4 @@
-//! Rounds: what they are made of, the codes that fix them, and a look back over them.
+//! Rounds: their questions and the codes that fix them.
 
 mod chapters_read;
 mod course;

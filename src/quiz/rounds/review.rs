@@ -2,14 +2,13 @@
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question, Topic};
 
-/// How many draws may pass before a topic is looked for at another difficulty, or in
-/// another family: enough for the rarest of them.
+/// How many draws are tried before a topic is sought at another difficulty or in another family:
+/// enough for the rarest topic.
 const DRAWS: usize = 200;
 
-/// A question about each of these topics, of these families of theirs, in any order, rising in
-/// difficulty as far as the topics have it. Where it can be helped no family comes twice in a row, for coming
-/// back works best when something else has come between. A topic that nothing asks about
-/// is left out.
+/// A question about each of these topics, from these families of theirs, shuffled, easy ones first
+/// as far as possible. If it can be avoided no family comes twice in a row, because returning to an
+/// idea works best after something else. A topic without questions is left out.
 pub(super) fn questions(
     topics: &[Topic],
     families: fn(&Topic) -> Vec<Family>,
@@ -26,7 +25,7 @@ pub(super) fn questions(
     while !left.is_empty() {
         let last = questions.last().map(|question| question.family);
         let another = |family: &Family| Some(*family) != last;
-        // What only the last family asks waits, unless nothing else is left.
+        // A topic that only the last family asks about waits, unless nothing else is left.
         let next = left.iter().position(|(_, all)| all.iter().any(another));
         let (topic, mut families) = left.remove(next.unwrap_or(0));
         dice.shuffle(&mut families);

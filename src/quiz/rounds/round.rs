@@ -11,30 +11,29 @@ use crate::quiz::question::{Answer, Dice, Difficulty, Family, Misconception, Que
 
 /// The questions of a round.
 ///
-/// They follow from its [`Code`] alone, which players give each other: the dice, the
-/// lists of this file, the figures each family draws from and the order of the written
-/// questions are all part of the format, and a test pins the text of several rounds. A
-/// family that is added later must not change what a code of today brings: it goes into
-/// a new kind of course, or into a topic of its own.
+/// They follow from its [`Code`] alone, which players share: the dice, the lists of this file, the
+/// numbers each family draws from and the order of the questions in words are all part of the
+/// format, and a test pins the text of several rounds. A family that is added later must not change
+/// the questions of an existing code: it goes into a new kind of course, or into a topic of its
+/// own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Round {
     code: Code,
     questions: Vec<Question>,
 }
 
-/// The families of mixed rounds: all of the first version of codes but the first, which has
-/// a course of its own. A family that is added later stands behind them.
+/// The families of mixed rounds: all of the first version of codes except the first, which has a
+/// course of its own. Families that are added later follow them.
 const MIXED: &[Family] = Family::ALL.split_at(17).0.split_at(1).1;
 
-/// How often a question that has been asked before is drawn anew before it is asked
-/// again.
+/// How often a question that has been asked before is redrawn before it is accepted.
 const REDRAWS: usize = 50;
 
-/// How many questions of any family are looked through for one that can show a misconception;
-/// then come the written ones, of which some show each.
+/// How many questions of any family are searched for one that can show a misconception; then those
+/// in words, some of which show each.
 const SHOWING_DRAWS: usize = 400;
 
-/// How many questions are looked through for one of another version.
+/// How many questions are searched for one of another version.
 const VERSION_DRAWS: usize = 400;
 
 impl Round {
@@ -77,8 +76,8 @@ impl Round {
         round
     }
 
-    /// Goes on after these answers, where the next question follows from them: it is asked
-    /// behind the others, unless the answers settle what was to be found out.
+    /// Adds the next question after these answers, in a round whose questions depend on the
+    /// answers, unless the answers settle the result.
     pub fn go_on(&mut self, answers: &[Answer]) {
         let Code { course, seed } = &self.code;
         let asked = self.questions.len();
@@ -93,7 +92,7 @@ impl Round {
             clues.collect::<Vec<_>>()
         });
         if !find_out::is_settled(&clues, &in_codes) {
-            // Whatever the questions before took from the dice.
+            // Independent of how many numbers earlier questions drew.
             let seed = salted(course.kind.id(), *seed).wrapping_add(asked as u64);
             let next = find_out::ask(&self.questions, &in_codes, &mut Dice::new(seed));
             self.questions.extend(next);
@@ -110,10 +109,10 @@ impl Round {
         Self::new(code.course, code.seed)
     }
 
-    /// Another version of it, for who sits beside: for each question one of the same topic,
-    /// difficulty and form with other numbers, and for a written one another about the same, or
-    /// where there is none its choices in another order. The versions count from 1, which is the
-    /// round itself; the same number brings the same version.
+    /// Another version of it, for pupils who sit side by side: each question is of the same topic,
+    /// difficulty and form with other numbers; a question in words is replaced by another about the
+    /// same subject, or has its choices in another order. The versions count from 1, which is the
+    /// round itself; the same number gives the same version.
     #[must_use]
     pub fn version(&self, number: u64) -> Self {
         let Code { course, seed } = &self.code;
@@ -148,7 +147,7 @@ impl Round {
             let concept = library.concepts.iter().find(|it| it.id == id)?;
             return concept::question(concept, dice);
         }
-        // In ten hits a kind may come where its family asks it as an easier one, or a harder.
+        // In ten hits a kind may have another difficulty than in its family.
         let difficulty = match draw < VERSION_DRAWS / 2 {
             true => asked.difficulty,
             false => *dice.pick(&Difficulty::ALL)?,
@@ -160,8 +159,7 @@ impl Round {
         })
     }
 
-    /// The code that fixes it; that of a review cannot be read back, for it is its
-    /// player's alone.
+    /// The code that fixes it; that of a review cannot be opened, because it belongs to one player.
     pub fn code(&self) -> &Code {
         &self.code
     }
@@ -177,8 +175,8 @@ impl Round {
     }
 }
 
-/// Questions of these families in any order, rising in difficulty. No family comes
-/// again before all have come.
+/// Questions of these families, shuffled, easy ones first. No family is repeated before all have
+/// come.
 fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
     let mut dice = Dice::new(salted(course.kind.id(), seed));
     let mut order: Vec<Family> = Vec::new();
@@ -203,8 +201,7 @@ fn rising(families: &[Family], course: &Course, seed: u64) -> Vec<Question> {
     questions
 }
 
-/// Questions that can show a misconception, of any family, rising in difficulty as far as
-/// there are such.
+/// Questions of any family that can show a misconception, easy ones first as far as possible.
 fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Question> {
     let mut dice = Dice::new(salted(course.kind.id(), seed));
     // The code of a misconception that was split later still asks the same questions.
@@ -238,7 +235,7 @@ fn showing(misconception: Misconception, course: &Course, seed: u64) -> Vec<Ques
     questions
 }
 
-/// Written questions, each once, rising in difficulty and otherwise in any order.
+/// Questions in words, each once, easy ones first and otherwise shuffled.
 fn own(concepts: &[Concept], course: &Course, seed: u64) -> Vec<Question> {
     let mut dice = Dice::new(salted(course.kind.id(), seed));
     let mut concepts: Vec<&Concept> = concepts.iter().collect();
@@ -251,8 +248,8 @@ fn own(concepts: &[Concept], course: &Course, seed: u64) -> Vec<Question> {
         .collect()
 }
 
-/// A seed of each kind of course's own, so that the quick five of a seed are not the
-/// first half of its mixed ten: the seed and the FNV-1a hash of the name.
+/// A separate seed for each kind of course, so that the quick five of a seed are not the first half
+/// of its mixed ten: the seed combined with the FNV-1a hash of the name.
 fn salted(id: &str, seed: u64) -> u64 {
     seed ^ fnv1a(FNV_START, id.as_bytes())
 }

@@ -1,4 +1,4 @@
-//! The list of earlier rounds, to take one up again.
+//! The list of earlier rounds, from which one can be resumed.
 
 use jiff::civil::Date;
 
@@ -16,13 +16,13 @@ use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Role, SplitLayout, text};
 
-/// Columns of the names that are told of a round at most.
+/// The most columns for the names of a round.
 const NAMES: usize = 180;
 
 const ROUNDS: KeptKind = KeptKind {
     one: "round",
     all: "earlier rounds",
-    saved: "Every round is saved by itself, after each vote.",
+    saved: "carrom saves every round after each vote.",
     list: StoreRequest::ListClasses,
     load: StoreRequest::LoadClass,
     remove: StoreRequest::RemoveClass,
@@ -37,13 +37,13 @@ pub(super) struct EarlierRounds {
 }
 
 impl EarlierRounds {
-    /// The list, which is asked for.
+    /// The list, which is being requested.
     pub(super) fn ask(set_up: SetUp, cx: &mut Context) -> Self {
         let rounds = KeptFiles::ask(ROUNDS, cx);
         Self { set_up, rounds }
     }
 
-    /// Takes in what came of what was asked; gives the round that is to be taken up.
+    /// Handles the answer to a request; returns the round to resume.
     pub(super) fn take_answer(
         &mut self,
         answer: &StoreAnswer,
@@ -57,7 +57,7 @@ impl EarlierRounds {
                     return Some(Box::new(ClassPlay::with_ticket(round, answer.ticket, cx)));
                 }
                 Err(reason) => {
-                    self.rounds.notice = Some(format!("It cannot be taken up: {reason}."));
+                    self.rounds.notice = Some(format!("It cannot be resumed: {reason}."));
                 }
             },
             StoreReply::Removed(result) => self.rounds.removed(result, cx),
@@ -66,7 +66,7 @@ impl EarlierRounds {
         None
     }
 
-    /// The list, and below it what is to be said of the chosen one.
+    /// The list, and below it the description of the chosen one.
     pub(super) fn view(&self) -> View<'_, ClassAction> {
         let mut panel = Panel::new("earlier rounds");
         let title = |kept: &Kept<ClassRound>| match &kept.content {
@@ -84,13 +84,13 @@ impl EarlierRounds {
             panel.paragraph(text::clipped(&round.teams().join(", "), NAMES), Role::Dim);
             panel.gap();
             let take_up = ClassAction::Earlier(KeptAction::List(ListAction::Open));
-            panel.prompt("take it up where it was left", take_up);
+            panel.prompt("resume it where it was left", take_up);
         });
         View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)
     }
 }
 
-/// A round in a line: its class, its code, how many were in, and the day.
+/// A round in one line: its class, its code, the number of participants, and the day.
 fn titled(round: &ClassRound, day: Option<Date>) -> String {
     let class = match round.class() {
         "" => String::new(),
@@ -100,7 +100,7 @@ fn titled(round: &ClassRound, day: Option<Date>) -> String {
     format!("{class}{}, {}{day}", round.code(), head_count(round))
 }
 
-/// How many there were: "27 pupils", "4 teams"; of hands the most that were counted at once.
+/// The number of participants: "27 pupils", "4 teams"; for hands the largest count.
 pub(super) fn head_count(round: &ClassRound) -> String {
     let people = round.participants().len();
     match round.way() {

@@ -1,5 +1,5 @@
-//! After the last question: the final board, what the class believed, what each
-//! question showed.
+//! After the last question: the final scores, the class's misconceptions, the results of each
+//! question.
 
 use std::cmp::Reverse;
 
@@ -82,20 +82,19 @@ fn board(play: &Stage) -> View<'_, ClassAction> {
     }
 }
 
-/// What shows in the votes of a class: a misconception, how many teams hold it by the
-/// evidence of their first votes and after talking, and how many votes fitted it.
+/// A result of the votes of a class: a misconception, how many teams hold it by the evidence of
+/// their first votes and after the discussion, and how many votes fit it.
 struct ClassBelief {
     misconception: Misconception,
     teams: [usize; 2],
     votes: [usize; 2],
-    /// The evidence of those teams for whom there is any, at first.
+    /// The evidence of the teams that have any, at first.
     weight: f64,
 }
 
-/// What the class believed: first what most teams hold, then that for which there is most
-/// evidence.
+/// The class's misconceptions: first those that most teams hold, then those with the most evidence.
 fn held(round: &ClassRound) -> Vec<ClassBelief> {
-    // Of counted hands nobody knows whose they were: they are weighed question by question.
+    // Counted hands have no names, so they are weighed question by question.
     let all = match round.way() {
         WayOfVoting::Tally => round.questions().len(),
         WayOfVoting::Teams | WayOfVoting::Devices => round.participants().len(),
@@ -128,26 +127,26 @@ fn held(round: &ClassRound) -> Vec<ClassBelief> {
 }
 
 fn write_held(round: &ClassRound, panel: &mut Panel<ClassAction>) {
-    panel.large(["What you held", "You held"], Role::Title, LARGE_FROM);
+    panel.large(["Your beliefs", "Beliefs"], Role::Title, LARGE_FROM);
     panel.gap();
     let held = held(round);
     if held.is_empty() {
         panel.paragraph(
-            "No vote fitted a misconception that is known. That is rare, and good.",
+            "No vote fits a known misconception. That is rare, and good.",
             Role::Text,
         );
         return;
     }
     let about = match round.way() {
         WayOfVoting::Teams => {
-            "Teams whose votes show that they hold it: at first, and after talking. It takes two \
-             questions to say so of a team. Below: how many votes fitted it."
+            "Teams whose votes show it: at first, and after talking. A team counts only if two \
+             questions show it. Below: how many votes fit it."
         }
         WayOfVoting::Devices => {
-            "How many of you show by their votes that they hold it: at first, and after talking. \
-             It takes two questions to say so of anybody. Below: how many votes fitted it."
+            "How many of you show it by your votes: at first, and after talking. You count only if \
+             two questions show it. Below: how many votes fit it."
         }
-        WayOfVoting::Tally => "How many of all votes fitted it: at first, and after talking.",
+        WayOfVoting::Tally => "How many of all votes fit it: at first, and after talking.",
     };
     panel.paragraph(about, Role::Dim);
     for it in held {
@@ -193,7 +192,10 @@ fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
     }
     panel.gap();
     panel.paragraph(
-        "\"right\": how many of the votes were. \"degrees off\": the mean error of angles; of two rays the one further off counts. \"tells apart\": how well a question tells the better teams from the others, -1 to 1; it needs ten of them. \"gain\": the share of what could be gained by talking.",
+        "\"right\": how many votes were right. \"degrees off\": the mean error of angles; of two \
+         rays the larger error counts. \"tells apart\": how well a question separates the better \
+         teams from the others, -1 to 1; it needs ten teams. \"gain\": the share of what could be \
+         gained by talking.",
         Role::Dim,
     );
 }
@@ -221,8 +223,8 @@ fn told(question: &Question, item: &ItemAnalysis) -> String {
     told.join(". ")
 }
 
-/// Rows of a panel from which on it has a title in large letters.
+/// The least rows of a panel with a title in large letters.
 const LARGE_FROM: u16 = 19;
 
-/// Most answers that are told with their counts.
+/// The most answers listed with their counts.
 const MOST_COUNTS: usize = 5;

@@ -1,7 +1,7 @@
 //! A round for a class round one screen: one keyboard, a projector, teams.
 //!
-//! A question goes through the `ClassStep`s of [`crate::class`]; `play` knows the way
-//! through them, and every step with something to do is a module of its own.
+//! A question goes through the `ClassStep`s of [`crate::class`]; `play` leads through them, and
+//! each step with an action is a module of its own.
 
 mod earlier;
 mod ending;
@@ -102,7 +102,7 @@ pub(crate) struct Class {
     paused: bool,
 }
 
-/// What is on the screen.
+/// The page shown.
 #[derive(Debug, Clone)]
 enum ClassScene {
     SetUp(Box<SetUp>),
@@ -112,7 +112,7 @@ enum ClassScene {
 }
 
 impl Class {
-    /// The page on which a round is set up, with what is known of it already.
+    /// The set-up page, with the known values filled in.
     pub(crate) fn new(code: Option<&Code>, teams: &[String], name: &str, cx: &Context) -> Self {
         let set_up = SetUp::new(code, teams, name, Arc::clone(&cx.own));
         Self {
@@ -131,7 +131,7 @@ impl Class {
         }
     }
 
-    /// Goes on from a round that was stopped; another one begins at once if its code is known.
+    /// Goes on from an interrupted round; another one begins at once if its code is known.
     fn after_unfinished(&mut self, end: Option<UnfinishedEnd>, cx: &mut Context) {
         let ClassScene::Unfinished(unfinished) = &self.scene else {
             return;
@@ -179,8 +179,8 @@ impl Class {
             }
             ClassScene::Play(play) => {
                 let what = match play.unsaved {
-                    true => "It cannot be saved: it is lost then. e writes its tables.",
-                    false => "After that it is kept, to be taken up again.",
+                    true => "It is not saved and would be lost. e writes its tables.",
+                    false => "Then it is saved, and you can resume it.",
                 };
                 Next::Confirm(Confirmation::new(
                     format!("Leave the round? {what}"),
@@ -216,7 +216,7 @@ impl Screen for Class {
                 let of = play.stage.round().questions().len();
                 let place = format!("question {} of {of}", play.stage.number() + 1);
                 match play.stage.step().vote().filter(|_| !play.is_over()) {
-                    // Whoever has the code could play the round first.
+                    // Otherwise pupils could play the round in advance by its code.
                     Some(vote) if play.stage.session.is_hosted() => {
                         format!("{place}  {}", play.stage.session.turnout(vote))
                     }
@@ -239,7 +239,7 @@ impl Screen for Class {
         let keys = match &self.scene {
             ClassScene::SetUp(set_up) => keys.with(set_up.keys(), ClassAction::SetUp),
             ClassScene::Earlier(earlier) => {
-                keys.with(earlier.rounds.keys("take it up"), ClassAction::Earlier)
+                keys.with(earlier.rounds.keys("resume it"), ClassAction::Earlier)
             }
             ClassScene::Unfinished(unfinished) => {
                 keys.with(unfinished.keys(), ClassAction::Unfinished)
@@ -251,10 +251,18 @@ impl Screen for Class {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "You need one laptop and one projector. Up to eight teams share the keyboard, or everyone uses their own phone or laptop. Each question has the same steps: you read it out; everyone predicts in silence; the teams enter their first vote; all see how many voted for each answer, and discuss; the teams may change their votes; then come the shot, the explanation and the scores.",
-            "Let every team write down its answer in silence: then nobody copies from the team that types first.",
-            "Rims are smooth unless a question says otherwise. A question gives up to ten points, depending on how close the last vote is. There are no timers, and speed does not matter.",
-            "carrom saves after each vote. You can leave when the bell rings and continue the round another day.",
+            "You need one laptop and one projector. Up to eight teams share the keyboard, or \
+             everyone uses their own phone or laptop. Each question has the same steps: you read \
+             it out; everyone predicts in silence; the teams enter their first vote; all see how \
+             many voted for each answer, and discuss; the teams may change their votes; then come \
+             the shot, the explanation and the scores.",
+            "Let every team write down its answer in silence: then nobody copies from the team \
+             that types first.",
+            "Rims are smooth unless a question says otherwise. A question gives up to ten points, \
+             depending on how close the last vote is. There are no timers, and speed does not \
+             matter.",
+            "carrom saves after each vote. You can leave when the bell rings and continue the \
+             round another day.",
         ]
     }
 

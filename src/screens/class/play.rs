@@ -1,4 +1,4 @@
-//! A round being played: where it is, and the way through it.
+//! A round in progress: its place, and the path through its steps.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -33,17 +33,17 @@ pub(super) struct ClassPlay {
     steps: Vec<ClassStep>,
     /// The last question that has been reached; their number if the end was.
     furthest: usize,
-    /// The ticket with which it is kept.
+    /// The ticket for saving it.
     ticket: u64,
-    /// Whether it could not be saved as it stands: what is left now is lost.
+    /// Whether saving failed: leaving now would lose the round.
     pub(super) unsaved: bool,
-    /// What was handed in and is on its way to the disk, by its ticket.
+    /// Hand-ins that are being saved, by their tickets.
     hand_ins: BTreeMap<u64, HandInOnItsWay>,
     /// The page about pupils on devices that is open.
     pub(super) host_page: Option<HostPage>,
 }
 
-/// What there is to do at a step, where that is more than to look and go on.
+/// The actions at a step, if there is more to do than to go on.
 #[derive(Debug, Clone)]
 enum ClassPhase {
     Look,
@@ -60,7 +60,7 @@ impl ClassPlay {
         Self::with_ticket(round, ticket, cx)
     }
 
-    /// A round that was kept, where it was left.
+    /// A saved round, where it was left.
     pub(super) fn with_ticket(round: ClassRound, ticket: u64, cx: &mut Context) -> Self {
         let place = round.place();
         let furthest = place.question.max(round.begun().saturating_sub(1));
@@ -91,18 +91,17 @@ impl ClassPlay {
         play
     }
 
-    /// Whether the last question is behind.
+    /// Whether the last question is over.
     pub(super) fn is_over(&self) -> bool {
         matches!(self.phase, ClassPhase::End(_))
     }
 
-    /// Whether leaving now would end something: a round in its midst, or one that is not
-    /// kept.
+    /// Whether leaving now would interrupt a round, or lose one that is not saved.
     pub(super) fn asks_before_leaving(&self) -> bool {
         self.stage.session.round().is_begun() && (self.unsaved || !self.is_over())
     }
 
-    /// Begins what there is to do at the place at hand.
+    /// Begins the actions of the present step.
     fn arrive(&mut self, cx: &Context) {
         let ClassPlace { question, step } = self.stage.session.round().place();
         self.furthest = self.furthest.max(question);
@@ -138,7 +137,7 @@ impl ClassPlay {
         self.flush(cx);
     }
 
-    /// Asks for what the session wants of the world.
+    /// Passes on the requests of the session.
     fn flush(&mut self, cx: &mut Context) {
         for effect in self.stage.session.take_effects() {
             match effect {
@@ -161,26 +160,26 @@ impl ClassPlay {
         }
     }
 
-    /// Takes in what was heard of pupils on devices.
+    /// Handles news from pupils on devices.
     pub(super) fn take_news(&mut self, news: &[HostNews], cx: &mut Context) {
         self.stage.session.take_news(news);
         self.flush(cx);
     }
 
-    /// Does what a key means for pupils on devices.
+    /// Carries out an action on pupils on devices.
     pub(super) fn host(&mut self, action: HostingAction, cx: &mut Context) {
         let page = self.host_page.take();
         self.host_page = HostPage::act(page, action, &mut self.stage.session);
         self.flush(cx);
     }
 
-    /// Lets pupils on devices go.
+    /// Disconnects pupils on devices.
     pub(super) fn leave(&mut self, cx: &mut Context) {
         self.stage.session.close();
         self.flush(cx);
     }
 
-    /// The step so many further in the question; on devices all predict where they vote.
+    /// The step this many further in the question; on devices predicting and voting are one step.
     fn step_beside(&self, beside: impl Fn(ClassStep) -> Option<ClassStep>) -> Option<ClassStep> {
         let skips = self.stage.session.round().way() == WayOfVoting::Devices;
         match beside(self.stage.step())? {
@@ -217,15 +216,15 @@ impl ClassPlay {
         }
     }
 
-    /// The question so many further, after the last of which comes the end; none where it
-    /// has not been reached yet.
+    /// The question this many further, with the end after the last; `None` if it has not been
+    /// reached yet.
     fn leads_to(&self, by: isize) -> Option<usize> {
         let from = self.stage.number() + usize::from(self.is_over());
         let to = from.checked_add_signed(by)?;
         (to <= self.furthest).then_some(to)
     }
 
-    /// Goes there, to where it was left.
+    /// Goes there, at the step where it was left.
     fn leap(&mut self, by: isize, cx: &mut Context) {
         match self.leads_to(by).map(|to| (to, self.steps.get(to))) {
             Some((question, Some(step))) => self.go(question, *step, cx),
@@ -241,7 +240,7 @@ impl ClassPlay {
         self.flush(cx);
     }
 
-    /// Takes in what came of saving and exporting.
+    /// Handles the results of saving and exporting.
     pub(super) fn take_answer(&mut self, answer: &StoreAnswer, cx: &mut Context) {
         match &answer.done {
             StoreReply::Saved(saved) if answer.ticket == self.ticket => {
@@ -296,7 +295,7 @@ impl ClassPlay {
             }
             ClassPhase::Tally(_) => (table.with(tally::keys(), ClassAction::Count), false),
             ClassPhase::Shot(shown) => {
-                // What is watched has the space bar, and Enter until all is told.
+                // The collision uses the space bar, and Enter until its explanation is complete.
                 let on = match shown.reveal.watch() {
                     Some(_) => {
                         KeyTable::new("class").on(Key::Enter, RoundAction::Forward, "the scores")
@@ -368,7 +367,7 @@ impl ClassPlay {
             .when(self.stage.step() == ClassStep::Talk)
     }
 
-    /// Does what a key or a click stands for.
+    /// Carries out the action of a key or a click.
     pub(super) fn act(&mut self, action: ClassAction, cx: &mut Context) -> Next {
         match (action, &mut self.phase) {
             (ClassAction::Round(action), _) => self.act_at_any_step(action, cx),
@@ -424,7 +423,7 @@ impl ClassPlay {
         }
     }
 
-    /// What a turn of the wheel does: it chooses a team or somebody who is in, or turns the page.
+    /// The action of the wheel: it chooses a team or a participant, or turns the page.
     pub(super) fn wheel(&self, by: i8) -> Option<ClassAction> {
         let by = ListAction::Choose(by.into());
         match (&self.host_page, &self.phase) {
@@ -457,7 +456,7 @@ impl ClassPlay {
         }
     }
 
-    /// A question being read; on devices it is voted on meanwhile.
+    /// The question while it is read; on devices pupils vote meanwhile.
     fn reading<'s>(&'s self, step: ClassStep, question: &'s Question) -> View<'s, ClassAction> {
         let turnout = |vote| self.stage.session.turnout(vote);
         let heading = match step {
@@ -488,7 +487,7 @@ impl ClassPlay {
         self.stage.step_view(heading, beside, draw, words)
     }
 
-    /// Takes a key of what is typed.
+    /// Handles a typing key.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         let page = self.host_page.as_mut();
         match &mut self.phase {
@@ -497,7 +496,7 @@ impl ClassPlay {
         }
     }
 
-    /// Takes the mouse over the picture of a step; says whether it meant something.
+    /// Handles the mouse over the picture of a step; returns whether it was used.
     pub(super) fn point(&mut self, mouse: &Mouse, picture: Rect) -> bool {
         let pressed = mouse.kind == MouseKind::Down;
         let question = self
@@ -515,7 +514,7 @@ impl ClassPlay {
         }
     }
 
-    /// Lets time pass.
+    /// Advances the time.
     pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
         self.stage.session.advance(passed);
         self.stage.countdown = self.stage.countdown.map(|left| left.saturating_sub(passed));
@@ -530,7 +529,7 @@ impl ClassPlay {
             ClassPhase::Shot(shown) => shown.reveal.wake(pace),
             _ => None,
         };
-        // To where the next lower second is shown.
+        // Until the next lower second is shown.
         let left = self.stage.countdown.filter(|left| !left.is_zero());
         let second = left.map(|left| match left.subsec_nanos() {
             0 => Duration::from_secs(1),

@@ -1,4 +1,4 @@
-//! The words of a question, and what its picture is worth beside them.
+//! The words of a question, and the priority of its picture.
 
 use super::ClassAction;
 use super::stage::Stage;
@@ -8,7 +8,7 @@ use crate::widgets::hit::degrees;
 use crate::widgets::panel::{Beside, Panel};
 use crate::widgets::{Role, brief};
 
-/// Writes a question with its choices; with `vote`, how many were for each.
+/// Writes a question with its choices; with `vote`, the number of votes for each.
 pub(super) fn write(
     play: &Stage,
     question: &Question,
@@ -32,7 +32,7 @@ pub(super) fn write(
     }
 }
 
-/// A choice as short as it can be: of rays their degrees, with the letters of the discs.
+/// A choice in short form: for rays their degrees, with the letters of the discs.
 fn in_short(question: &Question, choice: &Response) -> String {
     match (choice, question.picture.collision()) {
         (Response::Rays(rays), Some(collision)) => {
@@ -46,8 +46,8 @@ fn in_short(question: &Question, choice: &Response) -> String {
     }
 }
 
-/// What there is to choose from: the choices of a question that has any; where hands or cards are
-/// counted, answers of every question.
+/// The choices: those of a question that has any; if hands or cards are counted, possible answers
+/// of every question.
 fn choices(play: &Stage, question: &Question) -> Vec<Response> {
     let has_any = matches!(question.form, Form::Choice { .. });
     match has_any || play.round().way() == WayOfVoting::Tally {
@@ -56,7 +56,7 @@ fn choices(play: &Stage, question: &Question) -> Vec<Response> {
     }
 }
 
-/// Whether the picture of a question says what its words do not.
+/// Whether the picture of a question shows more than its words.
 pub(super) fn beside(question: &Question) -> Beside {
     match (&question.picture, &question.form) {
         (Illustration::Nothing, _) => Beside::Nothing,

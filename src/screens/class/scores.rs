@@ -13,7 +13,7 @@ use crate::widgets::panel::BoardRow;
 use crate::widgets::panels::Heading;
 use crate::widgets::{Room, SplitLayout, areas};
 
-/// Where the class stands, under such a heading.
+/// The standings of the class, under such a heading.
 pub(super) fn view(play: &Stage, heading: Heading) -> View<'_, ClassAction> {
     let mut panel = play.words();
     panel.board(rows(play));
@@ -24,8 +24,7 @@ pub(super) fn view(play: &Stage, heading: Heading) -> View<'_, ClassAction> {
     }
 }
 
-/// A row for each of the teams; for each of the questions where there are no names, or none that
-/// all may see.
+/// One row per team, or per question if there are no names, or none that all may see.
 fn rows(play: &Stage) -> Vec<BoardRow> {
     let has_names = match play.round().way() {
         WayOfVoting::Tally => false,
@@ -39,7 +38,7 @@ fn rows(play: &Stage) -> Vec<BoardRow> {
     }
 }
 
-/// A row for each of the teams, the best first.
+/// One row per team, the best first.
 fn of_teams(round: &ClassRound, asked: usize) -> Vec<BoardRow> {
     let most = Grade::MOST * asked.max(1) as f64;
     let standings = standings(round, asked).into_iter().map(|it| BoardRow {
@@ -51,8 +50,7 @@ fn of_teams(round: &ClassRound, asked: usize) -> Vec<BoardRow> {
     standings.collect()
 }
 
-/// A row for each question, with the share that was right after talking, and by how much it
-/// rose.
+/// One row per question, with the share of right votes after the discussion, and the change.
 fn of_questions(round: &ClassRound, asked: usize) -> Vec<BoardRow> {
     let items = items(round, asked).into_iter();
     let rows = items.map(|it| {

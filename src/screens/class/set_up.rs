@@ -13,9 +13,9 @@ use crate::screens::Context;
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 
-/// What is said of what is no code.
+/// The message for a text that is not a code.
 const NO_CODE: &str = "expected the code of a round, such as mixed-7, or 7 for ten hits";
-/// Most letters of a name or a code while it is typed.
+/// The most letters of a name or a code while it is typed.
 const LONGEST: usize = 2 * LONGEST_NAME;
 
 /// The page on which a round is set up.
@@ -23,7 +23,7 @@ const LONGEST: usize = 2 * LONGEST_NAME;
 pub(super) struct SetUp {
     /// Names as typed.
     pub(super) teams: Vec<TextField>,
-    /// What the class is called, as typed.
+    /// The name of the class, as typed.
     pub(super) class: TextField,
     list: ListView,
     /// The kind of round that is chosen.
@@ -37,7 +37,7 @@ pub(super) struct SetUp {
     pub(super) own: Arc<Library>,
 }
 
-/// A row of the page that the mark can be at.
+/// A row of the page that can be chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum SetUpRow {
     /// The name of a team, counted from 0.
@@ -47,11 +47,11 @@ pub(super) enum SetUpRow {
     /// What the class is called.
     Class,
     Kind(RoundKind),
-    /// Off we go.
+    /// Starts the round.
     Start,
-    /// Off we go, with hands or cards that are counted.
+    /// Starts the round with hands or cards that are counted.
     Tally,
-    /// Off we go, everyone on a device of their own.
+    /// Starts the round with everyone on a device of their own.
     Devices,
     /// The list of earlier rounds.
     Earlier,
@@ -80,16 +80,16 @@ pub(crate) enum SetUpAction {
     Remove,
 }
 
-/// What follows from setting up.
+/// The result of the set-up page.
 pub(super) enum SetUpEnd {
     /// The round begins.
     Start(Box<ClassPlay>),
-    /// The list of earlier rounds is wanted.
+    /// Opens the list of earlier rounds.
     Earlier,
 }
 
 impl SetUp {
-    /// The page with what is known already.
+    /// The page with the known values filled in.
     pub(super) fn new(
         code: Option<&Code>,
         teams: &[String],
@@ -128,14 +128,14 @@ impl SetUp {
         self.list.choose(at.unwrap_or(self.teams.len()));
     }
 
-    /// The kinds of round there are; own questions only where there are any.
+    /// The available kinds of round; own questions only if there are any.
     pub(super) fn kinds(&self) -> Vec<RoundKind> {
         let mut kinds = RoundKind::VARIANTS.to_vec();
         kinds.retain(|kind| *kind != RoundKind::Own || !self.own.concepts.is_empty());
         kinds
     }
 
-    /// The course of a kind of round; of a code it stands in that.
+    /// The course of a kind of round; a code contains its own.
     pub(super) fn course(&self, kind: RoundKind) -> Option<CourseKind> {
         Some(match kind {
             RoundKind::Mixed => CourseKind::Even,
@@ -164,7 +164,7 @@ impl SetUp {
         rows
     }
 
-    /// The text that letters go to.
+    /// The text that is being typed.
     fn field(&mut self) -> Option<&mut TextField> {
         match self.at() {
             SetUpRow::Team(team) => self.teams.get_mut(team),
@@ -184,7 +184,7 @@ impl SetUp {
             SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices => "start",
             SetUpRow::Earlier => "open the list",
         };
-        // Where text is typed they lead to its ends.
+        // In a text they go to its ends.
         let ends = match at {
             SetUpRow::Team(_) | SetUpRow::Class | SetUpRow::Kind(RoundKind::Code) => {
                 [Key::Home, Key::End].as_slice()
@@ -199,7 +199,7 @@ impl SetUp {
             .when(matches!(at, SetUpRow::Team(_)))
     }
 
-    /// Takes a key that types; says whether it was one.
+    /// Handles a typing key; returns whether it was one.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         if let (SetUpRow::Add, Key::Char(c)) = (self.at(), key)
             && !c.is_whitespace()
@@ -207,7 +207,7 @@ impl SetUp {
         {
             self.add();
         }
-        // A question mark asks for help: it is in no code and in hardly a name.
+        // A question mark opens the help: no code and hardly any name contains one.
         let Some(field) = self.field().filter(|_| key != Key::Char('?')) else {
             return false;
         };
@@ -223,7 +223,7 @@ impl SetUp {
         true
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(super) fn act(&mut self, action: SetUpAction, cx: &mut Context) -> Outcome<SetUpEnd> {
         match action {
             SetUpAction::List(action) => self.listed(action, cx),
@@ -242,7 +242,7 @@ impl SetUp {
         }
     }
 
-    /// Moves the mark, or does what its row says. A name that was left empty is none.
+    /// Moves the mark, or carries out its row. An empty name is removed.
     fn listed(&mut self, action: ListAction, cx: &mut Context) -> Outcome<SetUpEnd> {
         self.trouble = None;
         let left = self.at();
@@ -271,7 +271,7 @@ impl SetUp {
         }
     }
 
-    /// Takes pasted text: where names are typed, a name a line.
+    /// Handles pasted text: one name per line in the names.
     pub(super) fn paste(&mut self, pasted: &str) {
         let mut lines = pasted.lines();
         let first = lines.next().unwrap_or_default();
@@ -302,7 +302,7 @@ impl SetUp {
     fn enter(&mut self, cx: &mut Context) -> Outcome<SetUpEnd> {
         let at = self.at();
         match at {
-            // An empty name is the way to the next thing.
+            // An empty name goes on to the next row.
             SetUpRow::Add | SetUpRow::Class => self.put(SetUpRow::Kind(self.kind)),
             SetUpRow::Team(team) => {
                 self.list.choose(team + 1);
@@ -321,7 +321,7 @@ impl SetUp {
     fn start(&mut self, at: SetUpRow, cx: &mut Context) -> Outcome<SetUpEnd> {
         let names = match team_names(self.teams.iter().map(TextField::text)) {
             Ok(names) => names,
-            // Counted hands have no names, and who has a device says its name there.
+            // Counted hands have no names, and pupils on devices enter theirs there.
             Err(_) if at != SetUpRow::Start => Vec::new(),
             Err(trouble) => {
                 self.trouble = Some(format!("The teams: {trouble}."));
@@ -356,13 +356,13 @@ impl SetUp {
     }
 }
 
-/// What is wrong with files of own questions that were left out.
+/// The faults of files of own questions that were left out.
 fn left_out(own: &Library) -> Option<String> {
     let first = own.problems.first()?;
     Some(match own.problems.len() {
         1 => format!("Left out of your own questions: {first}"),
         all => format!(
-            "{all} faults in your own questions, which are left out; carrom concept check tells \
+            "{all} faults in your own questions, which are left out; carrom concept check lists \
              all. The first: {first}"
         ),
     })

@@ -1,4 +1,4 @@
-//! What the page shows on which a round is set up.
+//! The view of the set-up page.
 
 use super::ClassAction;
 use super::set_up::{RoundKind, SetUp, SetUpAction, SetUpRow};
@@ -78,14 +78,14 @@ fn write(set_up: &SetUp, row: SetUpRow, action: SetUpAction, panel: &mut Panel<S
                 }
                 SetUpRow::Tally => "Start with hands or cards",
                 SetUpRow::Devices => "Start on devices of their own",
-                _ => "Take up an earlier round",
+                _ => "Resume an earlier round",
             };
             panel.row((name, Role::Text), ("", Role::Dim), chosen, action);
         }
     }
 }
 
-/// What a kind of round is called, and what it is.
+/// The name and description of a kind of round.
 fn words(set_up: &SetUp, kind: RoundKind, chosen: bool) -> (String, String) {
     let course = set_up.course(kind);
     let count = course.as_ref().map_or(0, CourseKind::length);

@@ -14,20 +14,20 @@ use crate::widgets::{Role, draw_question, lettered};
 /// What really happens, and why.
 #[derive(Debug, Clone)]
 pub(super) struct ClassReveal {
-    /// The hit, where the question is about one.
+    /// The collision, if the question is about one.
     pub(super) reveal: Reveal,
-    /// What most teams that were wrong in the same way said, and how many of them: the name of
-    /// the misconception that fits, or else the letter of their choice.
+    /// The most frequent wrong answer, and its number of votes: the misconception that fits, or
+    /// else the letter of the choice.
     pub(super) held: Option<(String, usize)>,
-    /// Why it is as it is.
+    /// The explanation.
     pub(super) why: String,
 }
 
 impl ClassReveal {
-    /// The truth of a question, told from what the class said.
+    /// The explanation of a question, starting from the class's answers.
     pub(super) fn new(round: &ClassRound, number: usize, pace: HitPace) -> Option<Self> {
         let question = round.questions().get(number)?;
-        // What they say after talking, or what they said before it.
+        // Their votes after the discussion, or before it.
         let held = commonest(round, number, Vote::Second)
             .or_else(|| commonest(round, number, Vote::First));
         let said = held.as_ref().map(|shared| shared.said);
@@ -46,7 +46,7 @@ impl ClassReveal {
     }
 }
 
-/// What is told of the shot, beside it.
+/// The text beside the shot.
 pub(super) fn view<'s>(
     play: &'s Stage,
     shown: &'s ClassReveal,
@@ -76,8 +76,8 @@ fn right_in_words(play: &Stage) -> String {
     format!("right at first: {first}, after talking: {second}")
 }
 
-/// Writes what is told of the shot: while it explains itself its words; then the truth with the
-/// one sentence that matters, and on further pages all of why.
+/// Writes the text of the shot: the steps of the explanation; then the right answer with the one
+/// sentence that matters, and on further pages the whole explanation.
 fn write(play: &Stage, question: &Question, shown: &ClassReveal, panel: &mut Panel<ClassAction>) {
     if let Some(watch) = shown.reveal.watch()
         && shown.reveal.is_telling()
@@ -118,8 +118,8 @@ fn first_sentence(text: &str) -> (&str, &str) {
     (first, rest.trim_start())
 }
 
-/// The hit as it really goes, with what was said beside it. What is to be answered by
-/// shooting is shot as it should be.
+/// The real collision, with the answers beside it. A question answered by shooting shows the right
+/// shot.
 fn watch(question: &Question, said: Option<Response>, pace: HitPace) -> Option<Watch> {
     let collision = match &question.form {
         Form::Shot(aim) => Some(aim.with(aim.offset)),
@@ -133,7 +133,7 @@ fn watch(question: &Question, said: Option<Response>, pace: HitPace) -> Option<W
     collision.map(|collision| Watch::new(collision, rays, pace).seen_from(frame))
 }
 
-/// What several votes that were wrong have in common.
+/// What wrong votes have in common.
 struct SharedAnswer {
     name: String,
     count: usize,
@@ -141,7 +141,7 @@ struct SharedAnswer {
     said: Response,
 }
 
-/// The commonest of what wrong votes have in common; of equals a misconception.
+/// The most frequent group of wrong votes; of equals a misconception.
 fn commonest(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAnswer> {
     let shared = [
         commonest_reply(round, question, vote),
@@ -150,7 +150,7 @@ fn commonest(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAn
     shared.into_iter().flatten().max_by_key(|it| it.count)
 }
 
-/// The misconception for which the votes speak most.
+/// The misconception that the votes support most.
 fn commonest_belief(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAnswer> {
     let all = evidence(&round.clues(question, vote));
     let most = all.into_iter().find(|it| it.times > 0)?;
@@ -163,8 +163,7 @@ fn commonest_belief(round: &ClassRound, question: usize, vote: Vote) -> Option<S
     })
 }
 
-/// The wrong choice of most votes among those that fit no misconception and yet have something
-/// to be told. Of equals the first.
+/// The most frequent wrong choice that fits no misconception but has feedback. Of equals the first.
 fn commonest_reply(round: &ClassRound, question: usize, vote: Vote) -> Option<SharedAnswer> {
     let replies = &round.questions().get(question)?.replies;
     let said: Vec<Response> = round.said(question, vote).collect();

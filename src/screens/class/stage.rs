@@ -1,4 +1,4 @@
-//! Where a round stands, and what each of its steps is shown on.
+//! The state of a round, and the layout of its steps.
 
 use std::time::Duration;
 
@@ -14,15 +14,15 @@ use crate::widgets::Look;
 use crate::widgets::panel::{Beside, Panel};
 use crate::widgets::panels::Heading;
 
-/// A round as it stands, and what is shown of it.
+/// The state of a round, and how it is shown.
 #[derive(Debug, Clone)]
 pub(super) struct Stage {
     pub(super) session: Session,
-    /// The time that is left of a countdown, where one is shown.
+    /// The remaining time of a countdown, if one is shown.
     pub(super) countdown: Option<Duration>,
-    /// Whether the words of the question have the screen to themselves.
+    /// Whether only the words of the question are shown.
     pub(super) words_alone: bool,
-    /// Whether the names of pupils on devices may stand on the scoreboard.
+    /// Whether the scoreboard shows the names of pupils on devices.
     pub(super) names_shown: bool,
 }
 
@@ -45,7 +45,7 @@ impl Stage {
         self.session.round().place().step
     }
 
-    /// A panel for the words of the step at hand, which are read from their beginning.
+    /// A panel for the words of the present step, shown from their beginning.
     pub(super) fn words(&self) -> Panel<ClassAction> {
         let mut panel = Panel::new("");
         panel.open = true;
@@ -53,8 +53,7 @@ impl Stage {
         panel
     }
 
-    /// A step of a question: what it is called and what to do, the picture, and words as large
-    /// as they fit.
+    /// The view of a step: its name and instruction, the picture, and words as large as they fit.
     pub(super) fn step_view<'s>(
         &self,
         heading: Option<Heading>,

@@ -1,5 +1,5 @@
-//! How the first votes are spread, without the truth and without names: something to
-//! talk about.
+//! The distribution of the first votes, without the right answer and without names, for the
+//! discussion.
 
 use std::collections::BTreeMap;
 
@@ -22,10 +22,10 @@ use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Lines, Look, Role, areas, brief, draw_question};
 
-/// Most different angles of a ray that are told in words.
+/// The most different angles of a ray listed in words.
 const MOST_ANGLES: usize = 5;
 
-/// The question with how many are for each choice, and the votes in its picture or below it.
+/// The question with the number of votes for each choice, and the votes in its picture or below it.
 pub(super) fn view<'s>(play: &'s Stage, question: &'s Question) -> View<'s, ClassAction> {
     let heading = Heading::new(
         &["Talk"],
@@ -42,8 +42,7 @@ pub(super) fn view<'s>(play: &'s Stage, question: &'s Question) -> View<'s, Clas
     }
 }
 
-/// Writes the commonest of what was said of each ray, how many have said nothing, and what the
-/// votes advise.
+/// Writes the most frequent directions of each ray, the number without a vote, and the advice.
 fn write_more(play: &Stage, question: &Question, panel: &mut Panel<ClassAction>) {
     let votes: Vec<_> = play.round().said(play.number(), Vote::First).collect();
     let advice = Advice::of(play.round(), play.number());
@@ -55,7 +54,7 @@ fn write_more(play: &Stage, question: &Question, panel: &mut Panel<ClassAction>)
         panel.paragraph(words, Role::Text);
     }
     let missing = match play.round().way() {
-        WayOfVoting::Tally if advice.is_none() => "Nobody has counted.".to_owned(),
+        WayOfVoting::Tally if advice.is_none() => "Nothing counted yet.".to_owned(),
         WayOfVoting::Tally => String::new(),
         _ => vote::missing(play.round(), play.number(), Vote::First),
     };
@@ -178,7 +177,7 @@ fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buf
     picture.draw(buf, look);
 }
 
-/// Bars on a number line, the higher the more said the same.
+/// Bars on a number line, higher for more equal answers.
 fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
     let numbers = votes.iter().filter_map(|said| match said {
         Response::Number(x) => Some(*x),
@@ -192,7 +191,7 @@ fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look:
         Lines::new(area, buf, *look).paragraph("Nobody has voted.", Role::Text);
         return;
     }
-    // Some room on both sides, even where all said the same.
+    // Some room on both sides, even if all answers are equal.
     let margin = (0.15 * (largest - least)).max(0.1 * largest.abs()).max(0.5);
     let votes = format!("your votes ({unit})");
     let x = Axis::linear(votes, least - margin, largest + margin);

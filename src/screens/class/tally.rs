@@ -1,4 +1,4 @@
-//! The teacher typing how many were for each choice.
+//! The teacher types the number of votes for each choice.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -16,7 +16,7 @@ use crate::widgets::{Role, draw_question};
 /// Most letters that are typed.
 const LONGEST: usize = 40;
 
-/// Counts on their way in: "4 17 9 2".
+/// Counts being typed: "4 17 9 2".
 #[derive(Debug, Clone)]
 pub(super) struct Tally {
     vote: Vote,
@@ -32,13 +32,13 @@ pub(crate) enum CountAction {
     Count,
 }
 
-/// The keys, but for those of every step.
+/// The keys, except those of every step.
 pub(super) fn keys() -> KeyTable<CountAction> {
     KeyTable::new("class").on(Key::Enter, CountAction::Count, "take it")
 }
 
 impl Tally {
-    /// What was counted before, to be put right, or nothing.
+    /// Earlier counts, for correction, or none.
     pub(super) fn new(round: &ClassRound, question: usize, vote: Vote) -> Self {
         let counts = round.tally(question, vote).unwrap_or_default();
         let counts: Vec<String> = counts.iter().map(ToString::to_string).collect();
@@ -49,7 +49,7 @@ impl Tally {
         }
     }
 
-    /// Takes a key of what is typed: figures, and what stands between them.
+    /// Handles a typing key: digits and separators.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         let is_own = match key {
             Key::Char(c) => c.is_ascii_digit() || (matches!(c, ' ' | ',') && !self.is_empty()),
@@ -63,10 +63,10 @@ impl Tally {
         self.field.text().trim().is_empty()
     }
 
-    /// What is typed as counts, one for each choice; `None` while nothing is.
+    /// The typed counts, one per choice; `None` while nothing is typed.
     ///
     /// # Errors
-    /// What is wrong with it, in words.
+    /// The fault in words.
     fn counts(&self, round: &ClassRound) -> Result<Option<Vec<u32>>, String> {
         let text = self.field.text();
         let parts = text.split([' ', ',']).filter(|part| !part.is_empty());
@@ -91,7 +91,7 @@ impl Tally {
         all.ok_or_else(|| format!("no more than {MOST_PEOPLE} in all"))
     }
 
-    /// Puts what is typed into the round; says whether there is nothing to be put right first.
+    /// Enters the typed counts into the round; returns whether they are valid.
     pub(super) fn give(&self, session: &mut Session) -> bool {
         let counts = self.counts(session.round());
         counts.is_ok_and(|counts| {
@@ -103,7 +103,7 @@ impl Tally {
         })
     }
 
-    /// The question, and below it what is typed, with what is to be done.
+    /// The question, and below it the typed counts, with the instruction.
     pub(super) fn view<'s>(
         &'s self,
         play: &'s Stage,
@@ -119,7 +119,7 @@ impl Tally {
                 "Who has changed their mind? Show your card once more.",
             ),
         };
-        // Before the second vote is counted all see the first.
+        // Until the second vote is counted, the first is shown.
         let shown = (self.vote == Vote::Second).then_some(Vote::First);
         let mut words = play.words();
         question::write(play, question, shown, |_| None, &mut words);

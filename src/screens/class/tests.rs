@@ -1,4 +1,4 @@
-//! What the back row reads.
+//! Tests that the back row can read everything.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -21,8 +21,8 @@ const STEPS: [ClassStep; 6] = [
     ClassStep::Shot,
 ];
 
-/// Every step of every question of three rounds has letters that the back row reads, on one
-/// page or two where the text is short.
+/// Every step of every question of three rounds has letters large enough for the back row, and a
+/// short text fits one page or two.
 #[test]
 fn the_back_row_reads_every_step_of_every_question() {
     let teams: Vec<String> = (1..=8).map(|team| format!("Team {team}")).collect();
@@ -59,7 +59,7 @@ fn the_back_row_reads_every_step_of_every_question() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// What the back row cannot read of a step, or does not see.
+/// The parts of a step that the back row cannot read or see.
 fn illegible(play: &ClassPlay, cx: &Context, rows: u16) -> Vec<String> {
     let question = play.stage.question().unwrap();
     let writing = Writing {
@@ -94,7 +94,7 @@ fn illegible(play: &ClassPlay, cx: &Context, rows: u16) -> Vec<String> {
     faults
 }
 
-/// Of thirty-two pupils each can be brought into sight.
+/// Each of thirty-two pupils can be scrolled into view.
 #[test]
 fn a_long_board_is_scrolled_to_its_end() {
     let names = (0..32).map(|pupil| format!("Pupil {pupil:02}"));

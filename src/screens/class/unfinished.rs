@@ -1,5 +1,5 @@
-//! A round on devices that was stopped, by a crash or by a bell: it is offered before the class
-//! begins another one.
+//! A round on devices that a crash or the end of a lesson interrupted: it is offered before the
+//! class begins another one.
 
 use super::ClassAction;
 use super::earlier::head_count;
@@ -13,34 +13,34 @@ use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role, text};
 
-/// What can be chosen.
-const CHOICES: [&str; 2] = ["take it up", "begin another round"];
+/// The choices.
+const CHOICES: [&str; 2] = ["resume it", "begin another round"];
 
 /// The page that offers it.
 #[derive(Debug, Clone)]
 pub(super) struct Unfinished {
-    /// The round that begins otherwise, and what its class is called.
+    /// The round that begins otherwise, and the name of its class.
     code: Option<Code>,
     name: String,
-    /// The round that was stopped; `None` while it is looked for.
+    /// The interrupted round; `None` while it is sought.
     stopped: Option<Kept<ClassRound>>,
     list: ListView,
-    /// The ticket with which it is being loaded.
+    /// The ticket for loading it.
     loading: Option<u64>,
-    /// Why it cannot be taken up.
+    /// Why it cannot be resumed.
     trouble: Option<String>,
 }
 
-/// What follows from the page.
+/// The result of the page.
 pub(super) enum UnfinishedEnd {
-    /// The round that was stopped goes on.
+    /// Resumes the interrupted round.
     TakeUp(Box<ClassPlay>),
-    /// Another round begins.
+    /// Begins another round.
     Another,
 }
 
 impl Unfinished {
-    /// Looks for a round that was stopped, with this code and of this class where they are given.
+    /// Looks for an interrupted round, with this code and of this class if they are given.
     pub(super) fn ask(code: Option<Code>, name: &str, cx: &mut Context) -> Self {
         cx.ask(StoreRequest::ListClasses);
         Self {
@@ -53,13 +53,13 @@ impl Unfinished {
         }
     }
 
-    /// The round that begins otherwise, and what its class is called.
+    /// The round that begins otherwise, and the name of its class.
     pub(super) fn other(&self) -> (Option<&Code>, &str) {
         (self.code.as_ref(), &self.name)
     }
 
     /// The latest round on devices with this code and of this class, if it is not over and somebody
-    /// was in.
+    /// had joined.
     fn find<'k>(&self, kept: &'k [Kept<ClassRound>]) -> Option<&'k Kept<ClassRound>> {
         let is_meant = |round: &ClassRound| {
             let is_class = self.name.is_empty() || round.is_of_class(&self.name);
@@ -74,7 +74,7 @@ impl Unfinished {
         is_stopped.then_some(latest)
     }
 
-    /// Takes in what came of what was asked.
+    /// Handles the answer to a request.
     pub(super) fn take_answer(
         &mut self,
         answer: &StoreAnswer,
@@ -95,7 +95,7 @@ impl Unfinished {
                         Some(UnfinishedEnd::TakeUp(Box::new(play)))
                     }
                     Err(reason) => {
-                        self.trouble = Some(format!("It cannot be taken up: {reason}."));
+                        self.trouble = Some(format!("It cannot be resumed: {reason}."));
                         None
                     }
                 }
@@ -111,7 +111,7 @@ impl Unfinished {
         }
     }
 
-    /// Does what a key or a click stands for.
+    /// Carries out the action of a key or a click.
     pub(super) fn act(&mut self, action: ListAction, cx: &mut Context) -> Option<UnfinishedEnd> {
         let stopped = self.stopped.as_ref()?;
         match self.list.act(action, CHOICES.len()) {
@@ -127,11 +127,11 @@ impl Unfinished {
 
     /// What the page shows.
     pub(super) fn view(&self) -> View<'_, ClassAction> {
-        let mut panel = Panel::new("a round that was stopped");
+        let mut panel = Panel::new("an interrupted round");
         let mut beside = Panel::new("the round");
         let stopped = self.stopped.as_ref();
         if let Some((kept, round)) = stopped.and_then(|it| Some((it, it.content.as_ref().ok()?))) {
-            // Not its code: whoever has that could play it first.
+            // Not its code: pupils could use it to play the round in advance.
             let called = match round.class() {
                 "" => "A class",
                 class => class,
@@ -139,7 +139,7 @@ impl Unfinished {
             let question = round.place().question + 1;
             let count = head_count(round);
             panel.paragraph(
-                format!("{called} stopped at question {question} with {count}: take it up?"),
+                format!("{called} stopped at question {question} with {count}: resume it?"),
                 Role::Title,
             );
             panel.gap();
@@ -154,8 +154,8 @@ impl Unfinished {
                 panel.gap();
             }
             panel.paragraph(
-                "If you take it up, it keeps its address and its code: devices that are still on the page \
-                 come back by themselves, with every vote. Otherwise it stays in the list of \
+                "If you resume it, it keeps its address and its code: devices that still show the \
+                 page reconnect by themselves, with every vote. Otherwise it stays in the list of \
                  earlier rounds.",
                 Role::Dim,
             );
@@ -171,7 +171,7 @@ impl Unfinished {
                 beside.fact("age", text::ago(age));
             }
         } else {
-            panel.paragraph("Looking for a round that was stopped …", Role::Text);
+            panel.paragraph("Looking for an interrupted round …", Role::Text);
         }
         View::panels(panel, beside)
     }

@@ -13,25 +13,24 @@ use crate::widgets::panel::Panel;
 use crate::widgets::panels::Heading;
 use crate::widgets::{AnswerAction, AnswerInput, Outcome, Role, draw_question};
 
-/// Answers nearer to each other than this are the same, counted in what still counts as
-/// right.
+/// Answers closer to each other than this are the same, in units of the tolerance.
 const SAME: f64 = 1e-6;
 
-/// Who has voted, and the team that is just doing so.
+/// Who has voted, and the team that is voting now.
 #[derive(Debug, Clone)]
 pub(super) struct TeamVotes {
     vote: Vote,
     question: usize,
-    /// The teams; after the last of them comes going on.
+    /// The teams; after the last comes the row for going on.
     teams: ListView,
     booth: Option<Booth>,
 }
 
-/// Where the team at the mark makes its vote.
+/// The input of the team at the mark.
 #[derive(Debug, Clone)]
 struct Booth {
     input: AnswerInput,
-    /// Whether the class may see it meanwhile.
+    /// Whether the class can see it meanwhile.
     is_open: bool,
 }
 
@@ -54,8 +53,8 @@ pub(crate) enum VoteAction {
 }
 
 impl TeamVotes {
-    /// Before any key: at the first team that has not voted. After talking every team
-    /// keeps its vote unless it says otherwise, so there the mark is at going on.
+    /// At the start the mark is at the first team without a vote. After the discussion every team
+    /// keeps its vote unless it changes it, so there the mark is at going on.
     pub(super) fn new(round: &ClassRound, question: usize, vote: Vote) -> Self {
         let mut votes = Self {
             vote,
@@ -67,7 +66,7 @@ impl TeamVotes {
         votes
     }
 
-    /// Whether a team is just making its vote.
+    /// Whether a team is voting now.
     pub(super) fn is_in_booth(&self) -> bool {
         self.booth.is_some()
     }
@@ -77,7 +76,7 @@ impl TeamVotes {
         self.teams.chosen(round.participants().len() + 1)
     }
 
-    /// Puts the mark at the team that is next to vote, or at going on.
+    /// Puts the mark at the next team without a vote, or at going on.
     fn choose_next(&mut self, round: &ClassRound) {
         let count = round.participants().len();
         let waits = |team: &usize| {
@@ -88,7 +87,7 @@ impl TeamVotes {
         self.teams.choose(waiting.unwrap_or(count));
     }
 
-    /// The keys, but for those of every step.
+    /// The keys, except those of every step.
     pub(super) fn keys(&self, round: &ClassRound) -> KeyTable<VoteAction> {
         use VoteAction::{NotYet, ShowTyped, TakeBack, Team, Teams, Vote};
         let keys = KeyTable::new("class");
@@ -113,7 +112,7 @@ impl TeamVotes {
             .when(booth.is_typed())
     }
 
-    /// Does what a key stands for; says whether the class goes on.
+    /// Carries out an action; returns whether the class goes on.
     pub(super) fn act(&mut self, action: VoteAction, session: &mut Session) -> bool {
         let round = session.round();
         let count = round.participants().len();
@@ -167,13 +166,13 @@ impl TeamVotes {
         }
     }
 
-    /// Gives the vote that was made, and goes to the next team.
+    /// Records the vote, and goes to the next team.
     fn give(&mut self, session: &mut Session) {
         let round = session.round();
         let team = self.at(round);
         let said = self.booth.take().and_then(|booth| booth.input.said());
         let before = round.ballot(self.question, team).vote(Vote::First);
-        // Whoever says the same again has kept the vote.
+        // The same answer again counts as an unchanged vote.
         let same = match (round.questions().get(self.question), said, before) {
             (Some(question), Some(said), Some(before)) => {
                 question.form.distance(&said, &before) < SAME
@@ -185,18 +184,18 @@ impl TeamVotes {
         self.choose_next(session.round());
     }
 
-    /// The answer that is made by pointing at the picture.
+    /// The answer given by pointing at the picture.
     pub(super) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
         self.booth.as_mut().map(|booth| &mut booth.input)
     }
 
-    /// What the choice of a team does.
+    /// The action of choosing a team.
     pub(super) fn pick(&self, choice: usize) -> Option<VoteAction> {
         self.booth.as_ref()?;
         Some(VoteAction::Vote(AnswerAction::Choose(choice)))
     }
 
-    /// The question, and who has voted, and not what; or the team that is just doing so.
+    /// The question and who has voted, without the votes; or the team that is voting now.
     pub(super) fn view<'s>(
         &'s self,
         play: &'s Stage,
@@ -205,7 +204,7 @@ impl TeamVotes {
         let heading = match self.vote {
             Vote::First => Heading::new(
                 &["First vote", "Vote 1"],
-                "Each team in turn. What is said is hidden.",
+                "Each team in turn. What you type is hidden.",
             ),
             Vote::Second => Heading::new(
                 &["Second vote", "Vote 2"],
@@ -262,13 +261,13 @@ impl Booth {
         !matches!(self.input, AnswerInput::Choice { .. })
     }
 
-    /// Writes who is to say what. What is typed is seen only where they ask for it.
+    /// Writes which team votes on what. What is typed is shown only on request.
     fn write(&self, name: &str, form: &Form, foot: &mut Panel<VoteAction>) {
         if let Form::Choice { options, .. } = form {
             foot.line(name, Role::Title);
             let letters: Vec<String> = (0..options.len()).map(|i| letter(i).to_string()).collect();
             foot.line(
-                format!("One letter is the vote: {}.", letters.join(", ")),
+                format!("Type one letter: {}.", letters.join(", ")),
                 Role::Key,
             );
             return;
@@ -290,7 +289,7 @@ impl Booth {
     }
 }
 
-/// A sign of what a team has done: it has voted or changed its vote; it keeps it; nothing.
+/// The mark of a team: it has voted or changed its vote; it keeps it; nothing.
 fn sign(round: &ClassRound, question: usize, team: usize, vote: Vote) -> &'static str {
     let ballot = round.ballot(question, team);
     match (vote, ballot.vote(Vote::First), ballot.vote(Vote::Second)) {

@@ -1,4 +1,4 @@
-//! A beam, counted by angle while it is thrown.
+//! A beam, counted by angle while it runs.
 
 use std::f64::consts::PI;
 
@@ -18,20 +18,20 @@ use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{AnswerAction, AnswerInput, Look, Role};
 
-/// The title of the picture: what is hit, and in space what is counted there.
+/// The title of the picture: the target, and in space the unit of the counts.
 pub(super) fn title(foil: &FoilScreen) -> &'static str {
     use CountedFor::{Ring, Steradian};
     match (foil.setup.obstacle, foil.setup.counted_for()) {
         (Obstacle::Hard, None) => "hard discs on a board",
         (Obstacle::Hard, Some(Steradian)) => "hard spheres: counts on a small screen",
         (Obstacle::Hard, Some(Ring)) => "hard spheres: counts in whole rings",
-        (Obstacle::Nucleus, None) => "a foil, if the world were flat",
+        (Obstacle::Nucleus, None) => "a foil in two dimensions",
         (Obstacle::Nucleus, Some(Steradian)) => "a foil: counts on a small screen",
         (Obstacle::Nucleus, Some(Ring)) => "a foil: counts in whole rings",
     }
 }
 
-/// What the axis of the counts is called.
+/// The label of the axis of the counts.
 fn name_of_counts(counted_for: Option<CountedFor>) -> &'static str {
     match counted_for {
         None => "particles in each 5°",
@@ -40,12 +40,12 @@ fn name_of_counts(counted_for: Option<CountedFor>) -> &'static str {
     }
 }
 
-/// The counts, and the law once something has been thrown.
+/// The counts, and the law once there are any.
 pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     let law = foil.setup.law();
     let particles = foil.setup.particles();
     let name = name_of_counts(foil.setup.counted_for());
-    // On a board a bin is what a small screen is in space: each is as wide as any other.
+    // On a board all bins are equally wide, like a small screen in space.
     let counted_for = foil.setup.counted_for().unwrap_or(CountedFor::Ring);
     let most = Counts::expected(&law, particles)
         .into_iter()
@@ -65,8 +65,8 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
             let height = *count as f64 / counted_for.in_bin(bin);
             plot.bar(degrees(bin), degrees(bin + 1), height, Role::Trail);
         }
-        // Where next to none are expected there is no line: it would be that of the axis. Near 0
-        // the law goes beyond the plot.
+        // Where almost no counts are expected there is no line, because it would coincide with the
+        // axis. Near 0 the law exceeds the plot.
         let least = plot.least_clear();
         let thrown = run.thrown();
         let expected = |at| {
@@ -90,8 +90,9 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     plot.picture()
 }
 
-/// Particles expected at an angle in degrees. Of a steradian it is the law itself; of a ring
-/// those within 2.5°, so that the curve passes the middle of each bin at what is expected in it.
+/// Particles expected at an angle in degrees. Per steradian it is the law itself; for a ring the
+/// integral over ±2.5°, so that the curve passes through the expected count at the middle of each
+/// bin.
 pub(super) fn expected_at(
     law: &ScatteringLaw,
     counted_for: CountedFor,
@@ -108,7 +109,7 @@ pub(super) fn expected_at(
     Some(thrown as f64 * share)
 }
 
-/// Where the curve may be named: past the middle, or else the nearer to its beginning.
+/// Where the label of the curve may be: past the middle, or else closer to its beginning.
 fn label_places(expected: impl Fn(f64) -> Option<f64>) -> Vec<glam::DVec2> {
     let places = (0..20).map(|bin| 97.5 - 5.0 * f64::from(bin));
     let on_curve = |at| expected(at).map(|count| glam::dvec2(at, count));
@@ -117,8 +118,8 @@ fn label_places(expected: impl Fn(f64) -> Option<f64>) -> Vec<glam::DVec2> {
 
 /// Writes the question before a beam.
 pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, panel: &mut Panel<FoilAction>) {
-    panel.heading("Say it first:");
-    let question = "how many are turned back, by more than 90°?";
+    panel.heading("Predict it:");
+    let question = "how many are deflected by more than 90°?";
     panel.paragraph(question, Role::Title);
     let setup = &foil.setup;
     let thrown_at = match setup.obstacle {
@@ -137,21 +138,21 @@ pub(super) fn write_guess(foil: &FoilScreen, said: &AnswerInput, panel: &mut Pan
     }
     panel.gap();
     match said.said() {
-        Some(_) => panel.prompt("say it, and throw", FoilAction::Guess(AnswerAction::Enter)),
+        Some(_) => panel.prompt("predict and start", FoilAction::Guess(AnswerAction::Enter)),
         None => panel.paragraph("Choose an answer.", Role::Key),
     }
 }
 
-/// Writes what stands below the settings.
+/// Writes the text below the settings.
 pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Context) {
     panel.gap();
     let Some(run) = foil.run() else {
         let throw = |words| (words, FoilAction::Throw);
         panel.prompts(match cx.settings.predict {
             _ if foil.form.is_typing() => vec![("set it", FoilAction::Set(SettingsForm::SET))],
-            true => vec![throw("say what will happen, then throw")],
+            true => vec![throw("predict the result, then start")],
             false => vec![
-                throw("throw the beam"),
+                throw("start the beam"),
                 ("predict first", FoilAction::Predict),
             ],
         });
@@ -163,13 +164,13 @@ pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Conte
     panel.meter("", share, format!("{:.0} %", (100.0 * share).floor()));
     let state = match (run.is_over(), run.is_running()) {
         (true, _) => "thrown",
-        (false, true) => "thrown so far",
+        (false, true) => "sent so far",
         (false, false) => "stopped at",
     };
     panel.fact(state, words::count(run.thrown()));
     panel.gap();
     let share = run.law.share_beyond(PI / 2.0);
-    panel.line("turned by more than 90°:", Role::Dim);
+    panel.line("deflected by over 90°:", Role::Dim);
     panel.fact("counted", words::count(run.counts.beyond_bin(BINS / 2)));
     let counted = run.share_turned_back().map_or("none".into(), words::share);
     panel.fact("share", counted);
@@ -194,20 +195,20 @@ pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Conte
     );
 }
 
-/// What a beam is, before it is thrown.
+/// The description of a beam before it starts.
 fn about(setup: &FoilSetup) -> &'static str {
     match (setup.obstacle, setup.beam) {
-        (Obstacle::Hard, Beam::Board) => {
-            "Every offset along the line up to R is as likely as any other."
-        }
+        (Obstacle::Hard, Beam::Board) => "Every offset along the line up to R is equally likely.",
         (Obstacle::Hard, Beam::Space) => {
-            "Every spot of the round face of the target is as likely as any other: more of them lie far out than near the middle."
+            "Every point of the target's circular face is equally likely: there is more area far \
+             out than near the middle."
         }
         (Obstacle::Nucleus, Beam::Board) => {
-            "As if the atoms lay on a board: every offset along a line is as likely as any other."
+            "As if the atoms lay on a board: every offset along a line is equally likely."
         }
         (Obstacle::Nucleus, Beam::Space) => {
-            "Nobody can aim at a nucleus. Each particle flies through some spot of the foil, and the nearest nucleus turns it."
+            "Nobody can aim at a nucleus. Each particle passes through some point of the foil, and \
+             the nearest nucleus deflects it."
         }
     }
 }
@@ -217,11 +218,14 @@ fn reason(law: &ScatteringLaw, share: f64) -> String {
     let nearness = law.nearness(PI / 2.0);
     match (law.target, law.beam) {
         (BeamTarget::Hard, Beam::Board) => format!(
-            "Turned back are those nearer than R cos 45° = {nearness:.3} R. On a line that is {}.",
+            "Offsets below R cos 45° = {nearness:.3} R turn a particle back. On a line that is {}.",
             words::share(share)
         ),
         (BeamTarget::Hard, Beam::Space) => format!(
-            "Turned back are those nearer than R cos 45° = {nearness:.3} R. In space offsets fill a disc, and that much of the radius is {nearness:.3}² = {} of the area. Spheres send as many one way as any other: on a small screen the counts are level, and whole rings count most at 90° only because that ring is the largest.",
+            "Offsets below R cos 45° = {nearness:.3} R turn a particle back. In space offsets fill \
+             a disc, and this fraction of the radius is {nearness:.3}² = {} of the area. Spheres \
+             scatter equally in all directions: on a small screen the counts are level, and whole \
+             rings count most at 90° only because that ring is the largest.",
             words::share(share)
         ),
         (BeamTarget::Coulomb { half_width, .. }, beam) => {
@@ -229,7 +233,8 @@ fn reason(law: &ScatteringLaw, share: f64) -> String {
             let room = words::count(words::rounded(half_width / FM) as u64);
             let power = if beam == Beam::Space { "²" } else { "" };
             format!(
-                "Only those that come within b = d/2 = {near:.1} fm of a nucleus turn back. But each nucleus has {room} fm of room around it: ({near:.1}/{room}){power} is {}.",
+                "Only particles aimed within d/2 = {near:.1} fm of a nucleus turn back. But each \
+                 nucleus has {room} fm of room around it: ({near:.1}/{room}){power} is {}.",
                 words::share(share)
             )
         }

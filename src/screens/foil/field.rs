@@ -1,4 +1,4 @@
-//! What can be set: one place for a setting's name, unit, range and step.
+//! The settings: name, unit, range and step of each.
 
 use super::setup::{FoilSetup, Obstacle};
 use super::words::count;
@@ -18,7 +18,7 @@ pub(super) struct FoilFields {
 type FoilRow = FieldRow<FoilSetup>;
 
 impl FoilFields {
-    /// Those that mean something on the page, in the order of its panel.
+    /// Those that apply on the page, in the order of its panel.
     pub(super) fn rows(&self) -> Vec<&'static FoilRow> {
         let is_foil = self.setup.obstacle == Obstacle::Nucleus;
         // On a board there is only one way to count.
@@ -65,7 +65,7 @@ const fn choice(at: usize, count: usize) -> FieldValue {
 
 static OBSTACLE: FoilRow = FoilRow {
     name: "target",
-    about: "what stands in the way",
+    about: "what the particles hit",
     value: |setup| choice(setup.obstacle as usize, 2),
     shown: |setup| ["hard", "nucleus"][setup.obstacle as usize].into(),
     put: |setup, at| setup.obstacle = [Obstacle::Hard, Obstacle::Nucleus][at as usize],
@@ -90,8 +90,8 @@ static METAL: FoilRow = FoilRow {
 
 static ENERGY: FoilRow = FoilRow {
     name: "energy",
-    about: "of the α particles",
-    // Slower α particles than this hardly pass a foil.
+    about: "of the α-particles",
+    // Slower α-particles than this hardly pass a foil.
     value: |setup| FieldValue::number(setup.energy_mev, (4.0, 10.0), 0.25, " MeV"),
     shown: |setup| format!("{:.2} MeV", setup.energy_mev),
     put: |setup, energy| setup.energy_mev = energy,
@@ -146,7 +146,7 @@ static COUNTED_FOR: FoilRow = FoilRow {
     put: |setup, at| setup.counted_for = [CountedFor::Steradian, CountedFor::Ring][at as usize],
 };
 
-/// What particles are counted for, as shown.
+/// The unit of the counts, as shown.
 pub(super) const fn shown_counts(counted_for: CountedFor) -> &'static str {
     match counted_for {
         CountedFor::Steradian => "small screen",

@@ -1,7 +1,7 @@
-//! What one says before a beam is thrown: how many are turned back.
+//! The prediction before a beam: the share deflected by more than 90°.
 
-/// The answers to choose from, in words, and the share that each means. Steps of ten: for what
-/// is rare the order of magnitude is what matters.
+/// The choices in words, and the share that each means. Powers of ten: for a rare event the order
+/// of magnitude matters.
 pub(crate) const CHOICES: [(&str, f64); 9] = [
     ("all of them", 1.0),
     ("seven in ten", 0.7),
@@ -14,17 +14,17 @@ pub(crate) const CHOICES: [(&str, f64); 9] = [
     ("1 in a million", 1e-6),
 ];
 
-/// What to say to an answer, now that the share is known.
+/// The feedback on an answer, now that the share is known.
 pub(crate) fn explain(said: f64, share: f64) -> String {
     let off = |choice: f64| (choice / share).log10().abs();
     if CHOICES.iter().all(|(_, other)| off(said) <= off(*other)) {
-        return "You said so: none of the answers is nearer.".into();
+        return "Right: none of the answers is closer.".into();
     }
     let times = (said / share).max(share / said);
     let times = if times < 10.0 {
         format!("{times:.1}")
     } else {
-        // An answer is one of a few steps of ten: more figures would say too much.
+        // An answer is one of a few powers of ten: more digits would suggest too much precision.
         super::words::count(super::words::to_figures(times, 2) as u64)
     };
     if said > share {

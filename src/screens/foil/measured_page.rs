@@ -1,4 +1,4 @@
-//! What Geiger and Marsden counted, beside the law.
+//! The counts of Geiger and Marsden, beside the law.
 
 use glam::dvec2;
 use ratatui::layout::Rect;
@@ -51,13 +51,13 @@ pub(super) fn title(levelled: bool) -> &'static str {
     }
 }
 
-/// The two series, or why they cannot be had.
+/// The two series, or why they cannot be read.
 fn series() -> Result<[Option<Series>; 2], String> {
     let angles = geiger_marsden().map_err(|fault| fault.to_string())?;
     Ok(METALS.map(|metal| Series::new(&angles, metal.count)))
 }
 
-/// The counts: against 1/sin⁴(Θ/2), or as what they are above the law.
+/// The counts against 1/sin⁴(Θ/2), or their deviation from the law.
 pub(super) fn picture(levelled: bool, area: Rect, look: Look) -> Picture {
     let law = Axis::log("1/sin⁴(Θ/2), small Θ right", 1.0, 5000.0);
     let mut plot = if levelled {
@@ -84,7 +84,7 @@ pub(super) fn picture(levelled: bool, area: Rect, look: Look) -> Picture {
     plot.picture()
 }
 
-/// Counts with the line that the law draws through them.
+/// The counts and the line of the law.
 fn counts(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
     let ShownMetal { name, role, .. } = *metal;
     let line = [1.0, 5000.0].map(|law| dvec2(law, law * series.scale));
@@ -107,7 +107,7 @@ fn counts(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
     }
 }
 
-/// What each count is above the law, in per cent, and the band of gold.
+/// The deviation of each count from the law in per cent, and the range for gold.
 fn levels(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
     let ShownMetal { name, role, .. } = *metal;
     let percent = |excess: f64| 100.0 * excess;
@@ -122,7 +122,7 @@ fn levels(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
         let at = dvec2(point.1, percent(series.excess(*point)));
         plot.mark(at, metal.mark(look.charset), role);
     }
-    // In the upper left corner there is nothing to see.
+    // The upper left corner is empty.
     let mut at = dvec2(1.5, 35.0);
     if name == "gold" {
         let (low, high) = series.band();
@@ -141,7 +141,7 @@ fn signed(share: f64) -> String {
     format!("{:+.0}%", 100.0 * share).replace('-', "−")
 }
 
-/// Writes what stands beside the picture.
+/// Writes the text beside the picture.
 pub(super) fn write(panel: &mut Panel<FoilAction>) {
     let [gold, silver] = match series() {
         Ok([Some(gold), Some(silver)]) => [gold, silver],
@@ -149,12 +149,14 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
         Err(fault) => return panel.paragraph(fault, Role::Warn),
     };
     panel.paragraph(
-        "Hans Geiger and Ernest Marsden sat in the dark and counted by eye the flashes of single α particles on a screen, at one angle Θ after another.",
+        "Hans Geiger and Ernest Marsden sat in the dark and counted by eye the flashes of single \
+         α-particles on a screen, at one angle Θ after another.",
         Role::Text,
     );
     panel.gap();
     panel.paragraph(
-        "If all the charge of an atom sits in one small place, the counts must grow as 1/sin⁴(Θ/2): the straight lines.",
+        "If an atom's charge is all in one small place, the counts are proportional to \
+         1/sin⁴(Θ/2): the straight lines.",
         Role::Text,
     );
     panel.gap();
@@ -164,7 +166,9 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
     let ((low, high), (silver_low, silver_high)) = (gold.band(), silver.band());
     panel.paragraph(
         format!(
-            "The counts for gold go from {least} to {}, a factor of {}, and stay between {} and {} of the law. Silver: {} to {}. Both are too high at small angles; Geiger and Marsden thought that this was probably within their errors. The second plot enlarges it.",
+            "The counts for gold go from {least} to {}, a factor of {}, and stay between {} and {} \
+             of the law. Silver: {} to {}. Both are too high at small angles; Geiger and Marsden \
+             thought that this was probably within their errors. The second plot enlarges it.",
             words::count(most as u64),
             words::count(words::rounded(most / least) as u64),
             signed(low),
@@ -177,7 +181,9 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
     panel.prompt("the other plot", FoilAction::OtherPlot);
     panel.gap();
     panel.paragraph(
-        "The counts are relative, so each metal has a line of its own. Where a line lies is fitted; how steep it is, is not. A second series, at smaller angles, has yet another scale, so it cannot be joined to this one.",
+        "The counts are relative, so each metal has a line of its own. The height of a line is \
+         fitted; its slope is not. A second series, at smaller angles, has yet another scale, so \
+         it cannot be joined to this one.",
         Role::Dim,
     );
     panel.gap();
@@ -190,7 +196,9 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
         .share_beyond(std::f64::consts::FRAC_PI_2);
     panel.paragraph(
         format!(
-            "That number is from 1909, and not from a gold foil: it is the share of α particles that came back from a thick platinum plate, many layers deep. A gold foil of 0.21 µm turns back far fewer: {}.",
+            "That number is from 1909, and not from a gold foil: it is the share of α-particles \
+             that came back from a thick platinum plate, many layers deep. A gold foil of 0.21 µm \
+             turns back far fewer: {}.",
             words::share(back)
         ),
         Role::Text,
@@ -209,7 +217,8 @@ fn absolute_check() -> String {
     let measured = shown(MEASURED_SHARE);
     let share = share.map_or("none".into(), shown);
     format!(
-        "At 45°, behind 0.21 µm of gold, a screen of 1 mm² at 1 cm caught {measured} of all particles, give or take a fifth. The formula, with Z = 79 and nothing fitted: {share}."
+        "At 45°, behind 0.21 µm of gold, a screen of 1 mm² at 1 cm caught {measured} of all \
+         particles, give or take a fifth. The formula, with Z = 79 and nothing fitted: {share}."
     )
 }
 

@@ -1,5 +1,4 @@
-//! The foil: one particle past a target, a beam of millions, and what was counted in
-//! 1913.
+//! The foil: one particle past a target, a beam of millions, and the counts of 1913.
 
 mod beam_page;
 mod field;
@@ -71,20 +70,20 @@ pub(crate) struct FoilScreen {
     /// The setting that keys change.
     form: SettingsForm,
     beam: BeamPhase,
-    /// Beams thrown before it.
+    /// The number of earlier beams.
     runs: u64,
-    /// Whether counts are on the scale that is not the usual one for their law.
+    /// Whether counts are on the scale that is not usual for their law.
     other_scale: bool,
-    /// Whether the counts of 1913 are shown as shares of the law.
+    /// Whether the counts of 1913 are shown relative to the law.
     levelled: bool,
 }
 
-/// How far the beam of this setting is.
+/// The state of the beam with this setting.
 #[derive(Debug, Clone, Default)]
 enum BeamPhase {
     #[default]
     NotThrown,
-    /// It is said what it will do.
+    /// The player is predicting.
     Guess(AnswerInput),
     Thrown(Box<BeamRun>),
 }
@@ -105,7 +104,7 @@ impl FoilScreen {
         }
     }
 
-    /// Whether counts are on a logarithmic scale: usual for a nucleus, whose counts
+    /// Whether counts are on a logarithmic scale, which is usual for a nucleus because its counts
     /// cover many powers of ten.
     fn is_log(&self) -> bool {
         (self.setup.obstacle == Nucleus) != self.other_scale
@@ -122,14 +121,14 @@ impl FoilScreen {
         }
     }
 
-    /// Stops the beam, or lets it go on.
+    /// Stops the beam, or continues it.
     fn halt(&mut self, halted: bool) {
         if let BeamPhase::Thrown(run) = &mut self.beam {
             run.halted = halted;
         }
     }
 
-    /// Changes the setting; a beam of another setting is no longer this one's.
+    /// Changes the setting, which discards the beam of the previous setting.
     fn edit(&mut self, how: impl FnOnce(&mut SettingsForm, &mut FoilFields)) {
         let (before, mut fields) = (self.setup, self.fields());
         how(&mut self.form, &mut fields);
@@ -141,7 +140,7 @@ impl FoilScreen {
         }
     }
 
-    /// Takes over a number that was typed and not entered.
+    /// Accepts a number that was typed but not entered.
     fn commit(&mut self) {
         self.edit(|form, fields| form.commit(fields));
     }
@@ -149,7 +148,7 @@ impl FoilScreen {
     fn turn_to(&mut self, page: FoilPage) {
         self.commit();
         self.halt(true);
-        // The setting that was chosen stays chosen, if the page has it.
+        // The chosen setting stays chosen, if the page has it.
         let rows = self.fields().rows();
         let chosen = rows.get(self.form.selected(rows.len()));
         let chosen = chosen.map(|row| row.name);
@@ -172,8 +171,8 @@ impl FoilScreen {
         self.turn_to(FoilPage::ALL[next.rem_euclid(FoilPage::ALL.len() as isize) as usize]);
     }
 
-    /// Throws a beam: lets a halted one go on, or begins another, after a guess if one is
-    /// wanted.
+    /// Starts a beam: continues a stopped one, or begins another, after a prediction if one is
+    /// required.
     fn throw(&mut self, cx: &Context) {
         self.commit();
         match &self.beam {
@@ -188,8 +187,7 @@ impl FoilScreen {
         }
     }
 
-    /// Begins a beam of new particles; what was said of the last one of its kind still
-    /// stands.
+    /// Begins a beam of new particles; the prediction for the last one of its kind still counts.
     fn begin(&mut self, said: Option<f64>, seed: u64) {
         let said = said.or_else(|| self.run().and_then(|run| run.said));
         let seed = seed.wrapping_add(self.runs);
@@ -199,8 +197,8 @@ impl FoilScreen {
         self.beam = BeamPhase::Thrown(Box::new(run));
     }
 
-    /// Throws the particles between two pictures: as many whatever time has passed, so that a
-    /// beam is never in the way of the next picture.
+    /// Computes the particles between two pictures: a fixed number whatever time has passed, so
+    /// that a beam never delays the next picture.
     fn throw_on(&mut self) {
         if let BeamPhase::Thrown(run) = &mut self.beam {
             run.advance();
@@ -217,13 +215,13 @@ impl FoilScreen {
         cx.export(name, svg);
     }
 
-    /// Moves the particle by so many steps.
+    /// Moves the particle by this many steps.
     fn step_offset(&mut self, steps: i8) {
         self.edit(|_, fields| OFFSET.step(&mut fields.setup, steps.into()));
     }
 
-    /// The mouse over the picture of one particle, which it drags or moves by steps; says
-    /// whether it meant anything.
+    /// Handles the mouse over the picture of one particle, which it drags or moves by steps;
+    /// returns whether it was used.
     fn move_particle(&mut self, mouse: &Mouse, picture: Rect) -> bool {
         match mouse.kind {
             MouseKind::ScrollUp => self.step_offset(1),
@@ -257,7 +255,7 @@ impl Screen for FoilScreen {
             (FoilPage::Tracks, Hard) => "a hard target".into(),
             (FoilPage::Counts, Hard) => format!("{}s", setup.obstacle_name()),
             (_, Nucleus) => format!(
-                "α particles of {:.2} MeV on {}",
+                "α-particles of {:.2} MeV on {}",
                 setup.energy_mev,
                 setup.metal().name
             ),
@@ -328,7 +326,7 @@ impl Screen for FoilScreen {
         let own = [Key::Tab, Key::BackTab, Key::PageUp, Key::PageDown];
         if let BeamPhase::Guess(guess) = &self.beam {
             let keys = guess.keys().without_keys(&own);
-            let keys = keys.renamed("say it, and throw", |action| action == AnswerAction::Enter);
+            let keys = keys.renamed("predict and start", |action| action == AnswerAction::Enter);
             let keys = keys.renamed("", |action| matches!(action, AnswerAction::Choose(_)));
             return table
                 .with(keys, FoilAction::Guess)
@@ -339,7 +337,7 @@ impl Screen for FoilScreen {
         let form = || self.form.keys(&self.fields()).without_keys(&own);
         let throw = match self.run() {
             _ if self.page == FoilPage::Tracks => "a whole beam",
-            None => "throw the beam",
+            None => "start the beam",
             Some(run) if run.is_over() => "another beam",
             Some(_) => "go on",
         };

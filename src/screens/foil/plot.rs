@@ -1,4 +1,4 @@
-//! A page of the foil as a figure: its picture alone, and the keys that work it.
+//! A page of the foil as a figure: its picture alone, and its keys.
 
 use std::time::Duration;
 
@@ -15,10 +15,10 @@ use crate::widgets::Look;
 use crate::widgets::input::KeyTable;
 use crate::widgets::picture::Picture;
 
-/// Ten million particles: enough for some to be turned back, by a foil too.
+/// Ten million particles: enough for some to be deflected by more than 90°, even by a foil.
 const PARTICLES_EXPONENT: u32 = 7;
 
-/// What the chance of the first beam depends on: the same for all, as in a book.
+/// The seed of the first beam: the same for everyone, as in a book.
 const SEED: u64 = 1913;
 
 /// Steps of the offset that `<` and `>` go at once.
@@ -45,14 +45,14 @@ pub(crate) enum FoilFigureAction {
 pub(crate) struct FoilFigure(FoilScreen);
 
 impl FoilFigure {
-    /// A page as the foil first shows it, with the counts of 1913 `levelled` or not. A
-    /// beam is thrown: at once, or so that one can watch it if it is `watched`.
+    /// A page as the foil first shows it, with the counts of 1913 `levelled` or not. A beam runs at
+    /// once, or visibly if it is `watched`.
     pub(crate) fn new(page: FoilPage, levelled: bool, watched: bool) -> Self {
         let mut setup = FoilSetup {
             particles_exponent: PARTICLES_EXPONENT,
             ..FoilSetup::default()
         };
-        // The offset d/2, which turns a particle by a right angle.
+        // The offset d/2, which deflects a particle by 90°.
         setup.offset_fm = setup.scatterer().head_on_approach / 2.0 / FM;
         let mut foil = FoilScreen {
             setup,
@@ -82,7 +82,7 @@ impl FoilFigure {
         view::title(&self.0)
     }
 
-    /// Whether a beam is under way.
+    /// Whether a beam is running.
     fn is_running(&self) -> bool {
         self.0.is_running()
     }
@@ -108,7 +108,7 @@ impl FoilFigure {
         }
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(crate) fn act(&mut self, action: FoilFigureAction) {
         let foil = &mut self.0;
         match action {
@@ -124,7 +124,7 @@ impl FoilFigure {
         }
     }
 
-    /// Takes a key; says whether it meant anything.
+    /// Handles a key; returns whether it was used.
     fn update(&mut self, key: Key) -> bool {
         let action = self.keys().find(key);
         action.is_some_and(|action| {
@@ -133,7 +133,7 @@ impl FoilFigure {
         })
     }
 
-    /// Takes the mouse over its picture; says whether it meant anything.
+    /// Handles the mouse over its picture; returns whether it was used.
     pub(crate) fn mouse(&mut self, mouse: &Mouse, area: Rect) -> bool {
         match self.0.page {
             FoilPage::Tracks => self.0.move_particle(mouse, area),
@@ -141,7 +141,7 @@ impl FoilFigure {
         }
     }
 
-    /// Throws the particles between two pictures.
+    /// Computes the particles between two pictures.
     pub(crate) fn advance(&mut self) {
         self.0.throw_on();
     }

@@ -1,15 +1,15 @@
-//! A beam under way.
+//! A running beam.
 
 use crate::beams::{BINS, Counts, Sampler, ScatteringLaw};
 
-/// Pictures over which a beam is spread, so that one can watch the counts grow: about
-/// four seconds.
+/// The number of pictures in which a beam runs, so that the counts grow visibly: about four
+/// seconds.
 const PICTURES: u64 = 240;
 
-/// Most particles between two pictures: less than ten milliseconds of work.
+/// The most particles between two pictures: less than ten milliseconds of work.
 const MOST: u64 = 2_000_000;
 
-/// A beam, as far as it has been thrown.
+/// A beam and its progress.
 #[derive(Debug, Clone)]
 pub(super) struct BeamRun {
     pub(super) law: ScatteringLaw,
@@ -19,12 +19,12 @@ pub(super) struct BeamRun {
     pub(super) counts: Counts,
     /// Whether it was stopped.
     pub(super) halted: bool,
-    /// What the player said the share turned back would be, if asked.
+    /// The player's prediction of the share, if asked.
     pub(super) said: Option<f64>,
 }
 
 impl BeamRun {
-    /// A beam of `particles`, none of them thrown yet.
+    /// A beam of `particles`, not started yet.
     pub(super) fn new(law: ScatteringLaw, seed: u64, particles: u64, said: Option<f64>) -> Self {
         Self {
             law,
@@ -37,22 +37,22 @@ impl BeamRun {
         }
     }
 
-    /// Particles thrown so far.
+    /// Particles sent so far.
     pub(super) fn thrown(&self) -> u64 {
         self.counts.total()
     }
 
-    /// Whether all have been thrown.
+    /// Whether all have been computed.
     pub(super) fn is_over(&self) -> bool {
         self.thrown() >= self.particles
     }
 
-    /// Whether more are being thrown.
+    /// Whether it is running.
     pub(super) fn is_running(&self) -> bool {
         !self.halted && !self.is_over()
     }
 
-    /// Throws the particles between two pictures.
+    /// Computes the particles between two pictures.
     pub(super) fn advance(&mut self) {
         if self.is_running() {
             let thrown = self.thrown();
@@ -62,7 +62,7 @@ impl BeamRun {
         }
     }
 
-    /// The share turned by more than 90° so far; `None` before the first particle.
+    /// The share deflected by more than 90° so far; `None` before the first particle.
     pub(super) fn share_turned_back(&self) -> Option<f64> {
         let back = self.counts.beyond_bin(BINS / 2);
         (self.thrown() > 0).then(|| back as f64 / self.thrown() as f64)

@@ -1,10 +1,10 @@
-//! What the foil is set to: what is thrown at what, and how.
+//! The settings of the foil: beam, target and counting.
 
 use crate::beams::{BeamTarget, CountedFor, Foil, METALS, Metal, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::{ALPHA_CHARGE, MEV, Rutherford};
 
-/// What stands in the way.
+/// The target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Obstacle {
     /// A hard disc, or a hard sphere.
@@ -16,13 +16,13 @@ pub(crate) enum Obstacle {
 /// The setting, in the units of the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FoilSetup {
-    /// What stands in the way.
+    /// The target.
     pub obstacle: Obstacle,
     /// How the offsets of a beam are spread.
     pub beam: Beam,
     /// Which of the [`METALS`] the nucleus belongs to.
     pub metal: usize,
-    /// Energy of the α particles in MeV.
+    /// Energy of the α-particles in MeV.
     pub energy_mev: f64,
     /// Thickness of the foil in µm.
     pub thickness_um: f64,
@@ -32,7 +32,7 @@ pub(crate) struct FoilSetup {
     pub offset_fm: f64,
     /// Particles in a beam, as a power of ten.
     pub particles_exponent: u32,
-    /// What they are counted for, in space.
+    /// The unit of the counts, in space.
     pub counted_for: CountedFor,
 }
 
@@ -59,7 +59,7 @@ impl FoilSetup {
         METALS[self.metal % METALS.len()]
     }
 
-    /// The law by which the nucleus turns a particle.
+    /// The law by which the nucleus deflects a particle.
     pub(crate) fn scatterer(&self) -> Rutherford {
         Rutherford::new(ALPHA_CHARGE, self.metal().charge, self.energy_mev * MEV)
     }
@@ -79,8 +79,7 @@ impl FoilSetup {
         }
     }
 
-    /// What particles are counted for: nothing but the angle on a board, which has no solid
-    /// angle.
+    /// The unit of the counts: only the angle on a board, which has no solid angle.
     pub(crate) fn counted_for(&self) -> Option<CountedFor> {
         (self.beam == Beam::Space).then_some(self.counted_for)
     }

@@ -114,12 +114,12 @@ pub(super) fn picture(setup: &FoilSetup, area: Rect) -> Picture {
     let reach = 1.2 * wide.hypot(half).max(half);
     let axis = Pen::new(Role::Axis).dotted();
     picture.line(dvec2(-reach, 0.0), dvec2(reach, 0.0), axis);
-    // One straight on would come back along its own way.
+    // A head-on particle would come back along its own path.
     for i in (-BESIDE..=BESIDE).filter(|i| *i != 0) {
         let beside = path(setup, 0.9 * half * f64::from(i) / f64::from(BESIDE), reach);
         picture.curve(beside.points, Pen::new(Role::Trail).dotted());
     }
-    // A nucleus is smaller than any cell: a mark of its place.
+    // A nucleus is smaller than any cell, so a mark shows its position.
     let role = match setup.obstacle {
         Obstacle::Hard => Role::Coin,
         Obstacle::Nucleus => Role::Marble,
@@ -143,7 +143,7 @@ fn draw_particle(setup: &FoilSetup, picture: &mut Picture, reach: f64) {
             Obstacle::Nucleus => picture.line(DVec2::ZERO, nearest, Role::LineOfImpact),
         }
     }
-    // The way it would have gone on, which the angle is measured from.
+    // The undeflected path, from which the angle is measured.
     let straight = Pen::new(Role::Aim).dashed();
     let from = set.nearest.map_or(0.0, |nearest| nearest.x.max(-reach));
     picture.line(dvec2(from, offset), dvec2(reach, offset), straight);
@@ -169,12 +169,12 @@ fn draw_particle(setup: &FoilSetup, picture: &mut Picture, reach: f64) {
     }
 }
 
-/// Writes what stands below the settings.
+/// Writes the text below the settings.
 pub(super) fn write<A>(setup: &FoilSetup, panel: &mut Panel<A>) {
     let set = path(setup, offset(setup), 1e4);
     panel.gap();
     let angle = format!("{:.1}°", set.angle.to_degrees());
-    panel.coloured_fact("turned by Θ", angle, Role::StrikerOut);
+    panel.coloured_fact("deflection Θ", angle, Role::StrikerOut);
     match setup.obstacle {
         Obstacle::Hard => write_hard(set.angle, setup.offset_share, panel),
         Obstacle::Nucleus => write_nucleus(setup, &set, panel),
@@ -188,11 +188,15 @@ fn write_hard<A>(angle: f64, offset: f64, panel: &mut Panel<A>) {
     }
     panel.gap();
     let text = if offset.abs() > 1.0 {
-        "A miss: farther out than R, the sum of the two radii, nothing touches and nothing is turned. That is what hard means."
+        "A miss: beyond R, the sum of the two radii, nothing touches and nothing is deflected. \
+         That is what hard means."
     } else if angle >= PI - 1e-9 {
-        "Straight on, straight back. R is the sum of the two radii; the target is so heavy that it stays where it is."
+        "Straight on, straight back. R is the sum of the two radii; the target is so heavy that it \
+         stays where it is."
     } else {
-        "It leaves as light from a mirror: as far to one side of the line of impact as it came from the other. So Θ = 180° − 2 α, with sin α = b/R. The target is so heavy that it stays."
+        "It leaves like light from a mirror: at the same angle on the other side of the line of \
+         impact. So Θ = 180° − 2 α, with sin α = b/R. The target is so heavy that it stays at \
+         rest."
     };
     panel.paragraph(text, Role::Text);
 }
@@ -205,10 +209,13 @@ fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
     panel.gap();
     let twice = 2.0 * setup.offset_fm.abs();
     let text = if twice < 0.1 {
-        "Straight on: the α particle is slowed, stands still for an instant at d, where all its energy has gone into the repulsion, and flies straight back.".into()
+        "Straight on: the α-particle is slowed, stops for an instant at d, where all its energy \
+         has gone into the repulsion, and flies straight back."
+            .into()
     } else {
         format!(
-            "Both are positive, so they never touch: the α particle is slowed, turned and sped up again, on a hyperbola. tan(Θ/2) = d/2b, here {d:.1}/{twice:.1}."
+            "Both are positive, so they never touch: the α-particle is slowed, deflected and sped \
+             up again, on a hyperbola. tan(Θ/2) = d/2b, here {d:.1}/{twice:.1}."
         )
     };
     panel.paragraph(text, Role::Text);
@@ -218,7 +225,8 @@ fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
     let times = count((times / 100.0).round() as u64 * 100);
     panel.paragraph(
         format!(
-            "Even head-on it comes no nearer than d. So the charge that turns it must be smaller still; and the radius of the atom is about {times} times d."
+            "Even head-on it comes no nearer than d. So the charge that deflects it lies within d; \
+             and the radius of the atom is about {times} times d."
         ),
         Role::Text,
     );

@@ -18,7 +18,7 @@ pub(super) fn view<'s>(foil: &'s FoilScreen, cx: &Context) -> View<'s, FoilActio
     View {
         tabs: Some(tabs),
         ..View::picture(title(foil), draw, panel(foil, cx)).dragging(match foil.page {
-            FoilPage::Tracks => Some("Drag the particle up or down to set how far off it passes."),
+            FoilPage::Tracks => Some("Drag the particle up or down to set its offset."),
             FoilPage::Counts | FoilPage::Measured => None,
         })
     }

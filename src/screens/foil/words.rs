@@ -1,4 +1,4 @@
-//! Numbers as the foil says them.
+//! Numbers in the words of the foil.
 
 /// A count with commas: 1,234,567.
 pub(super) fn count(number: u64) -> String {
@@ -30,7 +30,7 @@ pub(super) fn rounded(number: f64) -> f64 {
     to_figures(number, 3)
 }
 
-/// A number above 0 to the nearest whole one, and to so many figures.
+/// A number above 0 to the nearest whole one, and to this many significant figures.
 pub(super) fn to_figures(number: f64, figures: u8) -> f64 {
     let beyond = number.log10().floor() + 1.0 - f64::from(figures);
     let unit = 10_f64.powf(beyond.max(0.0));

@@ -1,10 +1,10 @@
-//! What the lab is set to.
+//! The settings of the lab.
 
 use super::mystery::Mystery;
 use crate::physics::{Bond, CollisionSpec};
 use crate::widgets::input::{CollisionField, Field, FormFields, collision_fields, set_at};
 
-/// What the lab is set to.
+/// The settings of the lab.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LabSettings {
     pub(super) setup: CollisionSpec,
@@ -13,7 +13,7 @@ pub(crate) struct LabSettings {
 }
 
 impl LabSettings {
-    /// A setting as it stands, with why it cannot be changed.
+    /// A setting with its value, or the reason why it cannot be changed.
     pub(super) fn field(&self, field: CollisionField) -> Field {
         self.fields().swap_remove(field as usize)
     }
@@ -24,7 +24,7 @@ impl FormFields for LabSettings {
         let mut fields = collision_fields(&self.setup);
         if self.setup.bond == Bond::Stick {
             let restitution = &mut fields[CollisionField::Restitution as usize];
-            restitution.locked = Some("Rims that stick do not bounce, whatever e is.");
+            restitution.locked = Some("Discs that stick do not rebound, whatever e is.");
         }
         if self.mystery.as_ref().is_some_and(Mystery::is_open) {
             fields[CollisionField::CoinMass as usize].shown = "? g".into();
@@ -35,7 +35,7 @@ impl FormFields for LabSettings {
         fields
     }
 
-    /// A coin that was weighed and is then changed is an ordinary one.
+    /// A weighed coin that is changed becomes an ordinary one.
     fn set(&mut self, at: usize, value: f64) {
         let before = self.setup.m2_g;
         set_at(at, &mut self.setup, value);
@@ -50,7 +50,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_sticks_has_no_restitution_to_set() {
+    fn sticking_discs_have_no_restitution_to_set() {
         let mut settings = LabSettings::default();
         assert_eq!(settings.field(CollisionField::Restitution).locked, None);
         settings.set(CollisionField::Contact as usize, 1.0);

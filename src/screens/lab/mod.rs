@@ -1,4 +1,4 @@
-//! The lab: set up one glancing hit, say where both discs will go, watch it.
+//! The lab: set up one glancing collision, predict where both discs will go, watch it.
 
 mod field;
 mod mystery;
@@ -29,19 +29,19 @@ pub(crate) struct Lab {
     /// The setting that keys change.
     form: SettingsForm,
     phase: LabPhase,
-    /// Whether the picture follows what is set, outcome and all.
+    /// Whether the picture shows the outcome of the settings at once.
     live: bool,
-    /// Whether the set-up is another screen's, and not to be found here the next time.
+    /// Whether the set-up comes from another screen and is not kept for the next visit.
     lent: bool,
 }
 
-/// What one is doing in the lab.
+/// The phase of the lab.
 #[derive(Debug, Clone, Default)]
 enum LabPhase {
     /// Setting up.
     #[default]
     Aim,
-    /// Saying where both will go.
+    /// Predicting where both will go.
     Predict(RayInput),
     Watch(Box<Watch>),
 }
@@ -79,7 +79,7 @@ pub(crate) enum LabAction {
 }
 
 impl Lab {
-    /// The lab with a hit set up.
+    /// The lab with a collision set up.
     pub(crate) fn of(setup: CollisionSpec) -> Self {
         let mut lab = Self::default();
         lab.settings.setup = setup;
@@ -95,8 +95,8 @@ impl Lab {
         }
     }
 
-    /// Whether the picture may be live: once enough was said rightly, and while there is
-    /// no mass to be found.
+    /// Whether the picture may be live: after enough correct predictions, and without a mystery
+    /// coin.
     fn may_live(&self, cx: &Context) -> bool {
         cx.settings.foretold >= Settings::ENOUGH_FORETOLD && !self.hides_mass()
     }
@@ -106,12 +106,12 @@ impl Lab {
         self.live && self.may_live(cx)
     }
 
-    /// Whether the coin's mass must not be seen.
+    /// Whether the coin's mass must be hidden.
     fn hides_mass(&self) -> bool {
         self.settings.mystery.as_ref().is_some_and(Mystery::is_open)
     }
 
-    /// From aiming to predicting, or to the shot where no prediction is asked.
+    /// From aiming to predicting, or to the shot if no prediction is required.
     fn go(&mut self, cx: &mut Context) {
         if cx.settings.predict && !self.is_live(cx) {
             let side = self.settings.setup.collision().side();
@@ -165,7 +165,7 @@ impl Screen for Lab {
         let key = Key::Char;
         let table = KeyTable::new("lab");
         let go = match cx.settings.predict {
-            true if !self.is_live(cx) => "say where",
+            true if !self.is_live(cx) => "predict",
             _ => "shoot",
         };
         match &self.phase {

@@ -1,4 +1,4 @@
-//! The mystery coin: its mass is hidden, and has to be read off two angles.
+//! The mystery coin: its mass is hidden, and has to be found from two angles.
 
 use crate::messages::Key;
 use crate::physics::resting_target::mass_ratio_from_angles;
@@ -11,10 +11,10 @@ use crate::widgets::panel::Panel;
 const LIGHTEST_G: f64 = 4.0;
 const STEP_G: f64 = 0.5;
 const COINS: u64 = 60;
-/// An answer this near counts as well weighed, as a share of the mass.
+/// The tolerance of an answer, as a share of the mass.
 const NEAR: f64 = 0.05;
 
-/// A coin whose mass is not told until it has been weighed.
+/// A coin whose mass is hidden until it has been weighed.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Mystery {
     entry: NumberEntry,
@@ -22,8 +22,8 @@ pub(super) struct Mystery {
 }
 
 impl Mystery {
-    /// Puts a coin on the sheet whose mass follows from `seed`, at rest, smooth and
-    /// without loss; it is never as heavy as the striker.
+    /// Sets up a coin whose mass follows from `seed`, at rest, smooth and without loss; its mass is
+    /// never that of the striker.
     pub(super) fn put_out(setup: &mut CollisionSpec, seed: u64) -> Self {
         let mass = LIGHTEST_G + STEP_G * (seed % COINS) as f64;
         let same = (mass - setup.m1_g).abs() < STEP_G / 2.0;
@@ -47,8 +47,8 @@ impl Mystery {
         CollisionField::CoinSpeed,
     ];
 
-    /// The keys that say the mass while the hit is watched. Signs and points only go on
-    /// with a number, for they have other meanings there.
+    /// The keys that enter the mass while the collision is watched. Signs and points only continue
+    /// a number, because they have other meanings there.
     pub(super) fn keys(&self) -> KeyTable<EntryAction> {
         let table = KeyTable::new("mystery");
         match (self.is_open(), self.entry.is_open()) {
@@ -61,7 +61,7 @@ impl Mystery {
         }
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(super) fn act(&mut self, action: EntryAction) {
         if let Outcome::Done(mass) = self.entry.act(action)
             && mass > 0.0
@@ -70,7 +70,7 @@ impl Mystery {
         }
     }
 
-    /// What to do, or how the answer was.
+    /// The instruction, or the result of the answer.
     pub(super) fn write(
         &self,
         setup: &CollisionSpec,
@@ -79,14 +79,14 @@ impl Mystery {
     ) {
         let (Some(theta1), Some(theta2)) = (outcome.theta1, outcome.theta2) else {
             panel.paragraph(
-                "No two angles to read here. Hit the coin off-centre and it can be weighed.",
+                "There are no two angles to read. Hit the coin off-centre to weigh it.",
                 Role::Text,
             );
             return;
         };
         let Some(ratio) = mass_ratio_from_angles(theta1, theta2, setup.restitution) else {
             panel.paragraph(
-                "These angles weigh nothing: try an offset well between head-on and a graze.",
+                "These angles give no mass: try an offset well between head-on and a graze.",
                 Role::Text,
             );
             return;
@@ -95,7 +95,8 @@ impl Mystery {
             None => {
                 panel.heading("How heavy is the coin?");
                 panel.paragraph(
-                    "m₁/m₂ = sin(θ₁ + 2θ₂) / sin θ₁. Over 90° between them: it is heavier than the striker. Under: lighter.",
+                    "m₁/m₂ = sin(θ₁ + 2θ₂) / sin θ₁. Over 90° between the paths: heavier than the \
+                     striker. Under: lighter.",
                     Role::Text,
                 );
                 panel.gap();
@@ -118,7 +119,8 @@ impl Mystery {
                 }
                 panel.paragraph(
                     format!(
-                        "The angles give m₁/m₂ = {ratio:.3}, and {:.1} g / {ratio:.3} = {:.1} g. No scale was needed, and the speed did not matter.",
+                        "The angles give m₁/m₂ = {ratio:.3}, and {:.1} g / {ratio:.3} = {:.1} g. \
+                         No scale was needed, and the speed did not matter.",
                         setup.m1_g, setup.m2_g
                     ),
                     Role::Text,

@@ -1,27 +1,27 @@
-//! The sets of pieces that the lab puts out.
+//! The sets of pieces of the lab.
 
 use crate::physics::{CollisionSpec, ImpactPoint};
 
-/// The sets one key goes through: mass and radius of the striker and of the target, in g
-/// and mm.
+/// The sets that a key cycles through: mass and radius of the striker and of the target, in g and
+/// mm.
 const PIECE_SETS: [(&str, [(f64, f64); 2]); 3] = [
     ("equal masses", [(15.0, 15.0), (15.0, 15.0)]),
     ("tournament set", [(15.0, 20.65), (5.5, 15.9)]),
     ("marbles", [(20.0, 12.4), (40.0, 15.6)]),
 ];
 
-/// The place of the set that these pieces are, if they are one.
+/// The index of the set of these pieces, if they are one.
 fn piece_set(setup: &CollisionSpec) -> Option<usize> {
     let pieces = [(setup.m1_g, setup.r1_mm), (setup.m2_g, setup.r2_mm)];
     PIECE_SETS.iter().position(|(_, set)| *set == pieces)
 }
 
-/// What these pieces are called.
+/// The name of these pieces.
 pub(super) fn pieces_name(setup: &CollisionSpec) -> &'static str {
     piece_set(setup).map_or("own pieces", |at| PIECE_SETS[at].0)
 }
 
-/// Puts out the set after the present one, and keeps the ratio b/(r₁+r₂).
+/// Changes to the next set, and keeps the ratio b/(r₁+r₂).
 pub(super) fn put_out_next(setup: &mut CollisionSpec) {
     let ratio = setup.offset_mm() / setup.contact_distance_mm();
     let next = piece_set(setup).map_or(0, |at| (at + 1) % PIECE_SETS.len());

@@ -1,4 +1,5 @@
-//! What the lab shows: the picture, and beside it settings, the prediction, the shot in numbers.
+//! The view of the lab: the picture, and beside it the settings, the prediction, the shot in
+//! numbers.
 
 use glam::DVec2;
 use ratatui::buffer::Buffer;
@@ -58,13 +59,13 @@ const DRAG: &str = "Drag the coin up or down to set the offset.";
 /// Fewest rows of a picture that has room for the curves too.
 const ROOM_FOR_CURVES: u16 = 18;
 
-/// The hit as what is set makes it, told to its end.
+/// The collision of the settings, explained to its end.
 fn live_hit(lab: &Lab) -> Watch {
     let layers = Overlays::default().without([Overlay::Triangle, Overlay::Trails]);
     Watch::told(lab.settings.setup.collision()).with_layers(layers)
 }
 
-/// Where the hit stands in the picture: above the curves, where they are drawn.
+/// The area of the collision in the picture: above the curves, if they are drawn.
 pub(super) fn hit_area(lab: &Lab, picture: Rect, cx: &Context) -> Rect {
     match lab.is_live(cx) && has_curves(lab, picture) {
         true => areas::upper(picture, picture.height * 11 / 20)[0],
@@ -80,7 +81,7 @@ fn has_curves(lab: &Lab, picture: Rect) -> bool {
     plain && collision.alpha().is_some() && picture.height >= ROOM_FOR_CURVES
 }
 
-/// Draws the hit and, where there is room, how both speeds go with the impact angle.
+/// Draws the collision and, if there is room, both speeds against the impact angle.
 fn live(lab: &Lab, picture: Rect, buf: &mut Buffer, look: &Look, cx: &Context) {
     let hit = hit_area(lab, picture, cx);
     live_hit(lab).picture(hit).draw(buf, look);
@@ -117,17 +118,17 @@ fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
         ]
     } else if lab.may_live(cx) {
         vec![
-            ("say where both will go", LabAction::Go),
+            ("predict both paths", LabAction::Go),
             ("live", LabAction::Live),
         ]
     } else {
-        vec![("now say where both will go", LabAction::Go)]
+        vec![("now predict both paths", LabAction::Go)]
     };
     panel.prompts(next);
     panel
 }
 
-/// b/(r₁+r₂), and that they miss if they do.
+/// b/(r₁+r₂), with a note if they miss.
 fn geometry<A>(lab: &Lab, panel: &mut Panel<A>) {
     let setup = &lab.settings.setup;
     let ratio = setup.offset_mm().abs() / setup.contact_distance_mm();
@@ -142,9 +143,9 @@ fn geometry<A>(lab: &Lab, panel: &mut Panel<A>) {
     }
 }
 
-/// The two rays being said.
+/// The two predicted rays.
 fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
-    let mut panel = Panel::new("say it first");
+    let mut panel = Panel::new("predict it");
     given(lab, &mut panel);
     for (field, name) in [
         (CollisionField::StrikerMass, "striker"),
@@ -164,9 +165,8 @@ fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
     panel
 }
 
-/// The shot in numbers, what was said of it, and why it went as it did. The
-/// explanation comes whole; where there is not room for all, numbers that the
-/// player set and knows give way first.
+/// The shot in numbers, the prediction, and the explanation. The explanation is never cut; if there
+/// is not enough room, numbers that the player set are dropped first.
 fn shot(lab: &Lab, watch: &Watch) -> Panel<LabAction> {
     let mut panel = Panel::new("the shot");
     if !watch.is_told() {
@@ -239,7 +239,7 @@ fn from_centre_of_mass<A>(watch: &Watch, panel: &mut Panel<A>) {
     let collision = watch.collision();
     let outcome = watch.outcome();
     let drift = Frame::CentreOfMass.velocity(collision);
-    panel.heading("From the centre of mass");
+    panel.heading("Centre-of-mass frame");
     panel.fact("V", format!("{:.2} m/s", drift.length()));
     let [v1, v2] = collision.centres_after();
     let names = VelocityNames::new(collision, Frame::CentreOfMass);
@@ -261,19 +261,25 @@ fn from_centre_of_mass<A>(watch: &Watch, panel: &mut Panel<A>) {
         && collision.bond == Bond::Slip
     {
         let turned = format!("{:.1}°", turned.to_degrees().abs());
-        panel.fact("turned by Θ", turned);
+        panel.fact("deflection Θ", turned);
     }
     panel.gap();
     let sticks = collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit;
     let text = if !sticks {
-        "Here the two always fly back to back: momentum is zero before and after. Add V to both and you are on the board again.".into()
+        "Here the discs always move in opposite directions: total momentum is zero. Add V to both \
+         for the laboratory frame."
+            .into()
     } else if outcome.energy_rotation > 0.0 {
         format!(
-            "They come from opposite sides and do not part. Their centre of mass lies still here, and they turn about it {} times a second; the speeds after are those of the two centres. Add V, and the pair moves on as it turns.",
+            "They meet from opposite sides and stay together. Their centre of mass is at rest \
+             here, and they rotate about it {} times a second; final speeds are those of the two \
+             centres. Add V, and the pair moves on, rotating.",
             turns_a_second(outcome)
         )
     } else {
-        "They come from opposite sides, stick and lie still: momentum is zero before and after. Add V, and the pair moves on.".into()
+        "They meet from opposite sides, stick and stay at rest: momentum is zero. Add V, and the \
+         pair moves on."
+            .into()
     };
     panel.paragraph(text, Role::Text);
 }
@@ -285,15 +291,17 @@ fn from_target<A>(watch: &Watch, panel: &mut Panel<A>) {
         (Bond::Stick, Meeting::Hit) => (
             "V here",
             format!("{:.2} m/s", seen.v1.length()),
-            "Here the coin lies still before the hit. The centre of mass moves with V before and after; stuck together, the two can only turn about it.",
+            "Here the coin is at rest at first. The centre of mass moves at V throughout; stuck \
+             together, the two can only rotate about it.",
         ),
         _ => (
             "separation here",
             seen.separation.map_or("none".into(), apart),
-            "Here the coin lies still before the hit, so everything you know of a resting coin holds: for equal masses and e = 1 they part at 90° in this frame.",
+            "Here the coin is at rest before the collision, so the rules for a coin at rest hold: \
+             for equal masses and e = 1 the paths are at 90° in this frame.",
         ),
     };
-    panel.heading("Riding with the coin");
+    panel.heading("The coin's frame");
     panel.fact(name, value);
     panel.gap();
     panel.paragraph(text, Role::Text);

@@ -12,8 +12,8 @@ use crate::widgets::{Charset, SplitLayout, formula, text};
 /// The body of a screen of 80×24, below the title and above the keys.
 const BODY: Rect = Rect::new(0, 1, 80, 22);
 
-/// Pages of which something would be cut off or would have to be scrolled at 80×24,
-/// in either charset; `[]` if the chapter is whole.
+/// Pages that would be cut off or have to be scrolled at 80×24, in either charset; `[]` if the
+/// chapter fits.
 pub fn check(chapter: &Chapter) -> Vec<FileError> {
     let mut faults = Vec::new();
     for (at, page) in chapter.pages.iter().enumerate() {
@@ -47,10 +47,10 @@ pub fn check(chapter: &Chapter) -> Vec<FileError> {
     faults
 }
 
-/// Every answer that is answered differently.
+/// One answer for each different feedback.
 fn answers(asked: &CheckpointKind) -> Vec<Response> {
     match asked {
-        // Straight ahead, half and half, thrown back: each is explained at length.
+        // Straight ahead, half and half, bounced back: each has a long explanation.
         CheckpointKind::Rays => {
             let rays = |degrees: f64| Rays::new(degrees.to_radians(), degrees.to_radians());
             let rays = [0.0, 45.0, 150.0].map(rays);
@@ -74,7 +74,7 @@ fn too_long(
     let mut cx = Context::new(settings, 0);
     cx.body = BODY;
     let (rows, room) = reading.rows(&cx);
-    // Drawn as well: what panics or loses its figure shows here.
+    // The page is drawn too, so that a panic or a missing figure shows.
     let mut buf = Buffer::empty(Rect::new(0, 0, 80, 24));
     reading.draw(&mut buf, &cx);
     let what = match answer {
@@ -91,7 +91,7 @@ fn too_long(
     })
 }
 
-/// To which choice something is said.
+/// The choices with feedback.
 fn line_of(said: Option<Response>) -> String {
     match said {
         Some(Response::Choice(line)) => format!(" to choice {}", line + 1),
@@ -112,7 +112,7 @@ fn formulas(chapter: &Chapter, page: &ChapterPage, charset: Charset) -> Vec<File
         Some(_) => SplitLayout::square(BODY),
         None => SplitLayout::text_alone(BODY),
     };
-    // Less the margin, and what formulas are set in by.
+    // Less the margin and the indentation of formulas.
     let room = usize::from(layout.panel.width).saturating_sub(3);
     let checkpoint = page.checkpoint.iter();
     let asked = checkpoint.flat_map(|it| it.question.iter().chain(&it.hint).chain(&it.after));

@@ -6,10 +6,10 @@ use crate::widgets::flow::Run;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Charset, Role, formula};
 
-/// What text is written with.
+/// The style of text.
 #[derive(Clone, Copy)]
 pub(super) struct Prose<'a> {
-    /// The collision that live numbers are those of.
+    /// The collision of the live numbers.
     pub figure: Option<&'a Collision>,
     /// In a charset a formula takes one row or several.
     pub charset: Charset,
@@ -20,7 +20,7 @@ impl Prose<'_> {
         self.write_in(None, blocks, panel);
     }
 
-    /// Writes blocks of text that have been read, all in one faint style.
+    /// Writes blocks of text that have been read, all in a faint style.
     pub(super) fn write_dimmed<A>(self, blocks: &[TextBlock], panel: &mut Panel<A>) {
         self.write_in(Some(Role::Dim), blocks, panel);
     }
@@ -53,12 +53,12 @@ impl Prose<'_> {
         }
     }
 
-    /// Whether two blocks stand without an empty row between them.
+    /// Whether two blocks have no empty row between them.
     fn belong_together(self, before: &TextBlock, after: &TextBlock) -> bool {
         let low = |formula| formula::set(formula, self.charset).len() == 1;
         match (before, after) {
             (TextBlock::Item(..), TextBlock::Item(..)) => true,
-            // One fraction right below another reads as one of three storeys.
+            // A fraction right below another would look like one fraction with three rows.
             (TextBlock::Formula(before), TextBlock::Formula(after)) => low(before) || low(after),
             (TextBlock::Paragraph(pieces), TextBlock::Item(..) | TextBlock::Formula(_)) => {
                 matches!(pieces.last(), Some(Inline::Text(text, _)) if text.ends_with([':', ',']))
@@ -78,7 +78,7 @@ impl Prose<'_> {
                 };
                 Run::new(text.as_str(), role)
             }
-            // Held together, as a formula broken over two rows is hard to read.
+            // Kept together, because a formula broken over two rows is hard to read.
             Inline::Formula(formula) => Run::formula(formula, plain),
             Inline::Live(quantity) => {
                 let value = self.figure.map(|collision| quantity.shown(collision));

@@ -1,4 +1,4 @@
-//! What is kept of an answer at a checkpoint.
+//! The record of an answer at a checkpoint.
 
 use serde_json::json;
 

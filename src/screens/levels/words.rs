@@ -37,8 +37,7 @@ pub(super) fn short(scene: &Scene, disc: usize) -> &'static str {
         .trim_start_matches("black ")
 }
 
-/// What a dial is called on the screen, its unit, and what it sets, in a few words before
-/// its range.
+/// The name of a dial on the screen, its unit, and its description before the range.
 pub(super) const fn dial_words(dial: Dial) -> (&'static str, &'static str, &'static str) {
     match dial {
         Dial::Direction => (
@@ -46,13 +45,13 @@ pub(super) const fn dial_words(dial: Dial) -> (&'static str, &'static str, &'sta
             "°",
             "the direction of the shot, anticlockwise from the right",
         ),
-        Dial::Speed => ("speed", " m/s", "how fast the disc sets off"),
+        Dial::Speed => ("speed", " m/s", "the disc's initial speed"),
         Dial::Place => ("place", " mm", "where the disc starts, from the middle"),
-        Dial::Mass => ("mass", " g", "how heavy the disc is"),
+        Dial::Mass => ("mass", " g", "the mass of the disc"),
         Dial::Restitution => (
             "restitution",
             "",
-            "how much of the closing speed a hit gives back",
+            "e: speed of separation over speed of approach",
         ),
     }
 }

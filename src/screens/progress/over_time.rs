@@ -68,7 +68,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_said_follows_from_the_ends() {
+    fn the_comment_follows_from_the_ends() {
         assert!(compared(20.0, 3.0).contains("Well aimed"));
         assert!(compared(20.0, 10.0).contains("closer"));
         assert!(compared(10.0, 20.0).contains("larger"));

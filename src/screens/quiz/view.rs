@@ -23,7 +23,7 @@ pub(super) fn view<'s>(quiz: &'s Quiz, cx: &Context) -> View<'s, QuizAction> {
 
 fn of_asked<'s>(quiz: &Quiz, asked: &'s OpenQuestion) -> View<'s, QuizAction> {
     let (question, sure) = (&asked.question, asked.asking.sure().is_some());
-    let mut text = Panel::new("say it first");
+    let mut text = Panel::new("predict it");
     text.subject = 2 * quiz.number() + usize::from(sure);
     match sure {
         false => panel::asked(asked, &mut text),

@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_such_file_is_refused() {
+    fn an_invalid_settings_file_is_refused() {
         for (file, said) in [
             ("", "format"),
             ("format = 2\n", "newer"),

@@ -1,4 +1,4 @@
-//! Where the striker stands, where it is aimed, how hard it will be struck.
+//! The aim: the striker's position, its direction and its speed.
 
 use glam::DVec2;
 
@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_typed_shown_and_said_agrees_at_every_seat() {
+    fn typed_and_shown_directions_agree_at_every_seat() {
         for seat in Seat::ALL {
             let game = Game::new(GameSetup {
                 hands: Hands::Four,

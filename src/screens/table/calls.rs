@@ -1,4 +1,4 @@
-//! "Call it": saying before a stroke where the two of its first impact will go.
+//! "Call it": predicting the directions after the first impact of a stroke.
 
 use super::preview::first_hit;
 use crate::game::{Call, Strike};
@@ -25,8 +25,8 @@ impl Called {
         Some(Self { said, collision })
     }
 
-    /// Points for it, 0 to [`Called::MOST`], by how far off each ray was: graded as
-    /// in the quiz, without a question of confidence.
+    /// Points for it, 0 to [`Called::MOST`], by the error of each ray: graded as in the quiz,
+    /// without confidence.
     pub(super) fn points(&self) -> u32 {
         let truth = Rays::from(&self.collision.outcome());
         let grade = RaysGrade::new(&self.said, &truth);

@@ -1,5 +1,4 @@
-//! A stroke of the computer as it was meant: seen before it is struck, and afterwards
-//! beside the one that was played.
+//! The computer's intended stroke: shown before it is struck, and afterwards beside the actual one.
 
 use super::aim::Aim;
 use super::pointer::Pointer;
@@ -12,7 +11,7 @@ use crate::physics::Motion;
 /// The smallest slip of the hand that is told, in degrees.
 const SMALLEST_SLIP_DEG: f64 = 0.05;
 
-/// What the computer has decided, and what it meant by it.
+/// The computer's decision and its intention.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct ComputerStroke {
     pub(super) decision: Decision,

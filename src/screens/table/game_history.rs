@@ -1,4 +1,4 @@
-//! A game being played, with all that led to it.
+//! A game in progress, with its history.
 
 use std::mem;
 
@@ -18,7 +18,7 @@ pub(super) struct GameHistory {
     past: Vec<Past>,
     /// The moves that were made with a hint, by their numbers from 0.
     hints: Vec<usize>,
-    /// Whether it has changed since it was last given away to be saved.
+    /// Whether it has changed since it was last saved.
     unsaved: bool,
 }
 
@@ -34,7 +34,7 @@ pub(super) struct Past {
     pub(super) fallen: Vec<Piece>,
     /// What it was about, if it was a stroke.
     pub(super) story: Option<Story>,
-    /// What the computer meant by it, if it was the computer's in this sitting.
+    /// The computer's intention, if the computer played it in this session.
     pub(super) meant: Option<Box<ComputerStroke>>,
 }
 

@@ -1,4 +1,4 @@
-//! The table: carrom itself, with what it teaches about each hit.
+//! The table: carrom itself, with explanations of each collision.
 
 mod active_game;
 mod aim;

@@ -70,7 +70,8 @@ fn agreements(now: Options) -> Vec<Agreement> {
     let rules = [
         (
             Rules::Tournament,
-            "The Laws of Carrom: boards of up to 12 points, a game to 25 or eight boards, the best of three.",
+            "The Laws of Carrom: boards of up to 12 points, a game to 25 or eight boards, the best \
+             of three.",
         ),
         (
             Rules::Friendly,
@@ -103,11 +104,12 @@ fn agreements(now: Options) -> Vec<Agreement> {
     let sets = [
         (
             PieceSet::Tournament,
-            "A heavy striker on light coins: it is turned aside by at most 21.5°, and they part at less than 90°.",
+            "A heavy striker on light coins: it is deflected by at most 21.5°; the paths are at \
+             less than 90°.",
         ),
         (
             PieceSet::EqualMass,
-            "Striker and coins weigh the same, so the two of a hit part at 90°.",
+            "Striker and coins have equal masses, so the paths are at 90°.",
         ),
     ];
     let sets = sets.map(|(set, about)| (Options { set, ..now }, words::masses(set).into(), about));
@@ -137,7 +139,8 @@ fn players(seat: Seat, now: Options) -> Vec<(Options, String, &'static str)> {
         let mut options = now;
         options.set_player(seat, Player::Computer);
         options.strengths[seat as usize] = strength;
-        let about = "The computer: the stronger, the farther it looks and the steadier its hand is. It always says what it saw.";
+        let about = "The computer: the stronger, the farther it looks and the steadier its hand \
+                     is. It always explains its stroke.";
         (options, format!("computer, {strength}"), about)
     }));
     choices
@@ -150,7 +153,8 @@ const SWITCHES: [Switch; 4] = [
     (
         "call it",
         |options| &mut options.call,
-        "Before each stroke, say at which angles the two of the first hit leave it. Good calls earn points of their own.",
+        "Before each stroke, predict both directions after the first collision. Good calls earn \
+         separate points.",
     ),
     (
         "aim line",
@@ -160,12 +164,12 @@ const SWITCHES: [Switch; 4] = [
     (
         "ghost",
         |options| &mut options.aids.ghost,
-        "Where the striker will be when they meet.",
+        "The striker's position at contact.",
     ),
     (
         "departures",
         |options| &mut options.aids.rays,
-        "Where both leave the first hit. While you call it they stay hidden.",
+        "Both paths after the first collision. They are hidden while you call.",
     ),
 ];
 

@@ -1,4 +1,4 @@
-//! What is agreed at the table before the first break.
+//! The options of a game, agreed before the first break.
 
 use super::words;
 use crate::game::opponent::Strength;
@@ -22,7 +22,7 @@ pub struct Options {
     pub set: PieceSet,
     /// Whether the players call the first impact before each stroke.
     pub call: bool,
-    /// Helps while aiming.
+    /// Aids while aiming.
     pub aids: Aids,
 }
 

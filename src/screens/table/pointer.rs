@@ -1,4 +1,4 @@
-//! What a hint or the computer speaks of, to be marked on the board.
+//! The coin and pocket that a hint or the computer refers to, for marking them on the board.
 
 use glam::DVec2;
 

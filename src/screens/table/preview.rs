@@ -1,4 +1,4 @@
-//! What an aim will meet first: the exact way of the striker up to there.
+//! The first contact of an aim: the exact path of the striker up to it.
 
 use glam::DVec2;
 
@@ -7,7 +7,7 @@ use crate::game::{Game, Strike};
 use crate::physics::{DiscState, Shot};
 use crate::widgets::replay::{ShotImpact, impacts};
 
-/// The way of the striker to the first disc it meets.
+/// The striker's path to the first disc it hits.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Preview {
     /// Corners of the way, from where the striker stands to where the way ends.

@@ -17,7 +17,7 @@ use crate::widgets::panel::Panel;
 const GAMES: KeptKind = KeptKind {
     one: "game",
     all: "saved games",
-    saved: "Every game is saved by itself, after each stroke.",
+    saved: "carrom saves every game after each stroke.",
     list: StoreRequest::List,
     load: StoreRequest::Load,
     remove: StoreRequest::Remove,
@@ -70,7 +70,7 @@ impl SavedGames {
             .on(Key::Escape, Back, "back")
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(super) fn act(&mut self, action: SavedGamesAction, cx: &mut Context) -> Next {
         match action {
             SavedGamesAction::Saved(action) => return self.files.act(action, cx),

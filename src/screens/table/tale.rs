@@ -1,4 +1,4 @@
-//! What there is to tell of a board at its end.
+//! The summary of a board at its end.
 
 use super::game_history::{GameHistory, Past};
 use crate::game::opponent::Story;
@@ -35,7 +35,7 @@ impl TeamTale {
 }
 
 impl BoardTale {
-    /// The tale of the last board of a game.
+    /// The summary of the last board of a game.
     pub(super) fn of(history: &GameHistory) -> Self {
         let moves = history.record().moves();
         let last_pack = moves.iter().rposition(|made| *made == Move::NextBoard);

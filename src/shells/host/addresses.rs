@@ -1,12 +1,12 @@
-//! Where this computer is reached in its networks.
+//! The addresses of this computer in its networks.
 
 use std::net::{IpAddr, Ipv4Addr, SocketAddrV4, UdpSocket};
 
-/// An address that is nobody's, to ask which way leads out; nothing is sent there.
+/// An unused address, to find the outgoing interface; nothing is sent there.
 const ELSEWHERE: (Ipv4Addr, u16) = (Ipv4Addr::new(192, 0, 2, 1), 9);
 
-/// The addresses of this computer with this port: the one where devices were before first, then
-/// the one towards the network; that of the computer itself where there is no network.
+/// The addresses of this computer with this port: the one where devices were before first, then the
+/// one of the outgoing interface; the loopback address if there is no network.
 pub(super) fn own(port: u16, before: Option<SocketAddrV4>) -> Vec<SocketAddrV4> {
     let interfaces = if_addrs::get_if_addrs().unwrap_or_default();
     let mut own: Vec<Ipv4Addr> = interfaces

@@ -1,8 +1,8 @@
-//! The head of a request: what is wanted, and whether whoever asks may have it.
+//! The head of a request: what it asks for, and whether that is allowed.
 //!
-//! A page from elsewhere that a pupil has open must not reach the class: the `Host` has to be
-//! this very server by its address, which a name that is made to lead here is not, and the
-//! `Origin` of a talk has to be the page that was served here.
+//! Another web page that a pupil has open must not reach the class: the `Host` has to be an address
+//! of this server, which prevents DNS rebinding, and the `Origin` of a WebSocket has to be the page
+//! that was served here.
 
 use std::net::IpAddr;
 
@@ -12,28 +12,28 @@ pub(super) const LONGEST: usize = 8 * 1024;
 const MOST_LINES: usize = 64;
 pub(crate) const TALK: &str = "/class";
 
-/// What a request wants.
+/// What a request asks for.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Wish {
     /// The page.
     Page {
         /// Whether it may be compressed.
         gzip: bool,
-        /// The tag of the page that is there already.
+        /// The tag of the page in the browser's cache.
         known: Option<String>,
         /// Whether only the head of the answer is wanted.
         head_only: bool,
     },
-    /// To talk; with this key.
+    /// A WebSocket, with this key.
     Talk(String),
-    /// Something that is not given: the status, and what is said.
+    /// A refusal: the status and the message.
     No(u16, &'static str),
 }
 
-/// What is said to whoever does not come by the address on the board.
+/// The message for requests that do not use the address on the board.
 const BY_ADDRESS: &str = "Open the address that is shown on the board.";
 
-/// Reads a head that is all there; `None` while it is not.
+/// Reads a complete head; `None` while it is incomplete.
 pub(super) fn read(bytes: &[u8], port: u16) -> Option<(usize, Wish)> {
     let mut lines = [httparse::EMPTY_HEADER; MOST_LINES];
     let mut request = httparse::Request::new(&mut lines);
@@ -47,7 +47,7 @@ pub(super) fn read(bytes: &[u8], port: u16) -> Option<(usize, Wish)> {
 }
 
 fn wish(request: &httparse::Request, port: u16) -> Wish {
-    // A line that is there twice is none that can be relied upon.
+    // A line that occurs twice cannot be relied upon.
     let only = |name: &str| {
         let mut found = request
             .headers
@@ -93,7 +93,7 @@ fn wish(request: &httparse::Request, port: u16) -> Wish {
     }
 }
 
-/// Whether a `Host` is this server, by an address or as this very computer.
+/// Whether a `Host` is this server, by an address or as localhost.
 fn is_own(host: &str, port: u16) -> bool {
     let (name, its_port) = match host.rsplit_once(':') {
         Some((name, its_port)) if !host.ends_with(']') => (name, its_port.parse().ok()),
@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_request_is_told_so() {
+    fn an_invalid_request_is_refused() {
         assert_eq!(read(b"GET / HT", 8090), None);
         for bytes in [
             &b"\x16\x03\x01\x02\x00\x01\x00"[..],

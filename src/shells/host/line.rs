@@ -1,4 +1,4 @@
-//! One connection: a request is read, and the page given or a talk begun.
+//! One connection: reads a request, and serves the page or begins a WebSocket.
 
 use std::io::{self, ErrorKind, Read, Write};
 use std::sync::Arc;
@@ -19,29 +19,29 @@ use crate::class::{Allowance, Bucket, SeatToken, Verdict};
 use crate::messages::HostNews;
 use crate::shells::lock;
 
-/// In which time the head of a request has to be there.
+/// The time limit for the head of a request.
 const HEAD_TIME: Duration = Duration::from_secs(5);
-/// In which time a device has to join.
+/// The time limit for joining.
 const JOIN_TIME: Duration = Duration::from_secs(10);
-/// After which silence a device is asked whether it is there, and after which it is gone.
+/// The silence after which a device is pinged, and after which it counts as lost.
 const PING: Duration = Duration::from_secs(20);
 const GONE: Duration = Duration::from_secs(65);
-/// How long a piece may take to be sent, and the page as a whole.
+/// The time limits for sending a part, and the whole page.
 const WRITE_TIME: Duration = Duration::from_secs(10);
 const PAGE_TIME: Duration = Duration::from_secs(120);
-/// How long whoever has to try again later is kept waiting.
+/// The delay for a device that has to try again later.
 const LATER: Duration = Duration::from_secs(1);
 /// Messages at once, and how many a second.
 const MESSAGES: Allowance = Allowance {
     at_once: 30.0,
     per_s: 10.0,
 };
-/// For how many messages something that is handed in counts.
+/// The number of messages that a hand-in counts as.
 const HAND_IN: f64 = 20.0;
 
 /// Serves a connection until it is gone.
 pub(super) fn serve(board: &Arc<Switchboard>, line: &Arc<Line>) {
-    // What fails is a connection that is gone; there is nobody to be told.
+    // An error here means that the connection is lost, and nobody has to be notified.
     let _ = answer(board, line);
     hang_up(&line.stream);
     board.remove(line.id);
@@ -82,7 +82,7 @@ fn answer(board: &Arc<Switchboard>, line: &Arc<Line>) -> io::Result<()> {
     }
 }
 
-/// Reads the head of a request; gives what came behind it, too.
+/// Reads the head of a request; also returns the bytes after it.
 fn read_head(line: &Line, port: u16) -> io::Result<(Wish, Vec<u8>)> {
     let end = Instant::now() + HEAD_TIME;
     let mut bytes = Vec::new();
@@ -118,7 +118,7 @@ fn refuse(line: &Line, status: u16, words: &str) -> io::Result<()> {
     send(line, head.as_bytes(), format!("{words}\n").as_bytes())
 }
 
-/// Sends an answer whole, as long as it goes on.
+/// Sends a whole answer, as long as it makes progress.
 fn send(line: &Line, head: &[u8], body: &[u8]) -> io::Result<()> {
     let end = Instant::now() + PAGE_TIME;
     (&line.stream).write_all(head)?;
@@ -126,7 +126,7 @@ fn send(line: &Line, head: &[u8], body: &[u8]) -> io::Result<()> {
         left(end)?;
         (&line.stream).write_all(piece)?;
     }
-    // Without this the other side might lose what it has not read yet.
+    // Without this the other side might lose unread bytes.
     line.stream.shutdown(std::net::Shutdown::Write)?;
     drain(line, Duration::from_secs(2));
     Ok(())
@@ -144,8 +144,7 @@ fn drain(line: &Line, patience: Duration) {
     }
 }
 
-/// A connection as a WebSocket takes it: reading ends at a deadline, and what is written is
-/// written whole.
+/// A connection for a WebSocket: reading ends at a deadline, and messages are written whole.
 struct ServerStream {
     line: Arc<Line>,
     deadline: Option<Instant>,
@@ -200,7 +199,7 @@ fn talk(board: &Arc<Switchboard>, line: &Arc<Line>, rest: Vec<u8>) {
     };
     if let Some(why) = why {
         let text = HostSaying::No { why }.to_text();
-        // Whoever does not hear it is gone.
+        // If it fails, the connection is lost.
         let _ = socket.send(Message::text(text));
         let _ = socket.close(None);
         let _ = line.stream.shutdown(std::net::Shutdown::Write);
@@ -208,8 +207,7 @@ fn talk(board: &Arc<Switchboard>, line: &Arc<Line>, rest: Vec<u8>) {
     }
 }
 
-/// What comes next: something said, or why there is nothing more; `None` if the other side
-/// is gone.
+/// The next message, or the reason why there is none; `None` if the connection is lost.
 fn next(socket: &mut WebSocket<ServerStream>) -> Result<Saying, Option<Refusal>> {
     loop {
         match socket.read() {
@@ -230,7 +228,7 @@ fn is_late(error: &io::Error) -> bool {
     matches!(error.kind(), ErrorKind::TimedOut | ErrorKind::WouldBlock)
 }
 
-/// Waits for somebody to ask to come in.
+/// Waits for a request to join.
 fn join(
     board: &Arc<Switchboard>,
     line: &Arc<Line>,
@@ -256,7 +254,7 @@ fn join(
     let fresh = SeatToken::of(random().map_err(|_| None)?);
     socket.get_mut().deadline = None;
     line.join();
-    // Whoever is in may hand something in.
+    // A pupil who has joined may hand something in.
     socket.set_config(|config| {
         config.max_message_size = Some(LARGEST_HAND_IN);
         config.max_frame_size = Some(LARGEST_HAND_IN);
@@ -274,7 +272,7 @@ fn join(
     Ok(())
 }
 
-/// Hears what somebody says who is in; says why they have to go.
+/// Receives the messages of a pupil who has joined; returns why the connection ends.
 fn listen(
     board: &Arc<Switchboard>,
     line: &Arc<Line>,
@@ -299,7 +297,7 @@ fn listen(
     }
 }
 
-/// Sends what lies in the outbox, and asks now and then whether somebody is there.
+/// Sends the contents of the outbox, and pings the device now and then.
 fn write_out(line: &Line) {
     let text = |text: String| Frame::message(text, OpCode::Data(Data::Text), true);
     loop {
@@ -312,7 +310,7 @@ fn write_out(line: &Line) {
         let mut bytes = Vec::new();
         let made = frames.into_iter().try_for_each(|it| it.format(&mut bytes));
         if made.is_err() || write_whole(line, &bytes).is_err() {
-            // Who does not read for so long is gone; whoever reads here sees it.
+            // A device that does not read for this long is lost; the reading thread notices it.
             return hang_up(&line.stream);
         }
         if !goes_on {

@@ -1,13 +1,13 @@
 //! A class on its own devices: a server in the local network, for the teacher's carrom.
 //!
-//! It listens when a screen asks for it ([`HostCall::Open`]), gives the page to browsers and
-//! talks with pupils by WebSocket. It knows the code of the class and how much may come from
-//! whom, and nothing of questions and votes: what pupils say goes to the screen as
-//! [`HostNews`], what the screen says of each goes to them.
+//! It listens when a screen requests it ([`HostCall::Open`]), serves the page to browsers and talks
+//! with pupils by WebSocket. It knows the code of the class and the limits, but nothing of
+//! questions and votes: messages of pupils go to the screen as [`HostNews`], and the screen's
+//! states go to the pupils.
 //!
-//! A thread accepts; each connection has one that reads, and once it has joined one that
-//! writes, from an outbox in which a newer state takes the place of an older one that was not
-//! sent yet: who reads slowly gets fewer states, and holds up nobody.
+//! One thread accepts connections; each connection has a thread that reads and, once it has joined,
+//! one that writes from an outbox, in which a newer state replaces an unsent older one: a slow
+//! device gets fewer states and delays nobody.
 
 mod addresses;
 mod head;
@@ -27,14 +27,14 @@ use crate::class::DoorCode;
 use crate::messages::{HostCall, HostNews, OpenDoor};
 use switchboard::Switchboard;
 
-/// The port where none is asked for; the next ones are tried where it is taken.
+/// The default port; the next ones are tried if it is in use.
 pub(crate) const PORT: u16 = 8090;
 /// How many ports are tried.
 const PORTS: u16 = 10;
-/// How long a carrom that has just ended, or a round that was just left, may need to let go of its
+/// How long a carrom that has just ended, or a round that was just left, may need to release its
 /// port.
 const LETTING_GO: Duration = Duration::from_millis(300);
-/// How many connections may wait to be accepted: a class that comes all at once.
+/// How many connections may wait to be accepted: a class that joins at the same moment.
 #[cfg(unix)]
 const BACKLOG: i32 = 1024;
 /// The stack of a thread of a connection, in bytes.
@@ -49,17 +49,17 @@ pub struct HostOptions {
     pub page: Option<Result<Arc<ServedPage>, String>>,
 }
 
-/// What serves a class.
+/// The server of a class.
 pub struct Host {
     options: HostOptions,
     wake: Arc<dyn Fn() + Send + Sync>,
     board: Option<Arc<Switchboard>>,
-    /// What the screen is to hear though no pupil said it.
+    /// News for the screen that does not come from pupils.
     news: Vec<HostNews>,
 }
 
 impl Host {
-    /// Serves nobody yet. `wake` is called when there is news where there was none.
+    /// Not serving yet. `wake` is called when the first news arrives.
     pub fn new(options: HostOptions, wake: impl Fn() + Send + Sync + 'static) -> Self {
         Self {
             options,
@@ -69,7 +69,7 @@ impl Host {
         }
     }
 
-    /// Does what a screen asks for.
+    /// Carries out a request of a screen.
     pub fn call(&mut self, call: &HostCall) {
         match (call, &self.board) {
             (HostCall::Open { code, address }, _) => {
@@ -90,7 +90,7 @@ impl Host {
         }
     }
 
-    /// What was heard since the last call.
+    /// The news since the last call.
     pub fn take_news(&mut self) -> Vec<HostNews> {
         let mut news = std::mem::take(&mut self.news);
         if let Some(board) = &self.board {
@@ -137,8 +137,8 @@ impl Host {
         })
     }
 
-    /// Listens at the port that was asked for. Where none was, at the one where devices look
-    /// for the round, or else at the first free one.
+    /// Listens at the requested port. Without one, at the port where devices look for the round, or
+    /// else at the first free one.
     fn listen(&self, before: Option<u16>) -> io::Result<TcpListener> {
         let first = self.options.port.or(before).map(|port| (port, LETTING_GO));
         let others = match self.options.port {
@@ -169,7 +169,7 @@ impl Drop for Host {
     }
 }
 
-/// Takes a port, or waits so long for whoever has it.
+/// Opens a port, waiting this long while it is in use.
 fn bind(port: u16, patience: Duration) -> io::Result<TcpListener> {
     let end = Instant::now() + patience;
     loop {
@@ -210,26 +210,26 @@ fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<()> {
     builder.spawn(work).map(drop)
 }
 
-/// Random bits that nobody can guess.
+/// Cryptographically secure random bits.
 fn random() -> io::Result<u128> {
     let mut bytes = [0; 16];
     getrandom::fill(&mut bytes).map_err(|error| io::Error::other(error.to_string()))?;
     Ok(u128::from_le_bytes(bytes))
 }
 
-/// Lets the process open as many files as it may: a pupil is one.
+/// Raises the limit on open files, because each pupil needs one.
 fn raise_limit() {
     #[cfg(unix)]
     {
         use rustix::process::{Resource, getrlimit, setrlimit};
         let mut limit = getrlimit(Resource::Nofile);
         limit.current = limit.maximum;
-        // A smaller class is a class, too.
+        // If that fails, the class is only smaller.
         let _ = setrlimit(Resource::Nofile, limit);
     }
 }
 
-/// Hangs up a connection from another thread; whoever reads from it hears of it.
+/// Closes a connection from another thread; the reading thread notices it.
 fn hang_up(stream: &TcpStream) {
     let _ = stream.shutdown(std::net::Shutdown::Both);
 }

@@ -1,5 +1,5 @@
-//! The page as it is served: the file's own policy lets it reach nobody, that of the served
-//! copy the server it came from.
+//! The page as it is served: the policy of the file allows no connections, that of the served copy
+//! allows its server.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::{self, Write};
@@ -7,9 +7,9 @@ use std::io::{self, Write};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 
-/// What the policy of the file says, and that of the copy.
+/// The policy of the file, and that of the copy.
 const CONNECT: [&str; 2] = ["connect-src 'none'", "connect-src 'self'"];
-/// What says whether a class has served the page.
+/// The mark that shows whether a class has served the page.
 const ROOT: [&str; 2] = ["<html lang=\"en\">", "<html lang=\"en\" data-class=\"\">"];
 /// Where the policy stands in the file.
 const POLICY: &str = "http-equiv=\"Content-Security-Policy\" content=\"";
@@ -19,7 +19,7 @@ const POLICY: &str = "http-equiv=\"Content-Security-Policy\" content=\"";
 pub struct ServedPage {
     text: String,
     packed: Vec<u8>,
-    /// Changes with what is in it, so that nobody sees yesterday's page.
+    /// Changes with the contents, so that browsers do not show an outdated page.
     tag: String,
     policy: String,
 }

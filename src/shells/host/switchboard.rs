@@ -1,4 +1,4 @@
-//! All connections of a class, and what was heard by them.
+//! All connections of a class, and their news.
 
 use std::collections::{BTreeMap, HashSet, VecDeque};
 use std::net::{IpAddr, TcpStream};
@@ -12,15 +12,15 @@ use crate::class::{DoorCode, GuardedCode, SeatToken, Verdict};
 use crate::messages::{HostNews, LineId};
 use crate::shells::lock;
 
-/// Most connections at once. When there are more, the oldest one goes that has not joined, of
-/// the address that holds most: whoever opens many gets in nobody's way.
+/// Most connections at once. When there are more, the oldest one that has not joined is closed, of
+/// the address with the most connections, so that a client that opens many affects only itself.
 const MOST_LINES: usize = 600;
 
 /// All connections of a class.
 pub(super) struct Switchboard {
     /// The code of the class.
     code: Mutex<GuardedCode>,
-    /// What brings those back who were in.
+    /// The seat tokens of those who have joined.
     seats: Mutex<HashSet<SeatToken>>,
     opened: Instant,
     /// The port on which it listens.
@@ -41,14 +41,14 @@ pub(super) struct Line {
     /// Where it comes from.
     pub(super) address: IpAddr,
     pub(super) stream: TcpStream,
-    /// Whoever writes a frame holds this.
+    /// Held while a frame is written.
     pub(super) writing: Mutex<()>,
     joined: AtomicBool,
     outbox: Mutex<Outbox>,
     filled: Condvar,
 }
 
-/// What is to be sent: the latest alone.
+/// The message to send: only the latest.
 #[derive(Default)]
 struct Outbox {
     state: Option<String>,
@@ -56,11 +56,11 @@ struct Outbox {
     closed: bool,
 }
 
-/// What is taken out of an outbox.
+/// The contents of an outbox.
 pub(super) enum Outgoing {
-    /// How things stand.
+    /// A state.
     State(String),
-    /// The last that is said.
+    /// The last message.
     Last(String),
     Nothing,
     /// It is over.
@@ -88,7 +88,7 @@ impl Switchboard {
         }
     }
 
-    /// Takes a connection in; `None` if there is no room for it.
+    /// Adds a connection; `None` if there is no room for it.
     pub(super) fn admit(&self, stream: TcpStream, address: IpAddr) -> Option<Arc<Line>> {
         let mut lines = lock(&self.lines);
         if lines.len() >= MOST_LINES {
@@ -111,7 +111,7 @@ impl Switchboard {
         Some(line)
     }
 
-    /// The connection that goes when there are too many.
+    /// The connection to close when there are too many.
     fn superfluous(lines: &BTreeMap<LineId, Arc<Line>>) -> Option<LineId> {
         let mut held: BTreeMap<IpAddr, (usize, LineId)> = BTreeMap::new();
         for (id, line) in lines.iter().filter(|(_, line)| !line.has_joined()) {
@@ -121,7 +121,7 @@ impl Switchboard {
         Some(most.1)
     }
 
-    /// A connection is gone.
+    /// A connection was lost.
     pub(super) fn remove(&self, id: LineId) {
         if let Some(line) = lock(&self.lines).remove(&id) {
             line.close();
@@ -137,7 +137,7 @@ impl Switchboard {
         self.opened.elapsed()
     }
 
-    /// Judges a code that somebody has typed. A device that was in comes back however many others
+    /// Checks a typed code. A device that has joined before can always return, however many others
     /// guess.
     pub(super) fn judge(&self, line: &Line, typed: &str, seat: Option<SeatToken>) -> Verdict {
         let was_in = seat.is_some_and(|seat| lock(&self.seats).contains(&seat));
@@ -148,7 +148,7 @@ impl Switchboard {
         code.judge(typed, line.address, self.now())
     }
 
-    /// Tells a pupil how things stand.
+    /// Sends a pupil the state.
     pub(super) fn tell(&self, id: LineId, state: PupilState) {
         if let Some(line) = self.line(id) {
             lock(&self.seats).insert(state.seat);
@@ -157,7 +157,7 @@ impl Switchboard {
         }
     }
 
-    /// Tells somebody why they have to go.
+    /// Tells a pupil why the connection ends.
     pub(super) fn refuse(&self, id: LineId, why: Refusal) {
         if let Some(line) = self.line(id) {
             lock(&line.outbox).last = Some(HostSaying::No { why }.to_text());
@@ -175,7 +175,7 @@ impl Switchboard {
         }
     }
 
-    /// What was heard since the last call.
+    /// The news since the last call.
     pub(super) fn take_news(&self) -> Vec<HostNews> {
         lock(&self.news).drain(..).collect()
     }
@@ -185,7 +185,7 @@ impl Switchboard {
         self.closed.load(Ordering::SeqCst)
     }
 
-    /// Hangs up on all.
+    /// Closes all connections.
     pub(super) fn close(&self) {
         self.closed.store(true, Ordering::SeqCst);
         let lines = std::mem::take(&mut *lock(&self.lines));
@@ -193,7 +193,7 @@ impl Switchboard {
             line.close();
             hang_up(&line.stream);
         }
-        // Whoever accepts has to see it.
+        // The accepting thread has to notice it.
         let own = (std::net::Ipv4Addr::LOCALHOST, self.port);
         let _ = TcpStream::connect_timeout(&own.into(), Duration::from_secs(1));
     }

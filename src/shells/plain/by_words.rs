@@ -1,6 +1,6 @@
-//! What a text says to hands and eyes, left out where it is read aloud.
+//! Parts of texts for keyboard, mouse and eyes, which are left out when read aloud.
 
-/// Stands before the name of a key in a text that is still to be read by words.
+/// The mark before the name of a key in a text that is not yet put into words.
 pub(super) const KEY: char = '\u{e0f0}';
 
 /// What leads to the words behind it, and is for hands and eyes alone.
@@ -11,7 +11,7 @@ const LEADS: [&str; 4] = [
     "Find the line of impact in the picture, where the two will touch: ",
 ];
 
-/// A text without its sentences that name a key or say what is to be dragged.
+/// A text without its sentences that name a key or something to drag.
 pub(super) fn by_words(text: &str) -> String {
     let mut kept: Vec<String> = Vec::new();
     for sentence in sentences(text) {
@@ -24,7 +24,7 @@ pub(super) fn by_words(text: &str) -> String {
     kept.join(" ")
 }
 
-/// What a sentence begins with that is for hands and eyes.
+/// Beginnings of sentences for hands and eyes.
 const FOR_HANDS: [&str; 6] = [
     "Drag ",
     "Press ",
@@ -47,7 +47,7 @@ const BY_HAND: [&str; 9] = [
     "click",
 ];
 
-/// Whether a sentence names a key, or what is to be done with the mouse.
+/// Whether a sentence names a key or a mouse action.
 fn is_for_hands(sentence: &str) -> bool {
     FOR_HANDS.iter().any(|it| sentence.starts_with(it))
         // By a letter.
@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_for_hands_is_left_out() {
+    fn mouse_and_key_instructions_are_left_out() {
         for (text, read) in [
             ("Drag the point along it.", ""),
             (

@@ -1,4 +1,4 @@
-//! A formula as it is read aloud.
+//! A formula in words, as read aloud.
 
 use super::spoken::{is_function, spoken_formula, unit_name};
 use crate::lessons::formula::{Formula, Node, subscript, superscript};
@@ -14,8 +14,8 @@ fn linear(formula: &Formula) -> String {
     let (mut after_fraction, mut after_factor) = (false, false);
     for term in &formula.0 {
         let node = &term.node;
-        // What follows a fraction would seem to stand under its line, and a fraction or a root
-        // that follows something to begin anew.
+        // Terms after a fraction would seem to be in its denominator, and a fraction or root after
+        // something would seem separate.
         line += match () {
             () if after_fraction && is_factor(node) => " × ",
             () if after_factor && matches!(node, Node::Fraction(..) | Node::Root(_)) => " × ",
@@ -57,7 +57,7 @@ fn of_node(node: &Node) -> String {
         Node::Word(word) if word.chars().count() > 1 => unit_name(word),
         Node::Word(word) => word.clone(),
         Node::Group(inside) => format!("({})", linear(inside)),
-        // Brackets are passed over by many who read aloud.
+        // Many screen readers skip brackets.
         Node::Fraction(over, under) if over.0.len() > 1 || under.0.len() > 1 => {
             let (all, over) = match over.0.len() {
                 1 => ("", linear(over)),

@@ -1,8 +1,8 @@
 //! The app in plain lines: for screen readers, Braille displays, dumb terminals and scripts.
 //!
-//! The same blocks as on the screen, which are recorded while it is drawn, are said line by line;
-//! a line that is heard does what it stands for. Nothing moves a cursor or waits for a time, and
-//! signs are spelt as they are read aloud.
+//! The blocks of the screen, recorded while it is drawn, are written line by line; an input line
+//! carries out its meaning. Nothing moves a cursor or waits for a time, and signs are spelt as they
+//! are read aloud.
 
 mod by_words;
 mod formula;
@@ -25,7 +25,7 @@ pub use solve::solve;
 pub use spoken::spoken;
 pub use talk::{Leave, Talk};
 
-/// Makes sure that a line is in words, down to its last sign.
+/// Asserts that a line consists of words only.
 #[cfg(test)]
 fn assert_spoken(line: &str) {
     let plain = |c: char| c.is_ascii_alphanumeric() || " .,;:?!'\"()-/".contains(c);
@@ -42,7 +42,7 @@ fn assert_spoken(line: &str) {
         " 1 grams",
         " 1 degrees",
         "the the ",
-        // Nobody is told to do what only hands and eyes can.
+        // No instruction requires a mouse or sight.
         "Drag the ",
         "drag the ",
         "Press ",

@@ -2,12 +2,11 @@
 
 use super::spoken::{means_unit, unit_name};
 
-/// Reads a number within bounds; behind it may stand its `unit`, which is empty for a pure
-/// number.
+/// Reads a number within bounds; its `unit`, which is empty for a pure number, may follow.
 ///
 /// # Errors
 /// A kind line on what was expected. Nothing is guessed: 1/2, 1 000 or 5 cm for a length in
-/// millimetres is no answer.
+/// millimetres is not accepted.
 pub(super) fn number(heard: &str, unit: &str, least: f64, most: f64) -> Result<f64, String> {
     let typed = heard.replace('−', "-");
     let (number, behind) = split(&typed).ok_or("Please type a number, such as 2.5.")?;
@@ -25,8 +24,8 @@ pub(super) fn number(heard: &str, unit: &str, least: f64, most: f64) -> Result<f
     Ok(number + 0.0)
 }
 
-/// The number at the beginning of a text, and what stands behind it; `None` if there is
-/// none, or it could be read in two ways, or no computer holds it.
+/// The number at the beginning of a text, and the rest; `None` if there is none, it is ambiguous,
+/// or it is out of range.
 fn split(text: &str) -> Option<(f64, &str)> {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let whole = digits(unsigned);
@@ -88,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_is_refused_rather_than_cut() {
+    fn an_invalid_number_is_refused_rather_than_cut() {
         for heard in [
             "",
             "sixty",

@@ -1,5 +1,5 @@
-//! What a screen says in lines, and what can be said to it: made of the same blocks as the
-//! screen, which are recorded while it is drawn.
+//! A screen in lines, and the possible inputs: made from the blocks that are recorded while it is
+//! drawn.
 
 use super::by_words::{KEY, by_words};
 use super::formula::aloud;
@@ -12,7 +12,7 @@ use crate::widgets::flow::Run;
 use crate::widgets::input::KeyRow;
 use crate::widgets::{Item, Role, Section, Sheet, SheetKind, Words};
 
-/// Parts of the key table that a line stands for, or that only eyes need.
+/// Parts of the key table that lines replace, or that only sighted users need.
 const BY_OTHER_MEANS: [&str; 9] = [
     "list.", "form.", "number.", "dial.", "answer.", "ray.", "hit.", "shot.", "mystery.",
 ];
@@ -23,15 +23,15 @@ const OFFERED: [&str; 2] = ["ray.stays-still", "shot.impacts"];
 /// The row of what goes on to the next question.
 pub(super) const ON: &str = "quiz.go-on";
 
-/// What stands where nothing has been typed yet.
+/// The placeholder of an empty text.
 pub(super) const OPEN: char = '_';
 
-/// A screen, or what lies over it, in lines.
+/// A screen, or a layer over it, in lines.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct PlainPage {
     /// Its title.
     pub title: String,
-    /// What lies over the screen, if anything does.
+    /// The layer over the screen, if there is one.
     pub layer: Option<SheetKind>,
     /// How it stands, in parts.
     pub status: Vec<String>,
@@ -39,7 +39,7 @@ pub(super) struct PlainPage {
     pub sections: Vec<PlainSection>,
     /// What can be chosen.
     pub options: Vec<PlainOption>,
-    /// What a line is taken for.
+    /// The meaning of a line.
     pub asked: Asked,
     /// What its pictures show.
     pub shown: Vec<String>,
@@ -50,7 +50,7 @@ pub(super) struct PlainPage {
 pub(super) struct PlainSection {
     /// The title of the frame.
     pub title: String,
-    /// Its first text: with another one it is about something else.
+    /// Its first text, which identifies its subject.
     pub subject: String,
     /// What it says.
     pub lines: Vec<String>,
@@ -59,7 +59,7 @@ pub(super) struct PlainSection {
 /// Something that can be chosen.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PlainOption {
-    /// What is typed to choose it; empty where its words alone do.
+    /// The label that chooses it; empty if only its words do.
     pub label: String,
     /// What it is called.
     pub words: String,
@@ -86,7 +86,7 @@ pub(super) enum OptionKind {
     Deed,
 }
 
-/// What a line is taken for that is no choice.
+/// The meaning of a line that is not a choice.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) enum Asked {
     #[default]
@@ -115,7 +115,7 @@ impl Asked {
 }
 
 impl PlainPage {
-    /// What an app says of its screen, of which these sheets were recorded.
+    /// The page of an app, from the recorded sheets.
     pub(super) fn new(app: &App, sheets: &[Sheet]) -> Self {
         let Some(sheet) = sheets.last() else {
             return Self::default();
@@ -142,7 +142,7 @@ impl PlainPage {
             names.push(option.words.clone());
             is_new
         });
-        // There a line may be the answer to what comes next.
+        // There a line may already answer the next question.
         if !rows.iter().any(|row| row.id == ON) {
             let are_set = options
                 .iter()
@@ -156,7 +156,7 @@ impl PlainPage {
         page
     }
 
-    /// All that is said of it, but for what it is called.
+    /// Its lines, without the title.
     pub(super) fn lines(&self) -> impl Iterator<Item = &String> {
         self.sections.iter().flat_map(|it| &it.lines)
     }
@@ -263,7 +263,7 @@ impl PlainOption {
     }
 }
 
-/// What can be done by a key that no item stands for.
+/// Actions by key without an item of their own.
 fn deed(row: &KeyRow<()>, told: &[Key]) -> Option<PlainOption> {
     let mut keys = row.keys();
     let (Some(key), None) = (keys.next(), keys.next()) else {
@@ -288,9 +288,8 @@ fn is_by_other_means(row: &KeyRow<()>) -> bool {
     is && !OFFERED.contains(&row.id.as_str())
 }
 
-/// Labels for those that have none of their own: numbers, or letters where numbers are typed.
-/// Beside answers that have letters, or numbers as few as those of how sure one is, what can be
-/// done has only its words.
+/// Labels for items without one: numbers, or letters if numbers are typed. Beside answers with
+/// letters, or the few numbers of the confidence, actions have only their words.
 fn label(options: &mut [PlainOption], types: bool) {
     let own: Vec<_> = options.iter().map(|it| it.label.clone()).collect();
     let last: usize = own
@@ -337,7 +336,7 @@ fn own_key(label: &str, rows: &[KeyRow<()>]) -> Option<Key> {
         .then_some(key)
 }
 
-/// What a line is taken for.
+/// The meaning of a line.
 fn asked(sheet: &Sheet, types: bool, rows: &[KeyRow<()>]) -> Asked {
     let items = sheet.sections.iter().flat_map(|section| &section.items);
     let chosen = items.filter(|item| item.chosen == Some(true));
@@ -471,7 +470,7 @@ fn shown(words: &Words) -> Vec<String> {
     }
 }
 
-/// What is read of something that cannot be chosen; `None` if that is nothing.
+/// The text of something that cannot be chosen; `None` if it is empty.
 fn text(words: &Words, is_help: bool) -> Option<String> {
     Some(match words {
         Words::Gap | Words::Prompt { .. } => return None,

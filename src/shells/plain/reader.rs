@@ -1,4 +1,4 @@
-//! The app in plain lines: a line in, and out what has changed.
+//! The app in plain lines: a line in, and the changes out.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -16,7 +16,7 @@ use crate::shells::AppHolder;
 use crate::shells::FRAME;
 use crate::widgets::{PictureSizes, SheetKind, recorded};
 
-/// Columns and rows of the screen, of which nothing is seen: all has room there.
+/// Columns and rows of the invisible screen, large enough for everything.
 const SIZE: (u16, u16) = (160, 200);
 
 /// The sizes of its pictures.
@@ -25,7 +25,7 @@ const PICTURES: PictureSizes = PictureSizes {
     square: [40, 20],
 };
 
-/// Longest line that is listened to, in letters.
+/// The longest input line, in letters.
 const LONGEST: usize = 1000;
 
 /// Longest time that passes at once while something moves.
@@ -34,7 +34,7 @@ const LONGEST_MOTION: Duration = Duration::from_secs(300);
 /// Steps of time between two looks at what moves.
 const LISTENED: u32 = 12;
 
-/// How many recent lines are remembered, and from which length on none is repeated.
+/// How many recent lines are remembered, and the length from which lines are not repeated.
 const RECENT: usize = 60;
 const LONG: usize = 60;
 
@@ -51,10 +51,10 @@ const SIGNS: usize = 9;
 /// The key of a disc that stays where it is.
 const STILL: Key = Key::Char('x');
 
-/// How a title line says that something could not be kept.
-const NOT_KEPT: &str = "not kept";
+/// The words of a title line when something could not be saved.
+const NOT_SAVED: &str = "not saved";
 
-/// What is said to a line at once, or what is expected instead of it.
+/// The immediate reply to a line, or what is expected instead.
 type LineAnswer = Result<Vec<String>, String>;
 
 fn press(key: Key, holder: &mut dyn AppHolder) -> LineAnswer {
@@ -73,7 +73,7 @@ pub struct PlainReader {
 }
 
 impl PlainReader {
-    /// Nothing has been said of an app yet, which is given room for all.
+    /// Begins with an app, at a size that has room for everything.
     pub fn new(app: &mut App) -> Self {
         app.set_pictures(Some(PICTURES));
         app.settings_mut().charset = crate::widgets::Charset::Unicode;
@@ -95,7 +95,7 @@ impl PlainReader {
         lines
     }
 
-    /// What has changed since it was last said, without anything having been heard.
+    /// The changes since the last output, without an input.
     pub fn news(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         let mut lines = self.settle(holder);
         if !lines.is_empty() {
@@ -104,13 +104,12 @@ impl PlainReader {
         lines
     }
 
-    /// The same of time that has passed: a countdown is not told.
+    /// The same after time has passed; a countdown is not reported.
     pub fn news_of_time(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         self.say_moving(holder)
     }
 
-    /// What is said once nothing more will be heard: what comes last, if it only has to be gone
-    /// on to.
+    /// The last output after the end of the input, if it only requires going on.
     pub fn end(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         if !self.goes_on(holder.app()) {
             return Vec::new();
@@ -119,7 +118,7 @@ impl PlainReader {
         self.settle(holder)
     }
 
-    /// Hears a line; gives what is said to it.
+    /// Handles a line; returns the reply.
     pub fn hear(&mut self, line: &str, holder: &mut dyn AppHolder) -> Vec<String> {
         let visible = line.chars().filter(|c| !c.is_control()).take(LONGEST);
         let line = visible.collect::<String>().trim().to_owned();
@@ -139,7 +138,7 @@ impl PlainReader {
         if let (Some(option), false) = (&labelled, self.is_text()) {
             return self.choose(&option.clone(), holder);
         }
-        // One letter may be the text that is asked for, such as somebody's name.
+        // A single letter may be the requested text, such as a name.
         let is_text = self.is_text();
         match lower.as_str() {
             "q" | "h" | "r" if is_text => {}
@@ -282,7 +281,7 @@ impl PlainReader {
         keys.nth(nth)
     }
 
-    /// What can be said here, in a line.
+    /// The possible inputs in one line.
     fn expected(&self) -> String {
         match &self.page.asked {
             Asked::Angle(_) => "Please type an angle from minus 180 to 180, or still.".into(),
@@ -329,7 +328,7 @@ impl PlainReader {
             .collect())
     }
 
-    /// Presses Enter where it stands for one of these.
+    /// Presses Enter if it carries out one of these.
     fn enter(&mut self, holder: &mut dyn AppHolder, ids: &[&str]) {
         let table = holder.app().keys();
         let mut rows = table.rows().iter();
@@ -347,7 +346,7 @@ impl PlainReader {
         now.title == self.page.title && now.layer == self.page.layer
     }
 
-    /// Types a number and gives it.
+    /// Types and enters a number.
     fn type_number(&mut self, line: &str, holder: &mut dyn AppHolder) -> LineAnswer {
         if matches!(self.page.asked, Asked::Angle(_)) && line.eq_ignore_ascii_case("still") {
             holder.input(&STILL.into());
@@ -367,7 +366,7 @@ impl PlainReader {
         Ok(Vec::new())
     }
 
-    /// Types a text in the place of what stands there, and goes on.
+    /// Replaces the text, and goes on.
     fn type_text(&mut self, line: &str, holder: &mut dyn AppHolder) -> LineAnswer {
         let is_chosen = |it: &&PlainOption| it.is_chosen && matches!(it.kind, OptionKind::Text(_));
         if let Some(PlainOption {
@@ -459,7 +458,7 @@ impl PlainReader {
         ))
     }
 
-    /// What can be said here, and what the screen is for.
+    /// The possible inputs, and the purpose of the screen.
     fn help(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
         let mut lines = Vec::new();
         if self.page.layer.is_none() && !self.is_text() {
@@ -481,7 +480,7 @@ impl PlainReader {
         lines
     }
 
-    /// All that the screen says.
+    /// The whole screen in lines.
     fn repeat(&mut self) -> Vec<String> {
         let page = std::mem::take(&mut self.page);
         let lines = changes(&PlainPage::default(), &page, &[]);
@@ -489,10 +488,9 @@ impl PlainReader {
         lines
     }
 
-    /// Lets pass what moves, and closes what only tells something; gives what was said
-    /// meanwhile and how it is now.
+    /// Skips animations, and closes notices; returns the lines meanwhile and the new page.
     fn settle(&mut self, holder: &mut dyn AppHolder) -> Vec<String> {
-        // A hit is told whole at its end, behind all that is told at the contact.
+        // A collision is reported at its end, after the explanation at the contact.
         let ends = |app: &App| app.keys().rows().iter().any(|row| row.id == "hit.end");
         for _ in 0..2 {
             if holder.app().motion().is_some() && ends(holder.app()) {
@@ -522,7 +520,7 @@ impl PlainReader {
         lines
     }
 
-    /// Says what has changed.
+    /// Writes the changes.
     fn say(&mut self, holder: &dyn AppHolder) -> Vec<String> {
         let page = self.look(holder.app());
         let mut lines = changes(&self.page, &page, &self.said);
@@ -541,7 +539,7 @@ impl PlainReader {
         self.recent.drain(..old);
     }
 
-    /// The same while something moves: figures that run are not told.
+    /// The same while something moves: running numbers are not reported.
     fn say_moving(&mut self, holder: &dyn AppHolder) -> Vec<String> {
         let mut page = self.look(holder.app());
         let known: Vec<_> = self
@@ -555,7 +553,7 @@ impl PlainReader {
         let is_passing = |line: &String| deeds.contains(line) || page.shown.contains(line);
         lines.retain(|line| !known.contains(&without_figures(line)) && !is_passing(line));
         if !lines.is_empty() {
-            // What can be done is told once it stands still.
+            // Actions are listed once nothing moves.
             page.options.clone_from(&self.page.options);
             self.page = page;
             self.note(&lines);
@@ -571,7 +569,7 @@ impl PlainReader {
     }
 }
 
-/// What is new on a page since the one before; what was `said` lately is not said again.
+/// The changes of a page since the previous one; lines `said` recently are not repeated.
 fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> {
     let mut lines = Vec::new();
     let is_new = before.title != now.title || before.layer != now.layer;
@@ -586,8 +584,8 @@ fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> 
     if !status.is_empty() {
         lines.push(format!("{}.", capital(&status.join(", "))));
     }
-    let is_unkept = |page: &PlainPage| page.status.iter().any(|it| it.starts_with(NOT_KEPT));
-    if is_unkept(before) && !is_unkept(now) {
+    let is_unsaved = |page: &PlainPage| page.status.iter().any(|it| it.starts_with(NOT_SAVED));
+    if is_unsaved(before) && !is_unsaved(now) {
         lines.push("Everything is saved now.".into());
     }
     let known: Vec<_> = before.lines().collect();

@@ -27,11 +27,11 @@ enum Heard {
     Ended,
 }
 
-/// Talks with whoever is at the other end of `input` and `output` until they leave, or nobody
-/// is there any more; a class is served as `host` says.
+/// Runs the app on `input` and `output` until the player leaves or the input ends; a class is
+/// served as `host` says.
 ///
 /// # Errors
-/// If a line cannot be written, or what was done last cannot be kept.
+/// If a line cannot be written, or the last changes cannot be saved.
 pub fn run(
     mut app: App,
     store: Store,
@@ -62,7 +62,7 @@ pub fn run(
     talked.and(kept)
 }
 
-/// Hears a line each time one is wanted, so that a flood of them waits where it comes from.
+/// Reads a line only on demand, so that a flood of input waits at its source.
 fn listen(mut input: impl BufRead, wanted: &Receiver<()>, sender: &Sender<Heard>) {
     while wanted.recv().is_ok() {
         let heard = hear(&mut input)
@@ -129,7 +129,7 @@ fn wait(news: &Receiver<Heard>, wake: Option<Duration>) -> Option<Heard> {
     }
 }
 
-/// Says these lines.
+/// Writes these lines.
 fn say(output: &mut dyn Write, lines: &[String]) -> io::Result<()> {
     let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
     match output

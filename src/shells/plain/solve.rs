@@ -7,10 +7,10 @@ use super::working;
 use crate::physics::worked::{self, WorkedStep};
 use crate::physics::{CollisionSpec, ImpactPoint};
 
-/// Says a worked solution, or asks for the hit first.
+/// Writes a worked solution, or asks for the collision first.
 ///
 /// # Errors
-/// If the player quits, or nothing more is to be heard.
+/// If the player quits, or the input ends.
 pub fn solve(talk: &mut Talk, given: Option<&[WorkedStep]>) -> Result<(), Leave> {
     let steps = match given {
         Some(steps) => steps.to_vec(),
@@ -26,10 +26,10 @@ pub fn solve(talk: &mut Talk, given: Option<&[WorkedStep]>) -> Result<(), Leave>
 
 /// Asks for each quantity in turn.
 fn ask(talk: &mut Talk) -> Result<Vec<WorkedStep>, Leave> {
-    talk.say("carrom, a hit worked out. Enter alone takes what is proposed.")?;
+    talk.say("carrom solves a collision. Enter alone accepts the proposed value.")?;
     let mut one = |what: &str, unit: &str, proposed: f64, least: f64, most: f64| {
         let asked = format!("{what}? Proposed: {proposed}.");
-        let help = "Type a number, or Enter alone for what is proposed.";
+        let help = "Type a number, or Enter alone for the proposed value.";
         talk.ask_for(&[], &asked, help, |heard| match heard {
             "" => Ok(proposed),
             heard => number(heard, unit, least, most),

@@ -1,31 +1,31 @@
-//! Saying a line and hearing one.
+//! Writing and reading lines.
 
 use std::io::{self, BufRead, Write};
 
 use super::spoken;
 use crate::files::read_line;
 
-/// Longest line that is listened to, in bytes; the rest of it is passed over.
+/// The longest input line, in bytes; the rest of it is skipped.
 const LONGEST: usize = 1000;
 
-/// Words that may be said at any time.
+/// Words that are understood at any time.
 const ALWAYS: &str = "At any time: repeat says the question again, help says how to answer, \
-                      quit leaves and keeps what was answered.";
+                      quit leaves and saves your answers.";
 
-/// A talk in lines.
+/// A dialogue in lines.
 pub struct Talk<'a> {
     input: &'a mut dyn BufRead,
     output: &'a mut dyn Write,
 }
 
-/// Why a talk is over before its end.
+/// Why a dialogue ends early.
 #[derive(Debug)]
 pub enum Leave {
     /// The player said so.
     Quit,
-    /// There is nothing more to be heard.
+    /// The input has ended.
     Ended,
-    /// A line could not be said or heard.
+    /// A line could not be written or read.
     Failed(io::Error),
 }
 
@@ -83,7 +83,7 @@ impl<'a> Talk<'a> {
     /// was expected, of a line without the blanks at its ends; it may be empty.
     ///
     /// # Errors
-    /// If the player quits, or nothing more is to be heard.
+    /// If the player quits, or the input ends.
     pub(super) fn ask_for<T>(
         &mut self,
         lead: &[String],

@@ -1,4 +1,4 @@
-//! All that questions and chapters say can be read aloud.
+//! All texts of questions and chapters can be read aloud.
 
 use super::by_words::by_words;
 use super::formula::aloud;

@@ -1,4 +1,4 @@
-//! The lines of a worked solution, for whoever only hears them.
+//! The lines of a worked solution, for reading aloud.
 
 use crate::physics::worked::WorkedStep;
 

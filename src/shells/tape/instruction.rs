@@ -26,8 +26,8 @@ pub enum Instruction {
     Scroll(MouseKind, u32, Option<(u16, u16)>),
     /// Let simulated time pass.
     Sleep(Duration),
-    /// Go to somebody's device in a class: by the name of a pupil, who comes if they were not
-    /// there, or back to the teacher's.
+    /// Go to a device in a class: by the name of a pupil, who joins if necessary, or back to the
+    /// teacher's.
     At(Option<String>),
     /// A pupil's device loses the host, or reaches it again.
     Reach(String, bool),

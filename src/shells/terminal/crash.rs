@@ -1,4 +1,4 @@
-//! What happens when carrom itself has a fault.
+//! Crash reports.
 
 use std::backtrace::Backtrace;
 use std::fs;
@@ -13,10 +13,10 @@ use crate::files::UnplacedFile;
 /// The file a report is written to.
 const FILE: &str = "crash.log";
 
-/// From now on a panic writes a report to `crash.log` in `folder` (made if need
-/// be), where there is one. A panic of the calling thread, which is to be the one
-/// that draws, also gives the terminal back and says one line on standard error;
-/// that of any other thread leaves the screen alone.
+/// From now on a panic writes a report to `crash.log` in `folder` (made if need be), where there is
+/// one. A panic of the calling thread, which should be the one that draws, also restores the
+/// terminal and prints one line on standard error; a panic of any other thread leaves the screen
+/// alone.
 pub fn report_crashes(folder: Option<PathBuf>) {
     let drawing = thread::current().id();
     panic::set_hook(Box::new(move |info| {
@@ -35,8 +35,8 @@ pub fn report_crashes(folder: Option<PathBuf>) {
                 "carrom: stopped by an internal error: {}; {saved}",
                 what(info)
             );
-            // Standard error may be gone with its window, and a panic in here ends
-            // the process on the spot.
+            // Standard error may be closed with its window, and a panic in here ends the process at
+            // once.
             let _ = writeln!(io::stderr(), "{line}");
         }
     }));
@@ -55,7 +55,7 @@ fn what(info: &PanicHookInfo) -> String {
     )
 }
 
-/// The fault with all that is known of it.
+/// The fault with all details.
 fn report(info: &PanicHookInfo) -> String {
     let version = env!("CARGO_PKG_VERSION");
     let thread = thread::current();

@@ -1,9 +1,9 @@
-//! Makes events of the bytes that a terminal sends.
+//! Decodes the bytes that a terminal sends into events.
 //!
-//! crossterm can do this too, but it holds a paste back until its end has come. A paste that never
-//! ends (its end was lost on a bad line, or a program wrote its beginning to the screen) then grows
-//! without limit and takes every key with it, Ctrl+C too. Here a paste is cut where it is longer
-//! than anybody means, Ctrl+C counts within it, and it is over when nothing more comes.
+//! crossterm can do this too, but it holds back a paste until its end. A paste that never ends
+//! (because its end was lost, or a program wrote its beginning to the screen) then grows without
+//! limit and swallows every key, Ctrl+C too. Here a paste is truncated at a generous length, Ctrl+C
+//! works within it, and it ends when no more bytes arrive.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -12,23 +12,23 @@ use crossterm::event::{
     Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent, MouseEventKind,
 };
 
-/// Most bytes of a paste that are taken. No field holds as much.
+/// The most bytes of a paste that are used. No field holds as much.
 pub(super) const LARGEST_PASTE: usize = 1 << 16;
 /// How a paste begins, after the control sequence introducer, and how it ends.
 const PASTE: &[u8] = b"200~";
 const PASTE_END: &[u8] = b"\x1b[201~";
 /// Most bytes of a control sequence that are kept; the longest that a terminal sends has some 20.
 const LONGEST_SEQUENCE: usize = 64;
-/// How long Escape alone waits: it is also how every other sequence begins, and a slow line may
-/// part them.
+/// How long a single Escape waits: every sequence begins with it, and a slow connection may split
+/// them.
 const AFTER_ESCAPE: Duration = Duration::from_millis(10);
-/// How long nothing comes within a paste until it is taken to be over.
+/// The pause within a paste after which it counts as ended.
 const WITHIN_PASTE: Duration = Duration::from_secs(1);
 
 const ESCAPE: u8 = 0x1b;
 const CTRL_C: u8 = 0x03;
 
-/// What has come so far of something that is not yet whole.
+/// The bytes of an incomplete sequence.
 #[derive(Debug, Default)]
 pub(super) struct Decoder {
     /// The bytes of a character or of a control sequence.
@@ -56,7 +56,7 @@ impl Decoder {
         }
     }
 
-    /// Notes that nothing has come for as long as [`Self::patience`] says.
+    /// Notes that nothing has arrived for [`Self::patience`].
     pub(super) fn pause(&mut self, events: &mut VecDeque<Event>) {
         if let Some(paste) = self.paste.take() {
             paste.end(events);
@@ -66,7 +66,7 @@ impl Decoder {
         self.pending.clear();
     }
 
-    /// Takes bytes and gives the events that are whole with them.
+    /// Handles bytes and returns the completed events.
     pub(super) fn feed(&mut self, bytes: &[u8], events: &mut VecDeque<Event>) {
         for byte in bytes {
             match &mut self.paste {
@@ -114,7 +114,7 @@ impl Decoder {
         if self.pending.len() < LONGEST_SEQUENCE {
             self.pending.push(byte);
         } else if is_whole {
-            // Nobody knows what it was.
+            // It cannot be decoded.
             self.pending.clear();
             return;
         }
@@ -134,7 +134,7 @@ impl Paste {
     /// Takes a byte; says whether that was the last.
     fn take(&mut self, byte: u8, events: &mut VecDeque<Event>) -> bool {
         if byte == CTRL_C {
-            // Whoever wants to leave does not want what was pasted.
+            // Ctrl+C within a paste discards the paste.
             events.push_back(pressed(KeyCode::Char('c'), KeyModifiers::CONTROL));
             self.text.clear();
             self.is_over = true;
@@ -166,7 +166,7 @@ impl Paste {
         }
     }
 
-    /// Gives what was pasted, as far as it was not given before.
+    /// Returns the pasted text that was not returned before.
     fn end(self, events: &mut VecDeque<Event>) {
         if !self.is_over {
             let text = self.text.get(..LARGEST_PASTE).unwrap_or(&self.text);
@@ -431,7 +431,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_key_is_passed_over_and_the_next_key_counts() {
+    fn unknown_sequences_are_skipped_and_the_next_key_counts() {
         for noise in [
             &b"\x1b[I"[..],
             b"\x1b[O",

@@ -1,5 +1,5 @@
-//! Takes the terminal and gives it back: raw mode, the alternate screen, the
-//! mouse, bracketed paste and the cursor, all of them or none.
+//! Sets up and restores the terminal: raw mode, the alternate screen, the mouse, bracketed paste
+//! and the cursor, all of them or none.
 
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -19,7 +19,7 @@ use crossterm::{execute, queue};
 /// process's own; the panic hook and the watchdog reach it from outside.
 static HELD: AtomicBool = AtomicBool::new(false);
 
-/// Holds the terminal; gives it back when dropped.
+/// Holds the terminal; restores it when dropped.
 #[derive(Debug)]
 pub(super) struct Guard(());
 
@@ -68,8 +68,8 @@ impl Drop for Guard {
     }
 }
 
-/// Gives the terminal back if it is held; any thread may call this, any number of
-/// times. Failures have nobody left to be told to: the terminal is gone.
+/// Gives the terminal back if it is held; any thread may call this, any number of times. Failures
+/// cannot be reported, because the terminal is gone.
 pub(super) fn restore() {
     if !HELD.swap(false, Ordering::SeqCst) {
         return;
@@ -80,7 +80,7 @@ pub(super) fn restore() {
     if let Ok(mut out) = unlocked_stdout() {
         let _ = queue!(
             out,
-            // It may be that a picture was under way.
+            // A picture may have been in progress.
             EndSynchronizedUpdate,
             ResetColor,
             DisableBracketedPaste,

@@ -1,4 +1,4 @@
-//! What the thread that draws is told by the others.
+//! The messages of other threads to the thread that draws.
 
 use std::io;
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use std::sync::mpsc::Sender;
 
 use crate::messages::{Input, Key};
 
-/// The most keys that may wait: nobody means more of them than that before the next picture.
+/// The most keys that may wait, more than anyone types before the next picture.
 const MOST_WAITING: usize = 1000;
 
 /// What the keyboard and the signals send, and how much of it still waits to be taken.
@@ -16,7 +16,7 @@ pub(super) struct Inbox {
     sender: Sender<Message>,
     /// Keys and the like that wait.
     waiting: Arc<AtomicUsize>,
-    /// Messages to leave that wait: nothing that was typed before one counts any more.
+    /// Waiting messages to quit: keys typed before one are discarded.
     leaving: Arc<AtomicUsize>,
 }
 
@@ -80,7 +80,7 @@ pub(super) enum Message {
 }
 
 impl Message {
-    /// Whether a hand made it.
+    /// Whether it is an input of the user.
     fn is_typed(&self) -> bool {
         matches!(
             self,
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_typed_before_somebody_leaves_counts_no_more() {
+    fn keys_typed_before_quitting_are_discarded() {
         let leave = || Message::Input(Input::Key(Key::Ctrl('c')));
         let typed = || (0..100_000).map(|_| key('a'));
         assert_eq!(counted(typed().chain([leave()])), 1);

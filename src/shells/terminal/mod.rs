@@ -81,7 +81,7 @@ type FixedTerminal = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>
 /// memory has its limits. Of a larger one the rest stays empty.
 const LARGEST: (u16, u16) = (1000, 500);
 
-/// How long keys may be taken without a picture of what they do.
+/// How long keys may be processed without a new picture.
 const UNSEEN: Duration = Duration::from_millis(50);
 
 /// What is drawn of a terminal of this size.
@@ -102,7 +102,7 @@ fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHan
 pub fn run(app: App, store: Store, host: HostOptions) -> Result<Ending, TerminalError> {
     let (sender, messages) = mpsc::channel();
     let (to_host, to_client) = (sender.clone(), sender.clone());
-    // Should nobody listen any more, carrom is leaving.
+    // If nobody receives it, carrom is quitting.
     let host = Host::new(host, move || drop(to_host.send(Message::Hosted)));
     let client = Client::new(move |news| {
         let _ = to_client.send(Message::Input(Input::Joined(news)));
@@ -281,7 +281,7 @@ impl TerminalRun {
                 Effect::Join(call) => self.client.call(call),
                 Effect::Export { name, content } => {
                     let exported = Input::Exported(export(name, content));
-                    // Should nobody listen any more, nobody waits for it either.
+                    // If nobody receives it, nobody waits for it either.
                     let _ = self.sender.send(Message::Input(exported));
                 }
             }

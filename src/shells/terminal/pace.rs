@@ -1,4 +1,4 @@
-//! When to let the app live on and when to draw it.
+//! When to advance the app and when to draw it.
 
 use std::time::{Duration, Instant};
 
@@ -10,7 +10,7 @@ use crate::shells::FRAME;
 /// [`FRAME`] apart.
 #[derive(Debug)]
 pub(super) struct Pace {
-    /// The moment up to which the app has lived.
+    /// The time up to which the app has advanced.
     lived: Instant,
     /// The earliest moment for the next picture.
     earliest: Instant,
@@ -33,7 +33,7 @@ impl Pace {
         self.outdated = true;
     }
 
-    /// Lets the app live until `now`, if it asks for time at all.
+    /// Advances the app to `now`, if it needs time.
     pub(super) fn live(&mut self, app: &mut App, now: Instant) -> Vec<Effect> {
         let passed = now.saturating_duration_since(self.lived);
         self.lived = now;

@@ -20,10 +20,9 @@ const PATIENCE: Duration = Duration::from_millis(300);
 
 /// Starts the thread that waits for signals.
 ///
-/// It is a watchdog too. The thread that draws may be stuck in writing to a
-/// terminal that takes no more, and the one that reads spins without end once its
-/// window is closed; so whoever is still here after [`PATIENCE`] is ended from
-/// this thread, with the terminal restored.
+/// It is a watchdog too. The drawing thread may be stuck in writing to a blocked terminal, and the
+/// reading thread spins once its window is closed; so a process that is still running after
+/// [`PATIENCE`] is ended from this thread, with the terminal restored.
 pub(super) fn watch(inbox: Inbox) -> io::Result<()> {
     let mut signals = Signals::new([SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT, SIGWINCH])?;
     let wait = move || {

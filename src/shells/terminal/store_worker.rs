@@ -20,16 +20,16 @@ const PATIENCE: Duration = Duration::from_millis(500);
 /// database; then the player is told that it is being saved, and goes on.
 const ANSWER_PATIENCE: Duration = Duration::from_secs(1);
 
-/// A thread that does what is asked of the store, one thing after the other.
+/// A thread that carries out requests to the store, one after the other.
 pub(super) struct StoreWorker {
     /// Gone once nothing will be asked any more.
     jobs: Option<Sender<Job>>,
     thread: Option<JoinHandle<()>>,
-    /// Tells when the save that was overdue is done.
+    /// Reports when an overdue save is done.
     late: Option<Receiver<()>>,
 }
 
-/// Something to do, and whom to tell that it is done.
+/// A request, and the channel for its result.
 struct Job {
     request: StoreCall,
     done: Sender<()>,
@@ -116,7 +116,7 @@ fn tell(answer: StoreAnswer, sender: &Sender<Message>) {
     }
 }
 
-/// Says something when the screen is no longer ours.
+/// Prints a message after the screen was restored.
 fn say(words: &str) {
     // Standard error may be gone with its window, and then nobody is left to tell.
     let _ = writeln!(io::stderr(), "carrom: {}", escape_control(words, 400));

@@ -1,4 +1,4 @@
-//! What the terminal is and can do, from what is known before anything is drawn.
+//! Properties of the terminal that are known before anything is drawn.
 
 use std::io::{self, IsTerminal};
 

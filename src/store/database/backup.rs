@@ -1,4 +1,4 @@
-//! Copies of the database, one a day; the last three are kept.
+//! Copies of the database, one per day; the last three are kept.
 
 use std::fs;
 use std::path::Path;
@@ -56,8 +56,8 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Adds what these tables lack from the latest copy of the same version; says which that is,
-/// and how many rows of each table it added.
+/// Adds missing rows from the latest copy of the same version; returns which copy, and how many
+/// rows of each table it added.
 pub(super) fn fill_in(
     new: &Connection,
     folder: &Path,

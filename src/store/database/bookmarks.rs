@@ -1,8 +1,7 @@
 //! The tables of bookmarks.
 //!
-//! Only what was done is written, row by row: of several who read at once each keeps
-//! what it has seen and answered, and the last to turn a page says where the chapter
-//! is open.
+//! Only what was done is written, row by row: of several carroms at once each keeps what was seen
+//! and answered there, and the last one to turn a page decides where the chapter opens.
 
 use std::collections::BTreeMap;
 
@@ -107,7 +106,7 @@ fn forget_all(
     Ok(forget("bookmark")? + forget("page_seen")?)
 }
 
-/// The answer in a row; none where it is not to be understood.
+/// The answer in a row; none if it cannot be read.
 fn given(row: &Row) -> rusqlite::Result<Option<GivenAnswer>> {
     let (asked, answer): (Option<String>, Option<String>) = (row.get("asked")?, row.get("answer")?);
     let right: Option<bool> = row.get("is_right")?;

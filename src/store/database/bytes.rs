@@ -1,5 +1,5 @@
-//! A database that comes and goes as bytes: in a browser there is no file to open. The
-//! bytes are those of a `progress.db`, as a carrom with files has it.
+//! A database as bytes, because in a browser there is no file to open. The bytes are those of a
+//! `progress.db` file.
 
 use rusqlite::Connection;
 
@@ -49,10 +49,10 @@ impl Database {
         }
     }
 
-    /// The bytes; `None` while nothing was ever kept.
+    /// The bytes; `None` while nothing has been stored.
     ///
     /// # Errors
-    /// If they cannot be had, in words.
+    /// If they cannot be read, the reason in words.
     pub(in crate::store) fn bytes(&mut self) -> Result<Option<Vec<u8>>, String> {
         Ok(match &mut self.location {
             Location::Memory(Some(connection)) => Some(

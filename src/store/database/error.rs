@@ -1,4 +1,4 @@
-//! What may be wrong with a database.
+//! Faults of a database.
 
 use std::io::{self, ErrorKind};
 
@@ -10,11 +10,11 @@ use super::schema::VERSION;
 /// What is wrong.
 #[derive(Debug, Error)]
 pub(super) enum DatabaseError {
-    /// It is not what it should be; what SQLite says of it.
+    /// It is damaged, with SQLite's message.
     #[error("it is damaged; SQLite says: {0}")]
     Damaged(String),
-    /// It is damaged, and was not mended, for this reason.
-    #[error("it is damaged and could not be mended: {0}")]
+    /// It is damaged and was not repaired, for this reason.
+    #[error("it is damaged and could not be repaired: {0}")]
     Unmended(Box<DatabaseError>),
     /// It is something else.
     #[error("it is not a carrom database: {0}")]
@@ -30,8 +30,8 @@ pub(super) enum DatabaseError {
     Newer(i64),
     /// A part of it is in its log, and nothing can be written.
     #[error(
-        "what was kept last is in {0}, which cannot be read where nothing can be written; \
-         copy the folder to where something can"
+        "the latest data is in {0}, which cannot be read in a read-only folder; copy the folder to \
+         one that can be written to"
     )]
     InLog(String),
     #[error("{}", in_words(.0))]
@@ -44,10 +44,10 @@ pub(super) enum DatabaseError {
 impl DatabaseError {
     /// A file that does not begin as those of carrom do.
     pub(super) fn begins_otherwise() -> Self {
-        Self::NotOurs("it does not begin like one".into())
+        Self::NotOurs("it does not start like one".into())
     }
 
-    /// Whether it may go well a little later.
+    /// Whether a later try may succeed.
     pub(super) fn is_busy(&self) -> bool {
         let busy = [ErrorCode::DatabaseBusy, ErrorCode::DatabaseLocked];
         self.code().is_some_and(|code| busy.contains(&code))
@@ -124,7 +124,7 @@ fn in_words(error: &rusqlite::Error) -> String {
         Some(ErrorCode::ReadOnly | ErrorCode::CannotOpen | ErrorCode::PermissionDenied) => {
             "it cannot be opened for writing; "
         }
-        Some(ErrorCode::SystemIoFailure) => "the disk does not work as it should; ",
+        Some(ErrorCode::SystemIoFailure) => "the disk does not work properly; ",
         _ => "",
     };
     format!("{words}SQLite says: {error}")

@@ -1,5 +1,5 @@
-//! Limits for a database that anybody may have written: its schema runs nothing, and no
-//! statement works for longer than a file of its size needs.
+//! Limits for an untrusted database: its schema cannot run code, and no statement runs longer than
+//! a file of its size requires.
 
 use rusqlite::Connection;
 use rusqlite::config::DbConfig;
@@ -12,7 +12,7 @@ const STEPS: u64 = 10_000;
 /// takes about 10.
 const STEPS_PER_KIB: u64 = 64;
 
-/// Has a connection use nothing of a schema but its tables and indexes.
+/// Restricts a connection to the tables and indexes of a schema.
 pub(super) fn distrust(connection: &Connection) -> rusqlite::Result<()> {
     for (config, is_on) in [
         (DbConfig::SQLITE_DBCONFIG_DEFENSIVE, true),

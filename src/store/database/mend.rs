@@ -1,5 +1,5 @@
-//! A damaged database mended: all that can still be read of it, in a new file. The damaged
-//! one is kept under another name, as it was.
+//! Repairs a damaged database: copies all readable rows into a new file. The damaged one is kept
+//! unchanged under another name.
 
 use std::fs::{self, File};
 use std::io::{self, Cursor, ErrorKind, Read, Seek, Write};
@@ -61,15 +61,15 @@ pub(super) fn mend(folder: &Path, trouble: &DatabaseError) -> Result<String, Dat
     Ok(notice(&saved, &kept.display().to_string(), trouble))
 }
 
-/// What the player is to know of a mended database.
+/// The notice about a repaired database.
 fn notice(saved: &str, kept: &str, trouble: &DatabaseError) -> String {
     format!(
-        "The file of your answers was damaged and is mended. {saved} The damaged file is kept \
+        "The file of your answers was damaged and is repaired. {saved} The damaged file is kept \
          as {kept} ({trouble})."
     )
 }
 
-/// Says what was saved, and where the damaged one is kept.
+/// Reports what was saved, and where the damaged one is kept.
 fn mended(folder: &Path, damaged: &Path) -> Result<(String, PathBuf), DatabaseError> {
     let draft = Draft::beside(damaged, DRAFT)?;
     copy_damaged(damaged, draft.path())?;

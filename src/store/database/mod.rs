@@ -5,7 +5,7 @@
 //!
 //! - it is opened for one thing at a time, which is one transaction, and that has come
 //!   to the disk when it is done (write-ahead log, `synchronous = FULL`);
-//! - who waits for another is patient, and tries again;
+//! - if it is busy, carrom waits and tries again;
 //! - it is looked through once a day and whenever carrom starts, and of a sound one a copy
 //!   is kept; a damaged one is mended: what can be read of it goes into a new file, and
 //!   the damaged one is kept under another name;
@@ -44,10 +44,9 @@ use error::DatabaseError;
 const WAIT: Duration = Duration::from_secs(2);
 /// For how long what is busy is tried again.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// The same once that did not help: whoever does not let go for so long will not soon, and
-/// a player is not to wait for it at every answer.
+/// The same after a failure, so that a player does not wait for it at every answer.
 const LITTLE: Duration = Duration::from_millis(500);
-/// The file that stands for the right to use the database, or to set it aside.
+/// The lock file for using the database, or replacing it.
 const LOCK: &str = ".progress.lock";
 
 /// Where progress is kept.
@@ -62,7 +61,7 @@ pub(super) struct Database {
     /// Whether it was busy for longer than is waited.
     was_busy: bool,
     notice: Option<String>,
-    /// Whether the player was told of answers that are left out.
+    /// Whether the player has been notified of answers that are left out.
     told_of_misfits: bool,
 }
 

@@ -1,8 +1,8 @@
-//! The pages of a database file, read one by one past those that are damaged.
+//! The pages of a database file, read one by one, skipping damaged ones.
 //!
-//! SQLite ends a scan at the first page it cannot read, and what lies behind can be reached by
-//! those alone who know its keys. A tree leads to every page without them. The numbers are those
-//! of the Database File Format (<https://sqlite.org/fileformat.html>), sections 1.3 to 2.1.
+//! SQLite ends a scan at the first unreadable page, and later rows can only be found by their keys.
+//! Walking the tree finds every page without keys. The numbers are those of the Database File
+//! Format (<https://sqlite.org/fileformat.html>), sections 1.3 to 2.1.
 
 use std::collections::{BTreeSet, HashSet};
 use std::io::{self, Read, Seek, SeekFrom};

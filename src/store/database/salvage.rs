@@ -1,4 +1,4 @@
-//! Every row that can still be read of a damaged database, in a new one.
+//! Copies all readable rows of a damaged database into a new one.
 
 use std::collections::{BTreeSet, HashMap};
 use std::io::{Read, Seek};

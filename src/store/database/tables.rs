@@ -10,8 +10,8 @@ use crate::progress::{Attempt, figures_text};
 use crate::quiz::{Confidence, Figures};
 
 const ATTEMPTS: &str = "SELECT time_s, player, family, topic, seed, number, question, answer, \
-    truth, error_deg, credit, is_right, confidence, misconception \
-    FROM attempt WHERE :player IS NULL OR player = :player ORDER BY id";
+                        truth, error_deg, credit, is_right, confidence, misconception \
+                        FROM attempt WHERE :player IS NULL OR player = :player ORDER BY id";
 
 const STARS: &str = "SELECT pack, level, stars FROM star WHERE player = ?1 ORDER BY pack, level";
 
@@ -31,7 +31,7 @@ impl Database {
         if misfits > 0 && !self.told_of_misfits && self.notice.is_none() {
             self.told_of_misfits = true;
             self.notice = Some(format!(
-                "carrom left out {} in {NAME} that no question can have got. Damage, or another \
+                "carrom left out {} in {NAME} that fit no question. Damage, or another \
                  program, has changed the file.",
                 counted(misfits, "answer"),
             ));

@@ -643,7 +643,7 @@ fn a_row_of_nonsense_hides_no_other() {
     assert_eq!(found[2].topic, "a\u{fffd}");
 }
 
-/// What nobody can have answered is not counted, and its player hears of it once. The rows stay.
+/// Impossible answers are not counted, and the player is notified once. The rows stay.
 #[test]
 fn answers_out_of_range_are_left_out_and_counted_in_a_notice() {
     let (scratch, _) = filled("misfits");
@@ -715,7 +715,7 @@ fn a_newer_database_is_refused_untouched() {
     }
 }
 
-/// What the first released version wrote; it must open for ever.
+/// A database of the first released version; it must always open.
 const PINNED_1: &str = "
     CREATE TABLE attempt (
         id INTEGER PRIMARY KEY, time_s INTEGER, player TEXT NOT NULL, family TEXT NOT NULL,
@@ -733,7 +733,7 @@ const PINNED_1: &str = "
     INSERT INTO star VALUES ('Ada', 'first', 'a', 3);
     PRAGMA user_version = 1;";
 
-/// What the second format adds to the first; it must open for ever.
+/// The additions of the second format; it must always open.
 const PINNED_2: &str = "
     CREATE TABLE bookmark (
         player TEXT NOT NULL, chapter TEXT NOT NULL, page TEXT, alpha_deg REAL,

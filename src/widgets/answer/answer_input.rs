@@ -1,4 +1,4 @@
-//! Answering a question, in whichever form it asks for.
+//! Answering a question, in any form.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -13,16 +13,16 @@ use crate::widgets::input::{KeyTable, NumberAction, RayAction};
 use crate::widgets::panel::Panel;
 use crate::widgets::{NumberInput, Outcome, RayInput, Role};
 
-/// An answer in the making.
+/// An answer being entered.
 #[derive(Debug, Clone, PartialEq)]
 pub enum AnswerInput {
     /// Two rays to turn.
     Rays(RayInput),
     /// A number to type or to dial.
     Number(NumberInput),
-    /// Choices to choose from: the one chosen, and how many there are.
+    /// Choices: the chosen one, and their number.
     Choice {
-        /// The one that was chosen, counted from 0; `None` while none was.
+        /// The chosen one, counted from 0; `None` while there is none.
         chosen: Option<usize>,
         /// How many there are.
         count: usize,
@@ -50,7 +50,7 @@ pub(crate) enum AnswerAction {
 }
 
 impl AnswerInput {
-    /// Nothing said yet.
+    /// No answer yet.
     pub(crate) fn new(form: &Form) -> Self {
         match form {
             Form::Rays { side, .. } => Self::Rays(RayInput::new(*side)),
@@ -66,7 +66,7 @@ impl AnswerInput {
         }
     }
 
-    /// What was said before, to be changed.
+    /// An earlier answer, for changing.
     pub(crate) fn saying(form: &Form, said: &Response) -> Self {
         let mut input = Self::new(form);
         match (&mut input, said) {
@@ -83,7 +83,7 @@ impl AnswerInput {
         input
     }
 
-    /// What has been said; `None` while nothing was, or not all that is asked for.
+    /// The answer; `None` until it is complete.
     pub(crate) fn said(&self) -> Option<Response> {
         Some(match self {
             Self::Rays(rays) => Response::Rays(rays.said()?),
@@ -101,7 +101,7 @@ impl AnswerInput {
         }
     }
 
-    /// The keys that give it.
+    /// Its keys.
     pub(crate) fn keys(&self) -> KeyTable<AnswerAction> {
         use AnswerAction::{Choose, Enter, Move, Number, Ray};
         match self {
@@ -123,7 +123,7 @@ impl AnswerInput {
         }
     }
 
-    /// Does what a key stands for; done once all that is asked for has been said.
+    /// Carries out an action; done once the answer is complete.
     pub(crate) fn act(&mut self, action: AnswerAction) -> Outcome {
         match (self, action) {
             (Self::Rays(rays), AnswerAction::Ray(action)) => return rays.act(action),
@@ -151,8 +151,8 @@ impl AnswerInput {
         Outcome::Used
     }
 
-    /// Points at a place of the question's picture, in cells of the screen, with the button down, just now
-    /// (`pressed`) or for some time: turns a ray, or drags the coin sideways. Says
+    /// Points at a place of the question's picture, in cells of the screen, with the button down,
+    /// just now (`pressed`) or for some time: turns a ray, or drags the coin sideways. Returns
     /// whether there is anything to point at.
     pub(crate) fn point(
         &mut self,
@@ -187,8 +187,8 @@ impl AnswerInput {
         }
     }
 
-    /// Writes what is said so far, with all there is to choose from. The distance between
-    /// choices is worth `apart`, if there is any.
+    /// Writes the answer so far, with all choices. The distance between choices has the priority
+    /// `apart`, if there is one.
     pub(crate) fn write(&self, form: &Form, apart: Option<u8>, panel: &mut Panel<AnswerAction>) {
         match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) => {
@@ -210,7 +210,7 @@ impl AnswerInput {
         }
     }
 
-    /// What goes on: to the other ray, or with the answer given.
+    /// The key that goes on: to the other ray, or with the answer.
     fn go_on(&self) -> AnswerAction {
         match self {
             Self::Rays(rays) => AnswerAction::Ray(rays.go_on()),
@@ -219,7 +219,7 @@ impl AnswerInput {
         }
     }
 
-    /// What to do next, and what it is; `last` is what giving the answer does.
+    /// The next prompt and its label; `last` is the label for giving the answer.
     pub(crate) fn next(&self, form: &Form, last: &str) -> (String, AnswerAction) {
         let words = match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) if rays.turning() == Ray::Striker => {

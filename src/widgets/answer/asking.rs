@@ -1,4 +1,4 @@
-//! Answering a question, then saying how sure one is: the same wherever both are asked.
+//! Answering a question, then choosing a confidence: shared by all screens that ask for both.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -32,7 +32,7 @@ pub(crate) enum AskingAction {
 }
 
 impl Asking {
-    /// An answer in the making.
+    /// An answer being entered.
     pub(crate) fn new(input: AnswerInput) -> Self {
         Self { input, sure: None }
     }
@@ -42,7 +42,7 @@ impl Asking {
         &self.input
     }
 
-    /// The same, while it is given and nothing else is asked.
+    /// The same, until the answer is given.
     pub(crate) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
         self.sure.is_none().then_some(&mut self.input)
     }
@@ -52,13 +52,12 @@ impl Asking {
         self.sure
     }
 
-    /// Goes back from how sure to the answer; says whether that was asked.
+    /// Goes back from the confidence to the answer; returns whether it was there.
     pub(crate) fn back(&mut self) -> bool {
         self.sure.take().is_some()
     }
 
-    /// The keys that do it, in the group of the screen: `next` is what taking the chosen
-    /// confidence is called.
+    /// Its keys, in the group of the screen: `next` is the label for confirming the confidence.
     pub(crate) fn keys(&self, group: &'static str, next: &'static str) -> KeyTable<AskingAction> {
         use AskingAction::{Answer, MoreSure, Sure, Take};
         let keys = KeyTable::new(group);
@@ -74,12 +73,12 @@ impl Asking {
             .or([(Key::Char(' '), Take)])
     }
 
-    /// Whether Escape is free for the screen: while a number is typed it gives that up.
+    /// Whether Escape is free for the screen: while a number is typed it cancels that.
     pub(crate) fn leaves_escape(&self) -> bool {
         self.sure.is_some() || self.input.keys().exact(Key::Escape).is_none()
     }
 
-    /// Does what a key stands for; done with the answer and how sure it is.
+    /// Carries out an action; done with the answer and the confidence.
     pub(crate) fn act(&mut self, action: AskingAction) -> Outcome<(Response, Confidence)> {
         let chosen = match (action, self.sure) {
             (AskingAction::Answer(action), None) => {
@@ -106,7 +105,7 @@ impl Asking {
         said.map_or(Outcome::Ignored, Outcome::Done)
     }
 
-    /// Writes how sure one may be, with what stands beside each in columns under `heads`.
+    /// Writes the levels of confidence, with their columns under `heads`.
     pub(crate) fn write_confidence(
         &self,
         heads: &[&str],

@@ -1,4 +1,4 @@
-//! A question's picture, and the answer that is being given to it.
+//! A question's picture, and the answer being entered.
 
 mod answer_input;
 mod asking;

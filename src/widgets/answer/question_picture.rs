@@ -10,8 +10,8 @@ use crate::widgets::picture::Picture;
 use crate::widgets::tracks::tracks_picture;
 use crate::widgets::{Look, sheet};
 
-/// What a question shows, with no more in it than it gives, and what is being said to
-/// it; nothing for a question of words alone.
+/// The picture of a question, with only the given information, and the answer so far; none for a
+/// question in words alone.
 #[must_use]
 pub(crate) fn question_picture(
     area: Rect,
@@ -56,8 +56,8 @@ pub fn draw_question(
     }
 }
 
-/// What the picture shows beyond the text of the question, which describes the hit whole
-/// unless it gives no figures: then the picture is all there is to go by.
+/// What the picture shows beyond the text of the question. The text describes the whole collision
+/// unless it gives no numbers: then all information is in the picture.
 fn shows(question: &Question) -> Vec<String> {
     match &question.picture {
         Illustration::Before { collision, shown } if !shown.figures => seen(collision, shown.angle),
@@ -65,7 +65,7 @@ fn shows(question: &Question) -> Vec<String> {
     }
 }
 
-/// How a hit looks, as a careful eye would judge it.
+/// A description of a collision, as estimated by eye.
 fn seen(collision: &Collision, line: bool) -> Vec<String> {
     let share = collision.offset / collision.contact_distance();
     let percent = (100.0 * share.abs()).round();

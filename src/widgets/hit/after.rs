@@ -1,5 +1,5 @@
-//! The picture after a hit, as somebody has seen it: the ways in and out, and how far
-//! each one was turned. It gives away neither masses nor speeds.
+//! The picture after a collision: the initial and final paths, with their angles. It reveals
+//! neither masses nor speeds.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -10,10 +10,10 @@ use crate::physics::Collision;
 use crate::widgets::Role;
 use crate::widgets::picture::{Pen, Picture};
 
-/// Length of every arrow, in radii of the larger disc: none tells of a speed.
+/// Length of every arrow, in radii of the larger disc: it does not show a speed.
 const ARROW: f64 = 2.1;
 
-/// The ways that a striker and a coin came and went, with both angles.
+/// The paths of a striker and a coin, with both angles.
 pub(crate) fn after_picture(area: Rect, collision: &Collision) -> Picture {
     let mut sketch = Sketch::new(HitLayout::new(area, collision));
     let stage = sketch.stage;

@@ -1,4 +1,4 @@
-//! The steps in which a hit explains itself at the contact, and what is said at each.
+//! The steps of the explanation at the contact, and their words.
 
 use glam::DVec2;
 
@@ -9,9 +9,9 @@ use crate::widgets::Role;
 /// Seconds to look at the picture, and for each word that is read: 150 words a minute.
 const LOOK: f64 = 3.0;
 const WORD: f64 = 0.4;
-/// The shortest time that a step stands, in seconds.
+/// The shortest time of a step, in seconds.
 const SHORTEST: f64 = 5.0;
-/// Parts of a velocity that differ by less, in m/s, are printed alike.
+/// Components that differ by less than this, in m/s, are printed as equal.
 const ALIKE: f64 = 0.005;
 
 /// One step of the explanation. Each adds to the picture of those before it.
@@ -21,13 +21,13 @@ pub(crate) enum Beat {
     Contact,
     /// Line of impact and tangent.
     Line,
-    /// The velocities before, split along both.
+    /// The initial velocities, resolved along both.
     Split,
-    /// What the target has after the hit.
+    /// The target's final velocity.
     Coin,
-    /// What the striker has after the hit.
+    /// The striker's final velocity.
     Striker,
-    /// Both departures with their angles, and the triangle of momenta.
+    /// Both final velocities with their angles, and the triangle of momenta.
     Whole,
 }
 
@@ -55,7 +55,7 @@ impl Beat {
     }
 }
 
-/// The words for the steps of one hit, as seen from a frame.
+/// The words for the steps of one collision, in a frame.
 pub(super) struct BeatWords<'a> {
     collision: &'a Collision,
     outcome: &'a CollisionOutcome,
@@ -63,7 +63,7 @@ pub(super) struct BeatWords<'a> {
     names: [&'static str; 2],
 }
 
-/// The parts of a velocity along n and t, in m/s.
+/// The components of a velocity along n and t, in m/s.
 #[derive(Clone, Copy)]
 struct Parts {
     n: f64,
@@ -85,8 +85,8 @@ impl<'a> BeatWords<'a> {
         }
     }
 
-    /// Seconds that a step stands when it is left alone: time to read what is said and to
-    /// find it in the picture.
+    /// Seconds that a step lasts without a key: time to read its words and to find them in the
+    /// picture.
     pub(super) fn hold(&self, beat: Beat) -> f64 {
         let words = self.of(beat).split_whitespace().count() as f64;
         (LOOK + WORD * words).max(SHORTEST)
@@ -104,7 +104,7 @@ impl<'a> BeatWords<'a> {
         format!("{number} of {}: {name}", beats.len())
     }
 
-    /// What is said at a step. The whole is explained by each screen in its own way.
+    /// The words of a step. Each screen explains the last one in its own way.
     pub(super) fn of(&self, beat: Beat) -> String {
         let sticks = self.collision.bond == Bond::Stick;
         match beat {
@@ -128,8 +128,8 @@ impl<'a> BeatWords<'a> {
         }
     }
 
-    /// Whether the target stands still before the hit, seen from this frame and named as on
-    /// the board.
+    /// Whether the target is at rest before the collision, in this frame and named as in the
+    /// laboratory frame.
     fn is_plain(&self) -> bool {
         self.frame == Frame::Laboratory && self.collision.u2 == DVec2::ZERO
     }
@@ -220,7 +220,7 @@ impl<'a> BeatWords<'a> {
         }
     }
 
-    /// What becomes of a body that moves before the hit as well.
+    /// The words for a body that moves before the collision too.
     fn changed(&self, body: usize, title: &str) -> String {
         let before = self.parts([self.collision.u1, self.collision.u2][body]);
         let after = self.parts([self.outcome.v1, self.outcome.v2][body]);
@@ -236,7 +236,7 @@ impl<'a> BeatWords<'a> {
     }
 }
 
-/// Whether a part is printed as none.
+/// Whether a component is printed as zero.
 fn is_none(v: f64) -> bool {
     v.abs() < ALIKE
 }
@@ -245,7 +245,7 @@ fn speed(v: f64) -> String {
     format!("{:.2} m/s", v.abs())
 }
 
-/// A part along n with its direction in words.
+/// A component along n with its direction in words.
 fn signed(v: f64) -> String {
     match (is_none(v), v > 0.0) {
         (true, _) => "zero".into(),

@@ -1,4 +1,4 @@
-//! Why the shot went as it did, starting from what the player said.
+//! The explanation of the shot, starting from the player's prediction.
 
 use glam::DVec2;
 
@@ -61,7 +61,7 @@ fn stuck(watch: &Watch) -> String {
     )
 }
 
-/// How often in a second a pair that sticks turns, with the digits it takes.
+/// The rotations per second of a pair that sticks, with enough digits.
 pub(crate) fn turns_a_second(outcome: &CollisionOutcome) -> String {
     let turns = outcome.spin.abs() / std::f64::consts::TAU;
     let decimals = if turns < 0.1 { 3 } else { 1 };

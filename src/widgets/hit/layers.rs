@@ -1,4 +1,4 @@
-//! What is drawn on top of a hit, to be switched on and off.
+//! The layers drawn on top of a collision, which can be turned on and off.
 
 use strum::VariantArray;
 
@@ -7,7 +7,7 @@ use strum::VariantArray;
 pub enum Overlay {
     /// Line of impact n and tangent t through the contact.
     Lines,
-    /// The striker's velocity split along n and t.
+    /// The components of the striker's velocity along n and t.
     Split,
     /// Velocities before and after.
     Velocities,
@@ -17,7 +17,7 @@ pub enum Overlay {
     Triangle,
     /// Where the discs came from and have gone.
     Trails,
-    /// What the player said.
+    /// The player's prediction.
     Prediction,
 }
 
@@ -34,7 +34,7 @@ impl Overlay {
             Self::Angles => "angles",
             Self::Triangle => "momentum triangle",
             Self::Trails => "trails",
-            Self::Prediction => "what you said",
+            Self::Prediction => "prediction",
         }
     }
 }
@@ -46,7 +46,7 @@ pub(crate) struct Overlays {
 }
 
 impl Default for Overlays {
-    /// All but the split: it would stand in the way of the departures.
+    /// All except the components, which would cover the final velocities.
     fn default() -> Self {
         let mut layers = Self {
             on: [true; Overlay::ALL.len()],

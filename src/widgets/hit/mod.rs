@@ -1,5 +1,5 @@
-//! The hit: two discs that meet off-centre, shown so that one sees why they part
-//! as they do. The lab, the quiz and every zoomed-in impact show this one picture.
+//! The picture of a collision, which shows why the discs leave as they do. The lab, the quiz and
+//! every enlarged impact use it.
 
 mod after;
 mod beat;

@@ -1,4 +1,4 @@
-//! What velocities are called, seen from a frame.
+//! The names of velocities in a frame.
 
 use glam::DVec2;
 
@@ -7,9 +7,9 @@ use crate::physics::{Collision, Frame};
 /// The names of a collision's velocities: those of the striker and of the target.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct VelocityNames {
-    /// Before the hit; in another frame than the board's by what is taken off.
+    /// Before the collision; in another frame the name includes the subtracted velocity.
     pub before: [&'static str; 2],
-    /// After the hit; from the centre of mass as chapter 11 calls them.
+    /// After the collision; in the centre-of-mass frame as in chapter 11.
     pub after: [&'static str; 2],
 }
 
@@ -28,7 +28,7 @@ impl VelocityNames {
     }
 }
 
-/// What the part of a velocity along n or t is called: uₙ, (u − V)ₙ.
+/// The name of the component of a velocity along n or t: uₙ, (u − V)ₙ.
 pub(super) fn part_name(name: &str, axis: char) -> String {
     match name.contains(' ') {
         true => format!("({name}){axis}"),

@@ -1,5 +1,5 @@
-//! Pictures on paper that are drawn in with a pencil: a protractor for where both go,
-//! and a scale for an offset.
+//! Pictures on paper to be completed with a pencil: a protractor for both directions, and a scale
+//! for an offset.
 
 use glam::DVec2;
 
@@ -18,7 +18,7 @@ const LARGE_COLUMNS: f64 = 6.0;
 /// Millimetres between two ticks of the scale, and between two that are numbered.
 const TICK_MM: i32 = 5;
 const NUMBER_MM: i32 = 10;
-/// Length of the wanted way and radius of its arc, in radii of the larger disc.
+/// Length of the required path and radius of its arc, in radii of the larger disc.
 const WAY: f64 = 2.8;
 const ARC: f64 = 1.9;
 
@@ -39,9 +39,9 @@ fn along(collision: &Collision) -> DVec2 {
         .unwrap_or(DVec2::X)
 }
 
-/// Two discs about to meet, with an empty protractor round the striker's place at
-/// contact. Both departures begin in its middle: the target's, too, runs along the line
-/// through both centres.
+/// Two discs about to meet, with an empty protractor around the striker's position at contact. Both
+/// final paths begin in its middle: the target's too, because it runs along the line through both
+/// centres.
 pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Picture {
     let unit = collision.striker.radius.max(collision.target.radius);
     let (c1, c2) = collision.placed_at_contact();
@@ -77,7 +77,7 @@ pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Pict
         picture.line(from, c1 + radius * direction, Pen::new(role));
         let at = c1 + (radius + 0.4 * unit) * direction;
         let under = |body: usize| at.distance(places[body]) < stage.radius(body) + 0.4 * unit;
-        // Straight back the striker comes in.
+        // The direction straight back is the striker's initial path.
         if angle % 30 == 0 && angle != 180 && !under(0) && !under(1) {
             picture.text(at, i32::abs(angle).to_string(), Role::Dim);
         }
@@ -89,10 +89,9 @@ pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Pict
     sketch.picture
 }
 
-/// A shot whose offset is to be chosen: the striker on its way, a scale of offsets in
-/// millimetres across it, true to the size of the discs, and the way that one of the two
-/// is to go. The target's place is to be marked on the scale; at 0, where it is hit
-/// head-on, it is drawn in dots.
+/// A shot whose offset the student chooses: the striker on its path, a scale of offsets in
+/// millimetres across it, true to the size of the discs, and the required path of one disc. The
+/// student marks the target's position on the scale; at 0, head-on, it is dotted.
 pub(crate) fn scale_picture(aim: &AimTask) -> Picture {
     let collision = aim.with(0.0);
     let unit = collision.striker.radius.max(collision.target.radius);
@@ -122,7 +121,7 @@ pub(crate) fn scale_picture(aim: &AimTask) -> Picture {
     picture.disc(start, radius, face.role, face.letter);
     picture.line(zero - reach * right, zero + reach * right, Role::Text);
     let last = (1e3 * reach / f64::from(TICK_MM)).floor() as i32;
-    // Every second number where there is no room for each.
+    // Every second number if there is not enough room.
     let crowded = m_from_mm(f64::from(NUMBER_MM)) / unit * LARGE_COLUMNS < 3.5;
     let every = if crowded { 2 * NUMBER_MM } else { NUMBER_MM };
     for offset_mm in (-last..=last).map(|tick| TICK_MM * tick) {

@@ -1,21 +1,21 @@
-//! How time runs while a hit is shown: up to the contact, step by step there, and on.
+//! The clock of a collision: up to the contact, step by step there, and on.
 
 use std::time::Duration;
 
 /// One frame at most every sixtieth of a second.
 pub(crate) const FRAME: Duration = Duration::from_micros(16_667);
 
-/// Time the approach takes on the screen, without the slowing down, in seconds.
+/// The duration of the approach on the screen, without slowing down, in seconds.
 const APPROACH: f64 = 1.1;
 /// Time it takes to ease into the contact, and out of it, in seconds.
 const EASE: f64 = 0.35;
-/// Share of the whole that a step in time goes.
+/// A step in time, as a share of the whole.
 const STEP: f64 = 1.0 / 96.0;
 
 /// How a hit is played.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum HitPace {
-    /// It moves, and each step of the explanation stands for as long as it takes to read.
+    /// It moves, and each step of the explanation lasts as long as reading it takes.
     #[default]
     Flowing,
     /// It moves, and each step waits for a key.
@@ -24,7 +24,7 @@ pub(crate) enum HitPace {
     Still,
 }
 
-/// Where in its telling a hit is.
+/// The stage of a collision that is being shown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum PlaybackStage {
     /// Running towards the contact; seconds on the screen so far.
@@ -47,15 +47,14 @@ enum PlaybackStage {
 pub(crate) struct Playback {
     pub(super) contact: f64,
     end: f64,
-    /// For how many seconds each step stands when it is left alone; the last one stays.
+    /// The seconds that each step lasts without a key; the last one stays.
     holds: Vec<f64>,
     stage: PlaybackStage,
 }
 
 impl Playback {
-    /// A clock at the start of a shot whose discs meet at `contact` and that is
-    /// shown until `end`; where nothing moves it begins at the contact. There is at least
-    /// one step of the explanation.
+    /// A clock at the start of a shot whose discs meet at `contact` and that is shown until `end`;
+    /// with reduced motion it begins at the contact. There is at least one step of the explanation.
     pub(crate) fn new(contact: f64, end: f64, holds: Vec<f64>, pace: HitPace) -> Self {
         Self {
             contact,
@@ -103,12 +102,12 @@ impl Playback {
         }
     }
 
-    /// Seconds of the shot that pass in a second on the screen, where it runs evenly.
+    /// Seconds of the shot per second on the screen, at constant rate.
     pub(crate) fn rate(&self) -> f64 {
         self.contact / APPROACH
     }
 
-    /// How much slower than life the hit is shown.
+    /// By what factor the collision is slowed down.
     pub(crate) fn slowed(&self) -> f64 {
         1.0 / self.rate()
     }
@@ -169,8 +168,7 @@ impl Playback {
         self.step_reached() == Some(self.last())
     }
 
-    /// Lets `passed` go by on the screen. What is left of it when a step has stood for its
-    /// time counts for the next.
+    /// Advances by `passed` on the screen. Time left over at the end of a step counts for the next.
     pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         if self.wake(pace).is_none() {
             return;
@@ -229,12 +227,12 @@ impl Playback {
         };
     }
 
-    /// Goes to the contact at once, with all that is told there.
+    /// Goes to the contact at once, with the whole explanation.
     pub(crate) fn tell(&mut self) {
         self.stage = PlaybackStage::at_step(self.last());
     }
 
-    /// To all that is told at the contact, and from there to the end.
+    /// To the end of the explanation, and from there to the end.
     pub(crate) fn finish(&mut self) {
         match self.is_told() {
             true => self.stage = PlaybackStage::Halted(self.end),
@@ -251,8 +249,8 @@ impl Playback {
         self.stage = PlaybackStage::Approach(0.0);
     }
 
-    /// So many steps forwards or backwards: at the contact those of the explanation, before
-    /// and after it small ones in time.
+    /// This many steps forwards or backwards: at the contact steps of the explanation, before and
+    /// after it small steps in time.
     pub(crate) fn step(&mut self, by: i8) {
         let next = match self.stage {
             PlaybackStage::Contact { step, .. } => step.checked_add_signed(by.into()),
@@ -264,9 +262,8 @@ impl Playback {
         }
     }
 
-    /// Halts, and moves by this share of the whole. A move that would leap over
-    /// the contact lands on it: at the first step of what is told there, or coming back at
-    /// the last.
+    /// Halts, and moves by this share of the whole. A move across the contact stops there: at the
+    /// first step of the explanation, or coming back at the last.
     pub(crate) fn scrub(&mut self, share: f64) {
         let from = self.time();
         let to = (from + share * self.end).clamp(0.0, self.end);

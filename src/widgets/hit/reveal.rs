@@ -1,4 +1,4 @@
-//! A hit that is watched before its outcome is revealed.
+//! A collision that is watched before its outcome is revealed.
 
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ pub(crate) struct Reveal {
 }
 
 impl Reveal {
-    /// Before it is watched; where there is nothing to be watched it is revealed already.
+    /// Before it is watched; without a collision it is already revealed.
     pub(crate) fn new(watch: Option<Watch>) -> Self {
         Self {
             revealed: watch.as_ref().is_none_or(Watch::is_told),
@@ -56,7 +56,7 @@ impl Reveal {
         again.with(watch.keys(), |action| action)
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(crate) fn act(&mut self, action: WatchAction) {
         if let Some(watch) = &mut self.watch {
             watch.act(action);
@@ -64,7 +64,7 @@ impl Reveal {
         }
     }
 
-    /// Lets time pass.
+    /// Advances the time.
     pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         if let Some(watch) = &mut self.watch {
             watch.advance(passed, pace);

@@ -1,4 +1,4 @@
-//! The picture before the hit: what is given, and the rays that are turned.
+//! The picture before the collision: the given information, and the predicted rays.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -16,8 +16,7 @@ pub(crate) use crate::quiz::Markings;
 const SHORTEST: f64 = 0.5;
 const LONGEST: f64 = 1.1;
 
-/// Two discs about to meet, with what is given of the hit and the rays that are being
-/// turned.
+/// Two discs about to meet, with the given information and the rays being turned.
 pub(crate) fn setup_picture(
     area: Rect,
     faces: [Face; 2],
@@ -32,8 +31,8 @@ pub(crate) fn setup_picture(
     sketch.picture
 }
 
-/// A striker and a coin about to meet at an offset in metres, with the way that one of
-/// them is to go.
+/// A striker and a coin about to meet at an offset in metres, with the required path of one of
+/// them.
 pub(crate) fn aim_picture(area: Rect, aim: &AimTask, offset: f64, given: Markings) -> Picture {
     let mut sketch = setup(area, Face::STRIKER_AND_COIN, &aim.with(offset), given);
     sketch.wanted_way(aim);
@@ -49,8 +48,8 @@ fn setup(area: Rect, faces: [Face; 2], collision: &Collision, given: Markings) -
     sketch
 }
 
-/// Two discs on their way, and what is given. The offset is measured `ahead` of the
-/// target's centre at contact, the line of impact is drawn so far `beyond` it.
+/// Two discs before the contact, and the given information. The offset is drawn `ahead` of the
+/// target's centre at contact, the line of impact extends this far `beyond` it.
 pub(super) fn about_to_meet(
     sketch: &mut Sketch,
     faces: [Face; 2],
@@ -84,8 +83,8 @@ pub(super) fn about_to_meet(
     moving(sketch, [p1, p2], given.figures);
 }
 
-/// Where the two are drawn before the hit: far enough apart to see both whole, near
-/// enough that both are in the picture.
+/// Where the two discs are drawn before the collision: both completely visible and inside the
+/// picture.
 fn before(stage: &HitLayout) -> [DVec2; 2] {
     let speed = stage.collision.relative_velocity().length();
     if speed > 0.0 {
@@ -185,7 +184,7 @@ pub(super) fn moving(sketch: &mut Sketch, places: [DVec2; 2], figures: bool) {
     }
 }
 
-/// The rays as said so far, from where the discs will meet.
+/// The predicted rays so far, from where the discs will meet.
 fn turned(sketch: &mut Sketch, faces: [Face; 2], rays: &RayInput) {
     let said = rays.so_far();
     for ray in Ray::BOTH.into_iter().filter(|ray| rays.asks(*ray)) {
@@ -236,15 +235,14 @@ pub(crate) fn point_at(
     }
 }
 
-/// The offset in metres that puts the coin beside the striker's way where a cell
-/// of the picture is.
+/// The offset in metres that puts the coin at a cell of the picture beside the striker's path.
 pub(crate) fn drag_offset(area: Rect, collision: &Collision, place: DVec2) -> f64 {
     let stage = HitLayout::new(area, collision);
     let at = stage.view.to_world(place);
     let Some(along) = collision.relative_velocity().try_normalize() else {
         return collision.offset;
     };
-    // To the right of the way counts as positive. The contact point is in the
-    // middle, so the coin's centre has but its own share of the offset.
+    // Positive is to the right of the path. The contact point is in the middle, so the coin's
+    // centre has only its share of the offset.
     -at.dot(along.perp()) * collision.contact_distance() / collision.target.radius
 }

@@ -1,4 +1,5 @@
-//! A picture of a hit being made: its stage, and the parts that all such pictures have.
+//! A picture of a collision under construction: its stage, and the parts that all such pictures
+//! have.
 
 use glam::DVec2;
 
@@ -9,12 +10,12 @@ use crate::widgets::picture::{DrawLayer, Label, LabelSide, Pen, Picture};
 
 /// Longest arrow, in radii of the larger disc.
 const LONGEST: f64 = 2.8;
-/// Longest arrow of a velocity that is split, in the same radii.
+/// Longest arrow of a velocity that is resolved, in the same radii.
 const LONGEST_ROOTED: f64 = 2.9;
-/// Longest part along n of a velocity from a centre, as a share of the way between the
-/// centres: there begins what the other disc gets.
+/// Longest component along n from a centre, as a share of the distance between the centres, where
+/// the other disc's component begins.
 const LONGEST_ALONG: f64 = 0.96;
-/// How far beside its disc the arrow of one lies that runs ahead, in the same radii.
+/// How far beside its disc the arrow of a disc ahead of the other is drawn, in the same radii.
 const BESIDE: f64 = 0.4;
 /// Room for the head of an arrow, in the same radii.
 const HEAD: f64 = 0.3;
@@ -22,9 +23,9 @@ const HEAD: f64 = 0.3;
 const ARC: f64 = 1.55;
 /// An angle this small, in radians, has no arc.
 const LEAST_ARC: f64 = 1e-6;
-/// An angle this near 90° is square, in radians.
+/// The tolerance of a right angle, in radians.
 const SQUARE: f64 = 1e-9;
-/// A share of the greatest speed below which a disc counts as standing still.
+/// The share of the greatest speed below which a disc counts as at rest.
 const STILL: f64 = 1e-9;
 /// A speed below this, in m/s, is printed as 0.00.
 const LEAST_SPEED: f64 = 0.005;
@@ -86,28 +87,28 @@ impl ArrowScale {
         Self { per_speed, fastest }
     }
 
-    /// Whether `v` is nothing beside the other speeds.
+    /// Whether `v` is negligible compared with the other speeds.
     pub(super) fn is_still(&self, v: DVec2) -> bool {
         v.length() <= STILL * self.fastest
     }
 
-    /// The direction of `v`; `None` where it is nothing beside the other speeds.
+    /// The direction of `v`; `None` if it is negligible compared with the other speeds.
     pub(super) fn direction(&self, v: DVec2) -> Option<DVec2> {
         v.try_normalize().filter(|_| !self.is_still(v))
     }
 }
 
-/// The end at which a velocity and its parts are held.
+/// The end at which a velocity and its components are attached.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Root {
     /// All of them begin here.
     From(DVec2),
-    /// The whole ends here; its parts begin where it does.
+    /// The velocity ends here; its components begin where it does.
     UpTo(DVec2),
 }
 
 impl Root {
-    /// Where the arrow of a whole begins.
+    /// Where the arrow of the velocity begins.
     fn tail(self, way: DVec2) -> DVec2 {
         match self {
             Self::From(tail) => tail,
@@ -124,7 +125,7 @@ pub(super) struct NamedVelocity {
     pub(super) role: Role,
 }
 
-/// A picture of a hit being made.
+/// A picture of a collision under construction.
 pub(super) struct Sketch {
     pub(super) stage: HitLayout,
     pub(super) picture: Picture,
@@ -148,8 +149,8 @@ impl Sketch {
             .label(text, anchor, &LabelSide::towards(towards), role)
     }
 
-    /// The arc from one direction to another round the centre of `body`, with the line it
-    /// is measured from and the angle beside it.
+    /// The arc from one direction to another around the centre of `body`, with its reference line
+    /// and the angle beside it.
     pub(super) fn arc(&mut self, body: usize, [from, to]: [DVec2; 2], name: &str, pen: Pen) {
         let (Some(from), Some(to)) = (from.try_normalize(), to.try_normalize()) else {
             return;
@@ -178,8 +179,8 @@ impl Sketch {
         self.label(text, at, towards, Role::Arc);
     }
 
-    /// The square corner between two departures, at the striker's centre: both lines
-    /// pass through it, the one along the tangent, the other along the line of impact.
+    /// The square corner between two final paths, at the striker's centre: both lines pass through
+    /// it, one along the tangent, the other along the line of impact.
     pub(super) fn square_corner(&mut self, v1: DVec2, v2: DVec2, pen: Pen) {
         if let (Some(a), Some(b)) = (v1.try_normalize(), v2.try_normalize())
             && a.dot(b).abs() <= SQUARE
@@ -190,19 +191,19 @@ impl Sketch {
         }
     }
 
-    /// A dashed way from the disc at the contact, and the mark where it is to be sent.
+    /// A dashed path from the disc at the contact, and the target mark.
     pub(super) fn wanted_way(&mut self, aim: &AimTask) {
         let (direction, [rim, end]) = self.stage.ray(aim.ray, aim.wanted);
-        // Too small to be a disc: a token.
+        // Too small to be drawn as a disc: a token.
         let radius = 0.01 * self.stage.view.per_row();
         self.picture.line(rim, end, Pen::new(Role::Good).dashed());
         self.picture.disc(end, radius, Role::Marble, ' ');
         self.label("mark", end, direction, Role::Good);
     }
 
-    /// An arrow up to the rim of a disc that arrives, and its speed beside the visible
-    /// part of it. The arrow of one that runs ahead of the other lies beside its disc: the
-    /// other one is where it comes from.
+    /// An arrow up to the rim of a disc that arrives, and its speed beside the visible part of it.
+    /// The arrow of a disc ahead of the other is beside its disc, because the other disc is behind
+    /// it.
     pub(super) fn incoming(
         &mut self,
         scale: &ArrowScale,
@@ -272,8 +273,8 @@ impl Sketch {
             .or(centre + room * across, &LabelSide::towards(across));
     }
 
-    /// A velocity of a disc and its parts along n and t, with the sides that close the
-    /// rectangle. Where there is but one part the two are the same arrow, and it says so.
+    /// A velocity of a disc and its components along n and t, with the sides that complete the
+    /// rectangle. If there is only one component, both are the same arrow, with both names.
     pub(super) fn split(
         &mut self,
         scale: &ArrowScale,

@@ -1,4 +1,4 @@
-//! Where everything stands at the contact, and how large it is drawn.
+//! The positions at the contact, and the scale of the picture.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -10,10 +10,10 @@ use crate::widgets::picture::View;
 /// Half of the picture's shorter side, in radii of the larger disc.
 const HALF_HEIGHT: f64 = 3.3;
 
-/// The same in a low picture, where the discs would else be too small to be round.
+/// The same in a low picture, where the discs would otherwise be too small to be round.
 const LOW_HALF_HEIGHT: f64 = 2.9;
 
-/// Share of the picture's half height that is sure to be seen.
+/// Share of the picture's half height that is certainly visible.
 const IN_SIGHT: f64 = 0.92;
 
 /// Rows below which a picture is low.
@@ -29,7 +29,7 @@ pub(crate) struct HitLayout {
     pub view: View,
     /// The collision.
     pub collision: Collision,
-    /// The centres at contact, or where the two pass nearest.
+    /// The centres at contact, or at the closest approach.
     pub(crate) centres: [DVec2; 2],
     /// The middle of the picture.
     middle: DVec2,
@@ -82,21 +82,19 @@ impl HitLayout {
         self.collision.u1.try_normalize().unwrap_or(DVec2::X)
     }
 
-    /// +1 where the coin lies to the right of the striker's way, −1 where to the left.
+    /// +1 if the coin lies to the right of the striker's path, −1 if to the left.
     pub(crate) fn side(&self) -> f64 {
         self.collision.side()
     }
 
-    /// Whether a disc has the other one, both at these places, straight ahead in a
-    /// direction.
+    /// Whether one disc, at these positions, has the other straight ahead in a direction.
     pub(super) fn is_towards(&self, places: [DVec2; 2], body: usize, direction: DVec2) -> bool {
         let other = places[1 - body] - places[body];
         let direction = direction.normalize_or_zero();
         other.dot(direction) > 0.0 && other.perp_dot(direction).abs() < self.radius(1 - body)
     }
 
-    /// Whether a disc that comes to the contact with this velocity has the other one right
-    /// behind it.
+    /// Whether a disc with this initial velocity has the other one right behind it.
     pub(super) fn runs_ahead(&self, body: usize, v: DVec2) -> bool {
         self.is_towards(self.centres, body, -v)
     }
@@ -152,8 +150,8 @@ impl HitLayout {
     }
 }
 
-/// The time after the contact for which both discs are wholly in the picture of a hit, as
-/// seen from the board and from the centre of mass.
+/// The time after the contact for which both discs are completely in the picture, in the laboratory
+/// frame and in the centre-of-mass frame.
 pub(super) fn time_in_sight(collision: &Collision) -> f64 {
     let largest = collision.striker.radius.max(collision.target.radius);
     let (c1, c2) = collision.placed_at_contact();

@@ -1,4 +1,4 @@
-//! Pictures of all kinds of hits as they are printed, and what must hold of each.
+//! Tests of printed pictures of all kinds of collisions.
 
 use glam::{DVec2, dvec2};
 use ratatui::buffer::Buffer;
@@ -152,7 +152,7 @@ fn a_shot_to_be_set_has_its_angle_and_a_scale_true_to_size() {
                             "{text} {found:?} {aim:?}"
                         );
                     }
-                    // What does it is not given away.
+                    // The solution is not revealed.
                     let other = AimTask {
                         offset: -0.02,
                         ..aim
@@ -187,7 +187,7 @@ fn letters_and_numbers_are_those_of_the_hit() {
     ];
     expected.sort_unstable();
     assert_eq!(found, expected);
-    // What is asked is not given away.
+    // The answer is not revealed.
     let found = labels(&protractor_picture(&hit, Markings::default()));
     let is_letter = |it: &String| it.parse::<f64>().is_err();
     let letters: Vec<_> = found.into_iter().filter(is_letter).collect();
@@ -340,7 +340,7 @@ fn what_a_step_tells_has_the_same_length_in_the_next() {
     };
     let part = length(2, Role::NormalPart).unwrap();
     assert_eq!(length(3, Role::NormalPart), Some(part));
-    // What one gives the other takes: v₂ = uₙ, v₁ = uₜ.
+    // The coin gets what the striker loses: v₂ = uₙ, v₁ = uₜ.
     assert!((length(3, Role::CoinOut).unwrap() - part).abs() < 1e-12);
     let across = length(2, Role::TangentPart).unwrap();
     assert!((length(4, Role::StrikerOut).unwrap() - across).abs() < 1e-12);

@@ -1,5 +1,4 @@
-//! Watching a hit: its clock, its layers and the frame it is seen from, with the
-//! keys that work them.
+//! Watching a collision: its clock, its layers and the reference frame, with their keys.
 
 use std::time::Duration;
 
@@ -31,7 +30,7 @@ pub(crate) struct Watch {
     pub(super) wanted: Option<AimTask>,
     pub(super) measured: bool,
     pub(super) faces: [Face; 2],
-    /// What is told at the contact, step by step.
+    /// The explanation at the contact, step by step.
     beats: &'static [Beat],
     /// The layer that was switched by the last key.
     switched: Option<Overlay>,
@@ -80,8 +79,8 @@ impl Face {
 }
 
 impl Watch {
-    /// The hit from its start, with what the player said of it; where nothing is to move,
-    /// from the contact.
+    /// The collision from its start, with the player's prediction; with reduced motion, from the
+    /// contact.
     pub(crate) fn new(collision: Collision, said: Option<Rays>, pace: HitPace) -> Self {
         let (contact, end) = times(&collision);
         let outcome = collision.outcome();
@@ -105,14 +104,14 @@ impl Watch {
         }
     }
 
-    /// The hit at its contact, all of it told.
+    /// The collision at its contact, with the whole explanation.
     pub(crate) fn told(collision: Collision) -> Self {
         let mut watch = Self::new(collision, None, HitPace::Still);
         watch.tell();
         watch
     }
 
-    /// The same without steps at the contact: all is told there at once.
+    /// The same without steps at the contact: the whole explanation at once.
     #[must_use]
     pub(crate) fn at_once(self) -> Self {
         Self {
@@ -134,7 +133,7 @@ impl Watch {
         Self { faces, ..self }
     }
 
-    /// The same with the way that one of the two was to be sent.
+    /// The same with the required path of one disc.
     #[must_use]
     pub(crate) fn with_wanted(mut self, aim: AimTask) -> Self {
         self.wanted = Some(aim);
@@ -159,7 +158,7 @@ impl Watch {
         &self.collision
     }
 
-    /// What becomes of it.
+    /// Its outcome.
     pub(crate) fn outcome(&self) -> &CollisionOutcome {
         &self.outcome
     }
@@ -168,12 +167,12 @@ impl Watch {
         &self.clock
     }
 
-    /// What is drawn on top.
+    /// The layers.
     pub(crate) fn layers(&self) -> Overlays {
         self.layers
     }
 
-    /// From where it is seen.
+    /// The reference frame.
     pub(crate) fn frame(&self) -> Frame {
         self.frame
     }
@@ -194,13 +193,13 @@ impl Watch {
         self.clock.has_met()
     }
 
-    /// Whether it may be told what happened: once all steps at the contact have been seen.
+    /// Whether the outcome may be revealed: once all steps at the contact have been shown.
     pub(crate) fn is_told(&self) -> bool {
         self.clock.is_told()
     }
 
-    /// What the picture shows, and how: its title. From the board that is `name`. A layer
-    /// that was just switched says so.
+    /// The title of the picture. In the laboratory frame it is `name`. After a layer was switched,
+    /// it names that layer.
     pub(crate) fn title(&self, name: &str) -> String {
         if let Some(layer) = self.switched {
             let state = if self.layers.shows(layer) {
@@ -214,9 +213,9 @@ impl Watch {
             Frame::Laboratory => name.to_owned(),
             Frame::CentreOfMass => {
                 let drift = Frame::CentreOfMass.velocity(&self.collision).length();
-                format!("seen from the centre of mass, V = {drift:.2} m/s")
+                format!("centre-of-mass frame, V = {drift:.2} m/s")
             }
-            Frame::Target => "seen riding with the target".into(),
+            Frame::Target => "the target's frame".into(),
         }
     }
 
@@ -225,7 +224,7 @@ impl Watch {
         self.title(&format!("the hit, slowed {:.0}×", self.clock.slowed()))
     }
 
-    /// Writes which step of the explanation it is, and what is said at it, until all is told.
+    /// Writes the step of the explanation and its words, until the explanation is complete.
     pub(crate) fn write_telling<A>(&self, panel: &mut Panel<A>) {
         let (heading, words) = self.telling();
         if let Some(heading) = heading {
@@ -235,9 +234,8 @@ impl Watch {
         panel.paragraph(words, Role::Text);
     }
 
-    /// Writes where the two meet and what they are, but for masses that are `secret`, and what
-    /// else is told of them by now. Says whether the reason is to follow: once all is told, on
-    /// the board.
+    /// Writes the facts of the collision, except `secret` masses, and what has been revealed so
+    /// far. Returns whether the explanation follows: once complete, in the laboratory frame.
     pub(crate) fn write_facts<A>(&self, secret: [bool; 2], panel: &mut Panel<A>) -> bool {
         offset(&self.collision, panel);
         impact_angle(&self.collision, panel);
@@ -252,17 +250,19 @@ impl Watch {
         let seen = match self.frame {
             Frame::Laboratory => return true,
             Frame::CentreOfMass => {
-                "From the centre of mass the two always fly back to back: momentum is zero before and after."
+                "In this frame the discs always move in opposite directions: total momentum is \
+                 zero."
             }
             Frame::Target => {
-                "Riding with body 2: here it lies still before the hit, so all you know of a resting coin holds."
+                "In this frame body 2 is at rest before the collision: the rules for a coin at \
+                 rest hold."
             }
         };
         panel.paragraph(seen, Role::Text);
         false
     }
 
-    /// What it explains just now, with its heading once the two have met.
+    /// The present words of the explanation, with a heading after the contact.
     pub(crate) fn telling(&self) -> (Option<String>, String) {
         let words = BeatWords::new(&self.collision, &self.outcome, self.frame, self.faces);
         match self.beat() {
@@ -271,7 +271,7 @@ impl Watch {
         }
     }
 
-    /// Goes to the contact at once and tells what happened.
+    /// Goes to the contact at once and reveals the outcome.
     pub(crate) fn tell(&mut self) {
         self.clock.tell();
     }
@@ -299,7 +299,7 @@ impl Watch {
             .on(Key::Home, Start, "")
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(crate) fn act(&mut self, action: WatchAction) {
         self.switched = None;
         match action {
@@ -341,8 +341,8 @@ impl Watch {
     }
 }
 
-/// When the discs meet and until when they are followed, in the shot's seconds: so
-/// that they come from the picture's edge and go up to it, whatever their speeds.
+/// The time of the contact and the end, in the shot's seconds, so that the discs start and end at
+/// the edge of the picture, whatever their speeds.
 fn times(collision: &Collision) -> (f64, f64) {
     let largest = collision.striker.radius.max(collision.target.radius);
     let relative = collision.relative_velocity().length();
@@ -355,7 +355,7 @@ fn times(collision: &Collision) -> (f64, f64) {
     if lead.is_finite() && lead > 0.0 {
         (lead, lead + time_in_sight(collision).min(1.1 * lead))
     } else {
-        // They move alike, or not at all: nothing ever happens.
+        // They have equal velocities, so nothing happens.
         (1.0, 2.0)
     }
 }

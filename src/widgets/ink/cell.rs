@@ -3,15 +3,14 @@
 use crate::widgets::picture::{DrawLayer, Pen};
 use crate::widgets::{Charset, Role};
 
-/// What has been drawn in one cell. Patterns are bit masks, row by row from the
-/// top left, bit 0 first.
+/// The contents of a cell. Patterns are bit masks, row by row from the top left, bit 0 first.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell {
     /// The samples strokes went through, in the charset's own grid.
     pub(super) ink: u16,
-    /// The pen the cell looks like, where there is ink.
+    /// The pen whose style the cell has, if there is ink.
     pub(super) pen: Pen,
-    /// The disc on top, and what is still to be seen of the one below it.
+    /// The disc on top, and the visible part of the one below it.
     pub(super) discs: [DiscCover; 2],
     /// A glyph that stands for all the cell.
     pub(super) glyph: Option<Glyph>,
@@ -25,7 +24,7 @@ pub(super) struct DiscCover {
     /// In a grid of 8 × 8.
     pub(super) bits: u64,
     pub(super) role: Role,
-    /// So faint that what lies upon it and below it is to be seen.
+    /// So faint that marks above and below it are visible.
     pub(super) faint: bool,
 }
 
@@ -68,12 +67,12 @@ impl Cell {
         self.discs[0].bits | self.discs[1].bits
     }
 
-    /// Whether all that is seen of discs here is faint.
+    /// Whether all visible parts of discs here are faint.
     pub(super) fn is_faint(&self) -> bool {
         self.discs.iter().all(|disc| disc.faint || disc.bits == 0)
     }
 
-    /// Whether the edge of a disc is plain to see in this cell.
+    /// Whether the edge of a disc is clearly visible in this cell.
     pub(super) fn has_edge(&self) -> bool {
         (8..64).contains(&self.discs[0].bits.count_ones())
     }
@@ -98,10 +97,10 @@ impl Cell {
         if samples == 0 {
             return;
         }
-        // A stroke that only nips a cell another one goes through leaves it be.
+        // A stroke that only touches a cell of another one does not change it.
         let takes = self.ink == 0 || (pen.layer >= self.pen.layer && samples.count_ones() > 1);
         match charset {
-            // No glyph shows a crossing: the upper stroke alone reads better.
+            // No glyph shows a crossing, so the upper stroke alone is clearer.
             Charset::Ascii if takes => self.ink = samples,
             Charset::Ascii => {}
             Charset::Unicode => self.ink |= samples,

@@ -1,4 +1,4 @@
-//! Many discs on one board: all of one kind, and every one of them to be seen.
+//! Many discs on one board: drawn in one way, and each of them visible.
 
 use glam::{DVec2, dvec2};
 
@@ -9,8 +9,8 @@ use crate::widgets::{Charset, Role, picture::Body};
 /// How far from its own cell a token may have to go, in cells.
 const FARTHEST: i32 = 4;
 
-/// Columns that a small round disc has to itself: so its letter is in its middle, and no
-/// neighbour takes a bite of it.
+/// Columns reserved for a small round disc, so that its letter is in its middle and no neighbour
+/// covers part of it.
 const SMALL_WIDTH: i32 = 3;
 
 /// Below this radius, in columns, a disc is as wide as its [`outline`].
@@ -19,8 +19,8 @@ const OUTLINED: f64 = 2.0;
 /// The ring round a disc that is pointed out, in its radii.
 const RING: f64 = 1.25;
 
-/// Rows that discs among others must be high to be round. In blocks a disc of one row
-/// and a half is still told from its neighbours, and is where it is.
+/// Rows that discs among others must be high to be round. In blocks a disc of one and a half rows
+/// can still be distinguished from its neighbours, and is in its true position.
 const fn fewest_rows(charset: Charset) -> f64 {
     match charset {
         Charset::Ascii => token_rows(charset),
@@ -46,8 +46,8 @@ impl Canvas {
             for body in large {
                 self.round(body);
             }
-            // Without colours blocks that touch are one, so small discs are outlines with
-            // their token, where those are as wide as they.
+            // Without colours adjacent blocks merge, so small discs are outlines with their token,
+            // if those have the same width.
             let outlined = self.is_mono && smallest / self.view().per_column() < OUTLINED;
             for (place, body) in self.places(small, |_| SMALL_WIDTH) {
                 match outlined {

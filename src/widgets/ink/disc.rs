@@ -1,4 +1,4 @@
-//! One disc: filled, or a rim with a letter, or a token where it is small.
+//! One disc: filled, or a rim with a letter, or a token if it is small.
 
 use glam::{DVec2, dvec2};
 
@@ -16,7 +16,7 @@ pub(super) const fn token_rows(charset: Charset) -> f64 {
     }
 }
 
-/// A disc of a smaller radius, in columns, is put where it looks round.
+/// A disc of a smaller radius, in columns, is moved to where it looks round.
 const SMALL: f64 = 3.0;
 
 impl Canvas {
@@ -39,8 +39,8 @@ impl Canvas {
         2.0 * body.radius / self.view().per_row() < token_rows(self.charset)
     }
 
-    /// Whether a disc is so small that it has to stand where it looks round, with a letter
-    /// that has to be in its middle.
+    /// Whether a disc is so small that it has to be where it looks round, with its letter in its
+    /// middle.
     pub(super) fn is_small(&self, body: &Body) -> bool {
         self.charset == Charset::Unicode
             && body.letter != ' '
@@ -76,8 +76,8 @@ impl Canvas {
         }
     }
 
-    /// A disc that hides nothing, with its letter at `letter`: faint where there are shades
-    /// for it, else an outline.
+    /// A disc that hides nothing, with its letter at `letter`: faint if there are shades for it,
+    /// otherwise an outline.
     pub(super) fn ring(&mut self, body: &Body, letter: DVec2) {
         if self.is_token(body) {
             return self.disc(body);
@@ -128,8 +128,8 @@ impl Canvas {
         }
     }
 
-    /// Writes a token or a letter centred on a point on paper. No arrow's head ever
-    /// takes the place of a token: without it the disc would be gone.
+    /// Writes a token or a letter centred on a point on paper. An arrow's head never covers a
+    /// token, because the disc would be invisible without it.
     pub(super) fn stamp(&mut self, centre: DVec2, text: &str, role: Role, upon: bool) {
         let width = text.chars().count() as f64;
         let left = centre.x.floor() + 0.5 - (width / 2.0 - 0.5).floor();
@@ -162,7 +162,7 @@ fn eighths(from: f64, to: f64, column: f64) -> u8 {
     (((1u32 << high) - 1) & !((1u32 << low) - 1)) as u8
 }
 
-/// What a disc too small to be round looks like.
+/// The token of a disc that is too small to be round.
 #[must_use]
 pub(crate) const fn token(role: Role, charset: Charset) -> &'static str {
     match (role, charset) {

@@ -1,8 +1,8 @@
-//! What was drawn of pictures, for whoever can do better than cells.
+//! The pictures that were drawn, for a shell that can show more than cells.
 //!
-//! A screen draws itself into cells, and what its pictures were is lost there. A browser
-//! can paint true circles: its shell gathers the pictures while it has the screen drawn.
-//! They go only to whoever asked, for the one call it asked for.
+//! A screen draws itself into cells, where its pictures are lost. A browser can paint true circles,
+//! so its shell gathers the pictures during a call that draws the screen. Only that call receives
+//! them.
 
 use std::cell::{Cell, RefCell};
 
@@ -23,9 +23,9 @@ thread_local! {
 pub struct DrawnPicture {
     pub(in crate::widgets) picture: Picture,
     pub(in crate::widgets) look: Look,
-    /// Where its labels have found room.
+    /// The positions of its labels.
     pub(in crate::widgets) labels: Vec<PlacedLabel>,
-    /// The cells of its area when it was drawn; what lies over it came later.
+    /// The cells of its area when it was drawn; anything over it was drawn later.
     pub(in crate::widgets) cells: Buffer,
 }
 
@@ -37,8 +37,8 @@ impl DrawnPicture {
     }
 }
 
-/// Does what draws, and gives the pictures that were drawn by it. Who `hides_cells` behind
-/// vectors is spared the shades at the edges of discs.
+/// Runs the drawing function, and returns the pictures that it drew. If vectors hide the cells
+/// (`hides_cells`), the shades at the edges of discs are skipped.
 pub fn gather<T>(hides_cells: bool, draw: impl FnOnce() -> T) -> (T, Vec<DrawnPicture>) {
     GATHERED.set(Some(Vec::new()));
     HIDES_CELLS.set(hides_cells);
@@ -52,7 +52,7 @@ pub(super) fn hides_cells() -> bool {
     HIDES_CELLS.get()
 }
 
-/// Notes a picture that has just been drawn into cells, if anyone gathers them.
+/// Records a picture that has just been drawn into cells, if a shell gathers them.
 pub(super) fn note(picture: &Picture, canvas: &Canvas, buffer: &Buffer, look: &Look) {
     sheet::picture(picture.area());
     GATHERED.with_borrow_mut(|gathered| {

@@ -1,4 +1,4 @@
-//! Labels that find themselves a free place.
+//! Labels that are placed automatically.
 
 use glam::DVec2;
 use ratatui::{buffer::Buffer, layout::Rect};
@@ -54,10 +54,9 @@ fn is_within_reach(cell: DVec2) -> bool {
 }
 
 impl Canvas {
-    /// Writes labels once all is drawn; the first ones have the first choice. Each leaves
-    /// the surroundings of the others' anchors to them. What has found no place near by
-    /// says less; if that finds none either all of it stands farther away, but clear of
-    /// what others name.
+    /// Writes labels after everything else; the first ones have the first choice. Each avoids the
+    /// surroundings of the others' anchors. A label without a place near by is shortened; if that
+    /// does not help, the whole label is placed farther away, clear of other anchors.
     pub(super) fn write(&mut self, labels: &[Label]) {
         let (near, apart): (Vec<_>, Vec<_>) = labels.iter().partition(|it| it.keeps_others_off);
         let mut left = self.write_near(apart);
@@ -79,7 +78,7 @@ impl Canvas {
         }
     }
 
-    /// Writes what finds a place near by, and gives the rest.
+    /// Writes the labels that find a place near by, and returns the rest.
     fn write_near<'a>(&mut self, labels: Vec<&'a Label>) -> Vec<&'a Label> {
         let is_left = |label: &&Label| !self.write_at_places(&label.text, label);
         labels.into_iter().filter(is_left).collect()
@@ -96,10 +95,10 @@ impl Canvas {
     /// `sides` that is free, near before far; then on the other sides. It may have to keep
     /// clear of arrows: not even its ends touch one.
     ///
-    /// A label never leaves the area, whose first and last column stay free beside what
-    /// is there (unless it is as wide), and never covers another label, a disc, a
-    /// velocity, a reserved cell or an arrow's tip. Rather than stand far away it
-    /// covers the weakest lines. Says whether it found a place.
+    /// A label never leaves the area, whose first and last column stay free beside what is there
+    /// (unless it is as wide), and never covers another label, a disc, a velocity, a reserved cell
+    /// or an arrow's tip. It covers the weakest lines rather than being far away. Returns whether
+    /// it found a place.
     pub(super) fn label(
         &mut self,
         text: &str,
@@ -207,8 +206,8 @@ impl Canvas {
                 && self.is_clear_of_labels((x, y), 1)
     }
 
-    /// Whether a label here is beside its own anchor rather than that of another label,
-    /// so that nobody takes it for the name of that.
+    /// Whether a label here is beside its own anchor rather than that of another label, so that it
+    /// is not mistaken for the name of that.
     fn is_beside_own_anchor(&self, (x, y): (i32, i32), width: i32, own: (i32, i32)) -> bool {
         // Squared, in columns; a row is two of them high.
         let apart = |(column, row): (i32, i32)| {

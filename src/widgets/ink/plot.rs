@@ -1,4 +1,4 @@
-//! What stands in whole cells: axes, bars and signs.
+//! Marks of whole cells: axes, bars and signs.
 
 use glam::{DVec2, dvec2};
 use ratatui::{buffer::Buffer, style::Style};
@@ -72,7 +72,7 @@ impl Picture {
     }
 }
 
-/// Draws what stands in whole cells.
+/// Draws marks of whole cells.
 struct Cells<'a> {
     canvas: &'a Canvas,
     picture: &'a Picture,
@@ -80,8 +80,8 @@ struct Cells<'a> {
 }
 
 impl Cells<'_> {
-    /// Every column but that of the axis takes the area that its middle is in. A first bar
-    /// so narrow that it would be lost in the axis has the column beside it.
+    /// Every column but that of the axis takes the area that its middle is in. A first bar that the
+    /// axis would hide is drawn in the column beside it.
     fn areas(&self, buf: &mut Buffer) {
         let view = self.canvas.view();
         let paper = view.area();

@@ -1,5 +1,4 @@
-//! The soft edge of a disc: a cell has two colours, and the block element that makes most
-//! of them.
+//! The soft edge of a disc: the block element and the two colours that fit a cell best.
 
 use super::cell::Cell;
 use super::glyphs::block;
@@ -47,7 +46,7 @@ impl Shades {
         sum.map(|channel| channel / all)
     }
 
-    /// The sum of squares by which a part of the cell in its mean colour is off.
+    /// The sum of squared errors of a part of the cell in its mean colour.
     fn error(&self, bits: u64) -> f64 {
         let mean = self.means(bits);
         let off = |(part, colour): &(u64, Rgb)| {
@@ -58,8 +57,7 @@ impl Shades {
         self.parts.iter().map(off).sum()
     }
 
-    /// The block element, with the colours of its ink and of its paper, that is off by
-    /// least.
+    /// The block element, with the colours of its ink and of its paper, with the smallest error.
     pub(super) fn fitted(&self) -> (char, [Rgb; 2]) {
         let off = |bits: u64| self.error(bits) + self.error(!bits);
         let (symbol, bits) = block::shapes()

@@ -1,4 +1,4 @@
-//! The painter as a whole: what comes out is where geometry says it must be.
+//! Tests of the whole painter: marks are where geometry requires.
 
 use std::f64::consts::TAU;
 

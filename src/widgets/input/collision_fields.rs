@@ -1,5 +1,5 @@
-//! What can be set of a collision: one table of names, ranges, steps and units for the lab,
-//! the figures of chapters and whatever else has a collision set up by hand.
+//! The settings of a collision: one table of names, ranges, steps and units for the lab, the
+//! figures of chapters and all other screens that set up a collision.
 
 use strum::VariantArray;
 
@@ -7,7 +7,7 @@ use super::{Field, FieldRow, FieldValue};
 use crate::numbers::fixed;
 use crate::physics::{Bond, CollisionSpec, ImpactPoint};
 
-/// One thing that can be set of a collision.
+/// One setting of a collision.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
 pub(crate) enum CollisionField {
     /// Impact parameter b.
@@ -52,7 +52,7 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     },
     Row {
         name: "impact angle",
-        about: "the same offset, as the angle between the striker's way and n",
+        about: "the same offset, as the angle between the striker's path and n",
         value: |spec| FieldValue::number(alpha_deg(spec), within("alpha_deg"), 1.0, "°"),
         shown: |spec| match spec.offset_mm().abs() > spec.contact_distance_mm() {
             true => "a miss".into(),
@@ -65,28 +65,28 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     },
     Row {
         name: "aim",
-        about: "which way the striker slides; everything turns with it",
+        about: "the striker's direction; everything turns with it",
         value: |spec| FieldValue::number(spec.aim_deg, ANY, 5.0, "°"),
         shown: |spec| fixed(spec.aim_deg, 0) + "°",
         put: |spec, degrees| spec.aim_deg = wrap_degrees(degrees),
     },
     Row {
         name: "speed",
-        about: "how fast the striker comes; no angle depends on it",
+        about: "the striker's speed; no angle depends on it",
         value: |spec| FieldValue::number(spec.speed, within("speed"), 0.25, " m/s"),
         shown: |spec| fixed(spec.speed, 2) + " m/s",
         put: |spec, speed| spec.speed = speed,
     },
     Row {
         name: "restitution e",
-        about: "how fast they part along n, over how fast they meet: 1 loses no energy",
+        about: "speed of separation over speed of approach along n; 1: no energy lost",
         value: |spec| FieldValue::number(spec.restitution, within("restitution"), 0.05, ""),
         shown: |spec| fixed(spec.restitution, 2),
         put: |spec, restitution| spec.restitution = restitution,
     },
     Row {
         name: "contact",
-        about: "slip: smooth rims push along n alone; stick: they hold together",
+        about: "slip: smooth rims push only along n; stick: they hold together",
         value: |spec| FieldValue::Choice {
             at: usize::from(spec.bond == Bond::Stick),
             count: 2,
@@ -99,42 +99,42 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     },
     Row {
         name: "striker mass",
-        about: "how heavy the striker is; what counts is the ratio",
+        about: "the striker's mass; only the ratio matters",
         value: |spec| FieldValue::number(spec.m1_g, within("m1_g"), 0.5, " g"),
         shown: |spec| fixed(spec.m1_g, 1) + " g",
         put: |spec, grams| spec.m1_g = grams,
     },
     Row {
         name: "coin mass",
-        about: "how heavy the coin is; equal masses part at 90°",
+        about: "the coin's mass; equal masses leave at 90°",
         value: |spec| FieldValue::number(spec.m2_g, within("m2_g"), 0.5, " g"),
         shown: |spec| fixed(spec.m2_g, 1) + " g",
         put: |spec, grams| spec.m2_g = grams,
     },
     Row {
         name: "striker radius",
-        about: "with the coin's it sets how wide the target is",
+        about: "with the coin's radius: the width of the target",
         value: |spec| FieldValue::number(spec.r1_mm, within("r1_mm"), 0.5, " mm"),
         shown: |spec| fixed(spec.r1_mm, 2) + " mm",
         put: |spec, radius_mm| spec.r1_mm = radius_mm,
     },
     Row {
         name: "coin radius",
-        about: "with the striker's it sets how wide the target is",
+        about: "with the striker's radius: the width of the target",
         value: |spec| FieldValue::number(spec.r2_mm, within("r2_mm"), 0.5, " mm"),
         shown: |spec| fixed(spec.r2_mm, 2) + " mm",
         put: |spec, radius_mm| spec.r2_mm = radius_mm,
     },
     Row {
         name: "coin speed",
-        about: "how fast the coin moves before; 0: it is at rest",
+        about: "the coin's speed before; 0: it is at rest",
         value: |spec| FieldValue::number(spec.target_speed, within("target_speed"), 0.25, " m/s"),
         shown: |spec| fixed(spec.target_speed, 2) + " m/s",
         put: |spec, speed| spec.target_speed = speed,
     },
     Row {
         name: "coin aim",
-        about: "which way the coin moves before, if it moves",
+        about: "the coin's direction before, if it moves",
         value: |spec| FieldValue::number(spec.target_deg, ANY, 5.0, "°"),
         shown: |spec| fixed(spec.target_deg, 0) + "°",
         put: |spec, degrees| spec.target_deg = wrap_degrees(degrees),
@@ -147,14 +147,14 @@ impl CollisionField {
         ROWS[self as usize].field(spec)
     }
 
-    /// Sets it, held to its range. Whatever else changes, the two meet as far off-centre as
-    /// before, or as far as a smaller disc allows.
+    /// Sets it, clamped to its range. The relative offset stays the same, or as close as smaller
+    /// discs allow.
     pub(crate) fn set(self, spec: &mut CollisionSpec, value: f64) {
         set_at(self as usize, spec, value);
     }
 }
 
-/// All settings as they stand, in the order of [`CollisionField`].
+/// All present settings, in the order of [`CollisionField`].
 pub(crate) fn collision_fields(spec: &CollisionSpec) -> Vec<Field> {
     ROWS.iter().map(|row| row.field(spec)).collect()
 }
@@ -171,7 +171,7 @@ pub(crate) fn set_at(at: usize, spec: &mut CollisionSpec, value: f64) {
     spec.point = ImpactPoint::Offset { offset_mm };
 }
 
-/// Of directions every number is one.
+/// Every number is a valid direction.
 const ANY: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// The range of a field of files.
@@ -180,7 +180,7 @@ fn within(name: &str) -> (f64, f64) {
     range.map_or(ANY, |range| (range.least, range.most))
 }
 
-/// The impact angle in degrees; that of a miss is that of the graze it comes nearest to.
+/// The impact angle in degrees; for a miss that of the nearest graze.
 fn alpha_deg(spec: &CollisionSpec) -> f64 {
     let ratio = spec.offset_mm() / spec.contact_distance_mm();
     ratio.clamp(-1.0, 1.0).asin().to_degrees()
@@ -195,8 +195,7 @@ fn side(spec: &CollisionSpec) -> &'static str {
     }
 }
 
-/// The largest offset in mm. Past the touching distance there are misses, and a little
-/// beyond nothing new.
+/// The largest offset in mm. Beyond r₁ + r₂ there are only misses, so slightly more is enough.
 fn widest_mm(spec: &CollisionSpec) -> f64 {
     spec.contact_distance_mm() * CollisionSpec::WIDEST
 }

@@ -1,4 +1,4 @@
-//! Things that can be set, a row each: a number with its range and step, or a choice.
+//! Settings, one per row: a number with its range and step, or a choice.
 
 use std::borrow::Cow;
 
@@ -8,29 +8,28 @@ use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::Key;
 use crate::widgets::{Role, panel::Panel};
 
-/// Share of a step that the keys for fine steps go.
+/// The size of a fine step, as a share of a step.
 const FINE: f64 = 0.1;
-/// Steps that the keys for big steps go.
+/// The size of a big step, in steps.
 const BIG: f64 = 10.0;
 
-/// One thing that can be set, as it stands.
+/// A setting with its present value.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Field {
     /// Its name on the panel.
     pub name: Cow<'static, str>,
     /// Its value as it reads, with its unit.
     pub shown: String,
-    /// Its value, and what it may be.
+    /// Its value and range.
     pub value: FieldValue,
     /// What it is, in one line; shown while it is selected.
     pub about: Cow<'static, str>,
-    /// Why it cannot be changed just now.
+    /// Why it cannot be changed now.
     pub locked: Option<&'static str>,
 }
 
 impl Field {
-    /// A field that can be changed: its name, its value as it reads, its value, and what
-    /// it is.
+    /// A field that can be changed: its name, its value as text, its value, and its description.
     pub(crate) fn new(
         name: impl Into<Cow<'static, str>>,
         shown: String,
@@ -47,7 +46,7 @@ impl Field {
     }
 }
 
-/// The value of a field, and what it may be.
+/// The value and range of a field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum FieldValue {
     /// A number that can be typed and stepped.
@@ -56,13 +55,13 @@ pub(crate) enum FieldValue {
         value: f64,
         /// The least and the greatest value.
         range: (f64, f64),
-        /// What the key to the right adds; values stepped to are whole multiples of it.
-        /// Negative where "to the right" means less.
+        /// The increment of the key to the right; values are whole multiples of it. Negative if "to
+        /// the right" means less.
         step: f64,
         /// The unit of the range, as text stands after a number: " mm", "°", or nothing.
         unit: &'static str,
     },
-    /// One of so many, counted from 0; the last is followed by the first.
+    /// One of several, counted from 0; the last is followed by the first.
     Choice {
         /// The present one.
         at: usize,
@@ -87,7 +86,7 @@ impl FieldValue {
         }
     }
 
-    /// The value so many steps further, onto the grid of steps.
+    /// The value this many steps further, on the grid of steps.
     pub(crate) fn stepped(self, steps: f64) -> f64 {
         match self {
             Self::Choice { at, count } => {
@@ -102,25 +101,25 @@ impl FieldValue {
                     true => (value / size + by + 1e-3).floor(),
                     false => (value / size + by - 1e-3).ceil(),
                 };
-                // Without the dust that rounding leaves on a sum of tenths, and without a −0.
+                // Without the rounding error of a sum of tenths, and without a −0.
                 (onto * size * 1e6).round() / 1e6 + 0.0
             }
         }
     }
 }
 
-/// One thing that can be set in `S`, as a row of a table: all that a form has to know of it.
+/// A setting of `S`, as a row of a table: everything that a form needs.
 #[derive(Debug)]
 pub(crate) struct FieldRow<S> {
     /// Its name on the panel.
     pub name: &'static str,
     /// What it is, in one line.
     pub about: &'static str,
-    /// Its value, and what it may be.
+    /// Its value and range.
     pub value: fn(&S) -> FieldValue,
     /// Its value as it reads, with its unit.
     pub shown: fn(&S) -> String,
-    /// Puts in a number that is held to its range, or the place of a choice.
+    /// Sets a number, clamped to its range, or the index of a choice.
     pub put: fn(&mut S, f64),
 }
 
@@ -130,7 +129,7 @@ impl<S> FieldRow<S> {
         Field::new(self.name, (self.shown)(of), (self.value)(of), self.about)
     }
 
-    /// Sets it, held to its range, a choice by its place.
+    /// Sets it, clamped to its range, a choice by its index.
     pub(crate) fn set(&self, of: &mut S, value: f64) {
         let (least, most) = match (self.value)(of) {
             FieldValue::Number { range, .. } => range,
@@ -140,7 +139,7 @@ impl<S> FieldRow<S> {
         (self.put)(of, value.clamp(least, most) + 0.0);
     }
 
-    /// Changes it by so many steps; choices go round.
+    /// Changes it by this many steps; choices wrap around.
     pub(crate) fn step(&self, of: &mut S, steps: f64) {
         self.set(of, (self.value)(of).stepped(steps));
     }
@@ -148,10 +147,10 @@ impl<S> FieldRow<S> {
 
 /// What a form sets.
 pub(crate) trait FormFields {
-    /// All fields as they stand, from the top.
+    /// All fields with their values, from the top.
     fn fields(&self) -> Vec<Field>;
 
-    /// Sets one: a number, held to the field's range, or the place of a choice.
+    /// Sets one: a number, clamped to the field's range, or the index of a choice.
     fn set(&mut self, at: usize, value: f64);
 }
 
@@ -180,7 +179,7 @@ pub enum FormAction {
 pub(crate) struct SettingsForm {
     at: usize,
     entry: NumberEntry,
-    /// Whether the last number typed was out of range, and held to it.
+    /// Whether the last typed number was out of range, and clamped.
     held: bool,
 }
 
@@ -196,7 +195,7 @@ impl SettingsForm {
         }
     }
 
-    /// The selected one of so many fields, from 0.
+    /// The index of the selected field, from 0.
     pub(crate) fn selected(&self, fields: usize) -> usize {
         self.at.min(fields.saturating_sub(1))
     }
@@ -207,7 +206,7 @@ impl SettingsForm {
         fields.into_iter().nth(at)
     }
 
-    /// Selects a field, after taking over what was typed for the one before.
+    /// Selects a field, after accepting what was typed for the previous one.
     pub(crate) fn select(&mut self, at: usize, form: &mut impl FormFields) {
         self.commit(form);
         self.held = false;
@@ -219,7 +218,7 @@ impl SettingsForm {
         self.entry.is_open()
     }
 
-    /// Gives up the number that is being typed.
+    /// Discards the number that is being typed.
     pub(crate) fn give_up(&mut self) {
         self.entry.take();
     }
@@ -250,7 +249,7 @@ impl SettingsForm {
             .when(many)
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(crate) fn act(&mut self, action: FormAction, form: &mut impl FormFields) {
         self.held = false;
         match action {
@@ -268,19 +267,19 @@ impl SettingsForm {
         }
     }
 
-    /// Takes over a number that was typed and not entered.
+    /// Accepts a number that was typed but not entered.
     pub(crate) fn commit(&mut self, form: &mut impl FormFields) {
         if let Some(number) = self.entry.take() {
             self.set(number, form);
         }
     }
 
-    /// Changes the selected field by so many steps.
+    /// Changes the selected field by this many steps.
     pub(crate) fn step(&mut self, steps: f64, form: &mut impl FormFields) {
         self.step_at(self.at, steps, form);
     }
 
-    /// Changes a field by so many steps, selected or not.
+    /// Changes a field by this many steps, selected or not.
     pub(crate) fn step_at(&mut self, at: usize, steps: f64, form: &mut impl FormFields) {
         self.commit(form);
         let fields = form.fields();
@@ -291,7 +290,7 @@ impl SettingsForm {
         }
     }
 
-    /// Selects a field, and goes on to the next value of a choice.
+    /// Selects a field, and goes to the next value of a choice.
     fn point(&mut self, at: usize, form: &mut impl FormFields) {
         self.select(at, form);
         let field = self.chosen(form);
@@ -331,8 +330,8 @@ impl SettingsForm {
         }
     }
 
-    /// Writes what the selected field is: why it is locked, its range where a number was
-    /// held to it, or its one line.
+    /// Writes the description of the selected field: why it is locked, its range after a number was
+    /// clamped, or its one line.
     pub(crate) fn write_about<A>(&self, form: &impl FormFields, panel: &mut Panel<A>) {
         let Some(field) = self.chosen(form) else {
             return;

@@ -1,14 +1,12 @@
-//! The keys of a screen, as data: what may be pressed just now, what it is called, and
-//! what it does. What handles a key, the line at the bottom, the help page and the
-//! buttons of a touch screen all read the same table.
+//! The keys of a screen, as data: the current keys, their labels and their actions. The handling of
+//! keys, the bottom line, the help page and the buttons of a touch screen all read the same table.
 
 use std::collections::BTreeMap;
 
 use crate::messages::Key;
 
-/// What a key does, as a screen or a part of one names it: a variant each, whose doc
-/// comment is the line that the help page shows and whose name in kebab-case stands in
-/// `keys.toml`.
+/// The actions of a screen or a part of one: one variant each, whose doc comment is its line on the
+/// help page and whose name in kebab-case is its name in `keys.toml`.
 pub trait KeyAction: Copy {
     /// Its name in `keys.toml`: "next-set".
     fn id(self) -> &'static str;
@@ -26,19 +24,19 @@ impl<A: Copy + Into<&'static str> + strum::EnumMessage> KeyAction for A {
     }
 }
 
-/// Keys that the player has chosen, by the row's name: "lab.next-set".
+/// Keys that the player has rebound, by the row's name: "lab.next-set".
 pub type Rebound = BTreeMap<String, Vec<Key>>;
 
-/// Keys that do one thing, or one thing in several directions.
+/// Keys for one action, or for one action in several directions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KeyRow<A> {
     /// Its name in `keys.toml`: "lab.next-set".
     pub id: String,
-    /// What the bottom line calls it, in a word or two; empty where it is not shown there.
+    /// Its label in the bottom line, in a word or two; empty if it is not shown there.
     pub name: &'static str,
-    /// What the help page says of it.
+    /// Its text on the help page.
     pub help: &'static str,
-    /// What each of its keys is called on a button of its own, if they have names.
+    /// The labels of its keys on separate buttons, if they have any.
     pub words: &'static [&'static str],
     keys: Vec<(Key, A)>,
     aliases: Vec<(Key, A)>,
@@ -50,7 +48,7 @@ impl<A: Copy> KeyRow<A> {
         self.keys.iter().map(|(key, _)| *key)
     }
 
-    /// The keys that do it, shown or not.
+    /// All its keys, shown or not.
     pub fn all_keys(&self) -> impl Iterator<Item = Key> + '_ {
         self.keys.iter().chain(&self.aliases).map(|(key, _)| *key)
     }
@@ -60,8 +58,8 @@ impl<A: Copy> KeyRow<A> {
         shown(&self.keys().collect::<Vec<_>>())
     }
 
-    /// The same with other keys for the same things, in the same order. Where fewer are
-    /// given, the rest have none.
+    /// The same with other keys for the same actions, in the same order. If fewer are given, the
+    /// other actions have none.
     fn rebind(&mut self, keys: &[Key]) {
         self.aliases.clear();
         let actions = self.keys.iter().map(|(_, action)| *action);
@@ -79,7 +77,7 @@ impl<A: Copy> KeyRow<A> {
     }
 }
 
-/// The keys that mean something at one moment, the most useful first.
+/// The keys of one moment, the most useful first.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 pub struct KeyTable<A> {
@@ -95,8 +93,8 @@ impl<A: KeyAction> KeyTable<A> {
         self.each([(key, action)], name)
     }
 
-    /// Adds keys that do one thing in several directions; what it is called in
-    /// `keys.toml` and on the help page is the first one's.
+    /// Adds keys for one action in several directions; its name in `keys.toml` and its help text
+    /// are those of the first.
     pub fn each<K: Into<Key>>(
         mut self,
         keys: impl IntoIterator<Item = (K, A)>,
@@ -117,7 +115,7 @@ impl<A: KeyAction> KeyTable<A> {
         self
     }
 
-    /// Adds keys that do one thing by different amounts: the first by the first of them.
+    /// Adds keys for one action by different amounts, in the same order.
     pub fn by<const N: usize, T>(
         self,
         keys: [impl Into<Key>; N],
@@ -156,7 +154,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// What each of the last row's keys is called where it is a button.
+    /// The labels of the last row's keys on buttons.
     pub fn called(mut self, words: &'static [&'static str]) -> Self {
         if let Some(row) = self.rows.last_mut().filter(|_| self.added) {
             row.words = words;
@@ -266,8 +264,8 @@ impl<A: Copy> KeyTable<A> {
         &self.rows
     }
 
-    /// What a key does, a capital letter what the small one does where it has no
-    /// meaning of its own.
+    /// The action of a key; a capital letter without a meaning of its own has that of the small
+    /// letter.
     pub fn find(&self, key: Key) -> Option<A> {
         self.exact(key).or_else(|| self.folded(key))
     }
@@ -289,12 +287,12 @@ impl<A: Copy> KeyTable<A> {
         self.rows.iter().flat_map(KeyRow::all_keys)
     }
 
-    /// What a key does; a capital letter only what is said of the capital.
+    /// The action of a key, with capital letters distinguished.
     pub fn exact(&self, key: Key) -> Option<A> {
         self.rows.iter().find_map(|row| row.find(key))
     }
 
-    /// What a capital letter does that has no meaning of its own: what the small one does.
+    /// The action of a capital letter without a meaning of its own: that of the small letter.
     pub(crate) fn folded(&self, key: Key) -> Option<A> {
         match key {
             Key::Char(c) if c.is_ascii_uppercase() => self.exact(Key::Char(c.to_ascii_lowercase())),

@@ -1,11 +1,11 @@
-//! Lines one of which is chosen: the same manners wherever there is a list.
+//! A list with a chosen line, with the same behaviour everywhere.
 
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::{KeyTable, Outcome};
 use crate::messages::Key;
 
-/// Lines that a page key goes by.
+/// The number of lines of a page key.
 const PAGE: isize = 10;
 
 /// What keys do to a list.
@@ -24,7 +24,7 @@ pub enum ListAction {
     Point(usize),
 }
 
-/// Where the mark of a list is. A list ends at its ends: it does not go round.
+/// The mark of a list. It does not wrap around.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct ListView {
     at: usize,
@@ -36,7 +36,7 @@ impl ListView {
         Self { at }
     }
 
-    /// The chosen one of so many lines, from 0; 0 where there is none.
+    /// The index of the chosen line, from 0; 0 if there is none.
     pub(crate) fn chosen(&self, lines: usize) -> usize {
         self.at.min(lines.saturating_sub(1))
     }
@@ -46,7 +46,7 @@ impl ListView {
         self.at = at;
     }
 
-    /// The keys that move the mark and open its line; `open` is what opening is called.
+    /// The keys that move the mark and open its line; `open` is the label for opening.
     pub(crate) fn keys(open: &'static str) -> KeyTable<ListAction> {
         use ListAction::{Choose, End, Open, Page};
         KeyTable::new("list")
@@ -58,8 +58,7 @@ impl ListView {
             .by([Key::Home, Key::End], End, [-1, 1], "")
     }
 
-    /// Does what a key stands for in a list of so many lines; done with the line that is
-    /// to be opened.
+    /// Carries out an action in a list of this many lines; done with the line to open.
     pub(crate) fn act(&mut self, action: ListAction, lines: usize) -> Outcome<usize> {
         match action {
             ListAction::Choose(by) => self.go(by, lines),

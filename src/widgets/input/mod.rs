@@ -1,5 +1,4 @@
-//! What the player gives: keys as data, and the parts that take them: numbers, rays,
-//! lists, forms, names.
+//! Input: keys as data, and the parts that handle them: numbers, rays, lists, forms, names.
 
 mod collision_fields;
 mod form;

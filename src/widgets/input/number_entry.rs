@@ -8,7 +8,7 @@ use crate::messages::Key;
 /// Longest text that can be typed.
 const LONGEST: usize = 9;
 
-/// A number on its way in, digit by digit.
+/// A number being typed, digit by digit.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct NumberEntry {
     text: String,
@@ -29,7 +29,7 @@ pub enum EntryAction {
 }
 
 impl NumberEntry {
-    /// Whether something has been typed and neither entered nor given up.
+    /// Whether something has been typed and neither entered nor discarded.
     pub(crate) fn is_open(&self) -> bool {
         !self.text.is_empty()
     }
@@ -49,15 +49,14 @@ impl NumberEntry {
         self.text.parse().ok().filter(|v: &f64| v.is_finite())
     }
 
-    /// Empties the entry and gives the number it held.
+    /// Clears the entry and returns its number.
     pub(crate) fn take(&mut self) -> Option<f64> {
         let value = self.value();
         self.text.clear();
         value
     }
 
-    /// The keys that type; while something has been typed, Enter enters and Escape
-    /// gives up.
+    /// The keys that type; while something has been typed, Enter enters it and Escape discards it.
     pub(crate) fn keys(&self) -> KeyTable<EntryAction> {
         let typed = |c| (Key::Char(c), EntryAction::Type(c));
         let open = self.is_open();
@@ -72,7 +71,7 @@ impl NumberEntry {
             .when(open)
     }
 
-    /// Does what a key stands for; done with a number once one was entered.
+    /// Carries out an action; done with a number once it is entered.
     pub(crate) fn act(&mut self, action: EntryAction) -> Outcome<f64> {
         match action {
             EntryAction::Type(c) => self.push(c),

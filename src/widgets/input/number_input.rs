@@ -1,4 +1,4 @@
-//! Giving a number: typed, or dialled with the arrows.
+//! Entering a number: typed, or set with the arrows.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -8,11 +8,11 @@ use crate::numbers::{short, with_unit};
 use crate::quiz::Measure;
 use crate::widgets::{Role, panel::Panel};
 
-/// A number in the making.
+/// A number being entered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NumberInput {
     quantity: Measure,
-    /// The smallest and the largest that it can be.
+    /// Its range.
     range: (f64, f64),
     value: Option<f64>,
     entry: NumberEntry,
@@ -40,7 +40,7 @@ pub(crate) enum DialStep {
 }
 
 impl NumberInput {
-    /// Nothing given yet.
+    /// No number yet.
     pub(crate) fn new(quantity: Measure) -> Self {
         let (least, most) = (quantity.smallest(), quantity.largest());
         Self::within(quantity, least, most)
@@ -81,7 +81,7 @@ impl NumberInput {
         }
     }
 
-    /// Does what a key stands for; done by Enter once there is a number.
+    /// Carries out an action; done by Enter once there is a number.
     pub(crate) fn act(&mut self, action: NumberAction) -> Outcome {
         match action {
             NumberAction::Dial(step) => {
@@ -101,7 +101,7 @@ impl NumberInput {
                 }
                 _ => match self.entry.value() {
                     Some(value) => self.set(value),
-                    // What cannot be dialled is what is typed.
+                    // A number that cannot be set with arrows must be typed.
                     None if steps(&self.quantity).is_none() => self.value = None,
                     None => {}
                 },

@@ -1,18 +1,18 @@
-//! What became of a key or of the mouse.
+//! The result of a key or a mouse event.
 
-/// What an input meant to the part that it was offered to.
+/// The result of an input for the part that received it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome<T = ()> {
-    /// Nothing: somebody else may use it.
+    /// It was not used, and other parts may use it.
     Ignored,
     /// It was used, and more of the same may follow.
     Used,
-    /// It was used, and this came of it.
+    /// It was used, with this result.
     Done(T),
 }
 
 impl<T> Outcome<T> {
-    /// Whether it meant anything.
+    /// Whether it was used.
     pub(crate) fn is_used(&self) -> bool {
         !matches!(self, Self::Ignored)
     }

@@ -1,4 +1,4 @@
-//! Saying where both discs will go: two rays to turn, or two angles to type.
+//! Predicting where both discs will go: two rays to turn, or two angles to type.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -9,17 +9,17 @@ use crate::physics::Collision;
 use crate::quiz::{Ray, Rays};
 use crate::widgets::{Role, panel::Panel};
 
-/// What to do while nothing has been said of a ray.
+/// The instruction while a ray is not set.
 const UNSAID: &str = "Turn the ray, or type its angle.";
 
-/// A prediction in the making.
+/// A prediction being entered.
 ///
-/// On the screen, angles are in degrees from the direction of the striker: the
-/// striker's positive to the side away from the coin, the coin's positive to the
-/// coin's own side. Nothing is said of a ray until it was turned.
+/// On the screen, angles are in degrees from the direction of the striker: the striker's positive
+/// on the side away from the coin, the coin's positive on the coin's side. A ray is not set until
+/// it has been turned.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RayInput {
-    /// What has been said of each; `Some(None)` of a disc that stays still.
+    /// The predictions; `Some(None)` for a disc that stays still.
     angles_deg: [Option<Option<f64>>; 2],
     turning: Ray,
     /// The one ray that is asked for, if not both are.
@@ -50,8 +50,8 @@ impl RayInput {
     /// What can be dragged in a picture with rays.
     pub(crate) const DRAG: &str = "Drag in the picture to turn the ray.";
 
-    /// Nothing said yet. `side` is +1 where the coin lies to the right of
-    /// the striker's way and −1 where it lies to the left.
+    /// No prediction yet. `side` is +1 if the coin lies to the right of the striker's path and −1
+    /// if it lies to the left.
     pub(crate) fn new(side: f64) -> Self {
         Self {
             angles_deg: [None; 2],
@@ -62,20 +62,19 @@ impl RayInput {
         }
     }
 
-    /// The same with these rays said, to be changed.
+    /// The same with these rays set, for changing.
     #[must_use]
     pub(crate) fn saying(mut self, rays: &Rays) -> Self {
         for ray in Ray::BOTH {
             let angle = rays.get(ray).map(|angle| self.side * angle.to_degrees());
-            // As it was typed, whatever rounding left.
+            // As it was typed, without rounding errors.
             let angle = angle.map(|angle| (angle * 1e6).round() / 1e6 + 0.0);
             self.angles_deg[ray as usize] = Some(angle);
         }
         self
     }
 
-    /// The same with one ray alone to be said. The other one reads as a disc that
-    /// stays still.
+    /// The same with only one ray to set. The other one counts as a disc that stays still.
     #[must_use]
     pub(crate) fn only(mut self, ray: Ray) -> Self {
         self.turning = ray;
@@ -83,7 +82,7 @@ impl RayInput {
         self
     }
 
-    /// Whether a ray is to be said.
+    /// Whether a ray is asked for.
     pub(crate) fn asks(&self, ray: Ray) -> bool {
         self.only.is_none_or(|only| only == ray)
     }
@@ -93,19 +92,18 @@ impl RayInput {
         self.only.is_some() || self.turning == Ray::Target
     }
 
-    /// What has been said; `None` while something asked for has not been.
+    /// The prediction; `None` until it is complete.
     pub(crate) fn said(&self) -> Option<Rays> {
         let said = |ray| self.is_said(ray) || !self.asks(ray);
         Ray::BOTH.into_iter().all(said).then(|| self.so_far())
     }
 
-    /// Both rays, if both are asked for and have been said.
+    /// Both rays, if both are asked for and set.
     pub(crate) fn both(&self) -> Option<Rays> {
         self.said().filter(|_| self.only.is_none())
     }
 
-    /// The rays as far as they have been said; one that has not reads as a disc that
-    /// stays still.
+    /// The rays so far; one that is not set counts as a disc that stays still.
     pub(crate) fn so_far(&self) -> Rays {
         let signed = |ray| Some((self.side * self.angle_deg(ray)?).to_radians());
         Rays {
@@ -114,7 +112,7 @@ impl RayInput {
         }
     }
 
-    /// Whether anything has been said of a ray.
+    /// Whether a ray is set.
     pub(crate) fn is_said(&self, ray: Ray) -> bool {
         self.angles_deg[ray as usize].is_some()
     }
@@ -124,7 +122,7 @@ impl RayInput {
         self.turning
     }
 
-    /// The keys that say it; `next` is what Enter is called.
+    /// Its keys; `next` is the label of Enter.
     pub(crate) fn keys(&self, next: &'static str) -> KeyTable<RayAction> {
         use RayAction::{Next, OtherRay, StaysStill, Turn};
         KeyTable::new("ray")
@@ -137,7 +135,7 @@ impl RayInput {
             .when(self.only.is_none())
     }
 
-    /// Does what a key stands for; done once all that is asked for has been said.
+    /// Carries out an action; done once the answer is complete.
     pub(crate) fn act(&mut self, action: RayAction) -> Outcome {
         match action {
             RayAction::Turn(degrees) => self.turn(degrees.into()),
@@ -170,8 +168,8 @@ impl RayInput {
         self.set(angle_deg.round());
     }
 
-    /// The angle of a ray as the screen counts it; `None` for a disc that stays still,
-    /// and while nothing has been said.
+    /// The angle of a ray as the screen counts it; `None` for a disc that stays still, and for a
+    /// ray that is not set.
     pub(crate) fn angle_deg(&self, ray: Ray) -> Option<f64> {
         self.angles_deg[ray as usize].flatten()
     }
@@ -182,8 +180,7 @@ impl RayInput {
         typed.unwrap_or_else(|| self.angles_deg[ray as usize].map_or("_".into(), shown))
     }
 
-    /// Writes the rays that are asked for, a row each; `target` is what the struck disc is
-    /// called.
+    /// Writes the rays that are asked for, one per row; `target` is the target's name.
     pub(crate) fn write(&self, panel: &mut Panel<RayAction>, target: &str) {
         let both = [(Ray::Striker, "striker"), (Ray::Target, target)];
         for (ray, name) in both.into_iter().filter(|(ray, _)| self.asks(*ray)) {
@@ -193,7 +190,7 @@ impl RayInput {
         }
     }
 
-    /// Writes where both were said to go, a row each.
+    /// Writes both predictions, one per row.
     pub(crate) fn write_said<A>(&self, target: &str, panel: &mut Panel<A>) {
         for (ray, name) in [(Ray::Striker, "striker"), (Ray::Target, target)] {
             let (name, shown) = (format!("  {name}"), self.shown(ray));
@@ -201,7 +198,7 @@ impl RayInput {
         }
     }
 
-    /// What goes on: to the other ray, or with both said.
+    /// The key that goes on: to the other ray, or once both are set.
     pub(crate) fn go_on(&self) -> RayAction {
         match self.entry.is_open() {
             true => RayAction::Number(EntryAction::Enter),
@@ -209,8 +206,7 @@ impl RayInput {
         }
     }
 
-    /// Writes what to do next: turn this ray, then the other one, and `last` once all has been
-    /// said.
+    /// Writes the next prompt: turn this ray, then the other one, and `last` once all are set.
     pub(crate) fn write_prompt(&self, panel: &mut Panel<RayAction>, target: &str, last: &str) {
         if !self.is_said(self.turning) {
             return panel.paragraph(UNSAID, Role::Key);
@@ -229,20 +225,22 @@ impl RayInput {
     pub(crate) fn about(&self, target: &str) -> String {
         match self.turning {
             Ray::Striker => format!(
-                "The striker: degrees from its old direction, to the side away from the {target}."
+                "The striker: degrees from its original direction, on the side away from the \
+                 {target}."
             ),
             Ray::Target => format!(
-                "The {target}: degrees from the striker's old direction, to the {target}'s own side."
+                "The {target}: degrees from the striker's original direction, on the {target}'s \
+                 side."
             ),
         }
     }
 
-    /// Whether all has been said, and the last ray is being turned.
+    /// Whether all rays are set, and the last one is being turned.
     fn is_done(&self) -> bool {
         self.said().is_some() && self.is_last()
     }
 
-    /// On to the other ray, once something has been said of this one.
+    /// On to the other ray, once this one is set.
     fn next(&mut self) -> Outcome {
         if !self.is_said(self.turning) {
             return Outcome::Used;
@@ -273,7 +271,7 @@ impl RayInput {
     }
 }
 
-/// How an angle in degrees reads on the screen; `None` for a disc that stays still.
+/// The text of an angle in degrees; `None` for a disc that stays still.
 pub fn shown(angle_deg: Option<f64>) -> String {
     match angle_deg {
         Some(_) => format!("{}°", brief(angle_deg)),
@@ -291,8 +289,7 @@ fn other(ray: Ray) -> Ray {
     Ray::BOTH[1 - ray as usize]
 }
 
-/// Where both discs go or are said to go, in the degrees of the screen, which count from the
-/// coin's side.
+/// True or predicted directions in the degrees of the screen, which count from the coin's side.
 pub fn degrees(collision: &Collision, rays: &Rays) -> [Option<f64>; 2] {
     Ray::BOTH.map(|ray| {
         let angle = rays.get(ray)?;

@@ -5,11 +5,10 @@ use unicode_segmentation::UnicodeSegmentation;
 
 use crate::messages::Key;
 
-/// Most characters of a letter that is pasted: as many accents, or people of a family, as one can
-/// tell apart, with room to spare.
+/// The most characters of one pasted letter: enough for accents and emoji sequences.
 const LONGEST_LETTER: usize = 32;
 
-/// Text on its way in, with a cursor.
+/// Text being typed, with a cursor.
 #[derive(Debug, Clone, Default)]
 pub struct TextField {
     line: Line,
@@ -45,8 +44,8 @@ impl TextField {
         format!("{before}_{after}")
     }
 
-    /// Takes a key: letters, the keys that move the cursor by a letter, a word or to the
-    /// ends, and those that delete. Says whether it was one of its own.
+    /// Handles a key: letters, the keys that move the cursor by a letter, a word or to the ends,
+    /// and those that delete. Returns whether it was used.
     pub fn update(&mut self, key: Key) -> bool {
         let request = match key {
             Key::Char(c) if !c.is_control() => Request::InsertChar(c),
@@ -70,7 +69,7 @@ impl TextField {
         true
     }
 
-    /// Puts a letter in at the cursor; says whether there is room for it.
+    /// Inserts a letter at the cursor; returns whether there is room for it.
     fn insert(&mut self, letter: &str) -> bool {
         let before = self.line.clone();
         for c in letter.chars() {
@@ -83,8 +82,8 @@ impl TextField {
         fits
     }
 
-    /// Takes pasted text, as far as there is room for it. The rest, which may be long, is not
-    /// looked at.
+    /// Inserts pasted text, as far as there is room for it. The rest, which may be long, is not
+    /// examined.
     pub fn paste(&mut self, text: &str) {
         let is_letter = |letter: &&str| {
             !letter.contains(char::is_control) && letter.chars().nth(LONGEST_LETTER).is_none()

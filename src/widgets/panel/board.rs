@@ -1,4 +1,4 @@
-//! Names with what each has reached, in letters as large as there is room for.
+//! Names with their scores, in letters as large as they fit.
 
 use crate::widgets::bar::bar;
 use crate::widgets::big::{Align, Big};
@@ -15,7 +15,7 @@ const APART: u16 = 3;
 const NUMBERS: u16 = 20;
 const NUMBER: usize = 6;
 
-/// What one has reached.
+/// The score of one name.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct BoardRow {
     /// "1. Ants"
@@ -24,11 +24,11 @@ pub(crate) struct BoardRow {
     pub points: String,
     /// "+9.3"
     pub gain: String,
-    /// Its share of all points there were.
+    /// Its share of all possible points.
     pub share: f64,
 }
 
-/// Writes them over all rows that are left.
+/// Writes them into the remaining rows.
 pub(super) fn write(rows: &[BoardRow], lines: &mut Lines) {
     let high = lines.left() / (rows.len() as u16).max(1);
     match large(rows, high, lines) {
@@ -60,7 +60,7 @@ impl BoardRow {
         lines.skip_to(top + high.min(LARGE[1]));
     }
 
-    /// Writes it in one line, with a bar below it where there is room.
+    /// Writes it in one line, with a bar below it if there is room.
     fn write(&self, high: u16, lines: &mut Lines) {
         let top = lines.written();
         let room = usize::from(lines.width().saturating_sub(NUMBERS));

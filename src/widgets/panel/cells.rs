@@ -1,5 +1,5 @@
-//! Panels in cells: how many rows each block takes, which of them have room, and which
-//! cells do what.
+//! Panels in cells: the rows of each block, which blocks have room, and the cells that react to
+//! clicks.
 
 use std::ops::Range;
 
@@ -12,31 +12,31 @@ use crate::widgets::bar::{bar, stretch};
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Lines, Look, Role, Room, Words, areas, formula, text};
 
-/// How a panel is written: in which glyphs and colours, and how its pages are turned.
+/// The style of a panel: glyphs and colours, and the labels of the page keys.
 #[derive(Debug, Clone)]
 pub(crate) struct Writing {
     /// The glyphs and colours.
     pub look: Look,
-    /// What the keys are called that go a page back and on in a text, if they do.
+    /// The labels of the keys that page back and forward in a text, if they do.
     pub pages: Option<[String; 2]>,
 }
 
-/// A panel laid out: the blocks that have room, and where each stands.
+/// A panel laid out: the blocks that have room, and their positions.
 pub(crate) struct Placed<'p> {
     area: Rect,
-    /// What stays in sight above the rest and below it.
+    /// The blocks that stay visible above the rest and below it.
     fixed: [Fixed<'p>; 2],
     /// The first row of each block, counted from the top of the whole.
     blocks: Vec<(u16, PlacedBlock<'p>)>,
     rows: u16,
     targets: Vec<Target>,
-    /// The rows of what is chosen.
+    /// The rows of the chosen item.
     chosen: Option<Range<u16>>,
-    /// Whether that is one of a list, rather than something that can be set.
+    /// Whether it is an item of a list, rather than a setting.
     is_list: bool,
-    /// Rows of the place in which it was laid out.
+    /// Rows of the area in which it was laid out.
     whole: u16,
-    /// It in large letters, where it is read page by page.
+    /// Its pages in large letters, if it is read page by page.
     pages: Option<PlacedPages<'p>>,
 }
 
@@ -53,12 +53,11 @@ struct Fixed<'p> {
 struct PlacedBlock<'p> {
     content: &'p Content,
     worth: Option<u8>,
-    /// For each of its actions what its key is called; `None` where no key does it, or its
-    /// name is not written.
+    /// For each of its actions the label of its key; `None` if there is none, or it is not written.
     keys: Vec<Option<String>>,
 }
 
-/// Cells that do something, in rows from the top of the whole and columns from the left.
+/// Cells that react to clicks, in rows from the top of the whole and columns from the left.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Target {
     rows: Range<u16>,
@@ -67,7 +66,7 @@ struct Target {
 }
 
 impl Target {
-    /// The same so many rows farther down.
+    /// The same this many rows farther down.
     fn below(self, rows: u16) -> Self {
         Self {
             rows: rows + self.rows.start..rows + self.rows.end,
@@ -75,8 +74,7 @@ impl Target {
         }
     }
 
-    /// Its cells in an area, once that is scrolled by so many rows; `None` if it is out of
-    /// sight.
+    /// Its cells in an area that is scrolled by this many rows; `None` if it is not visible.
     fn cells(&self, area: Rect, scrolled: u16) -> Option<Rect> {
         let top = area.y + self.rows.start.saturating_sub(scrolled);
         let below = area.y + self.rows.end.checked_sub(scrolled)?;
@@ -95,8 +93,8 @@ impl Target {
 pub(super) type ActionAt = (usize, usize);
 
 impl<A: Copy> Panel<A> {
-    /// Lays it out in `area`, which it may be longer than: then it can be scrolled. `key` says
-    /// what the key is called that does something.
+    /// Lays it out in `area`; if it is longer, it can be scrolled. `key` returns the label of an
+    /// action's key.
     pub(crate) fn placed(
         &self,
         area: Rect,
@@ -123,8 +121,8 @@ impl<A: Copy> Panel<A> {
         placed
     }
 
-    /// Lays it out on pages in large letters beside a picture, on a screen with a body of so
-    /// many rows; `None` where a letter is not to be had so.
+    /// Lays it out on pages in large letters beside a picture, on a screen with a body of this many
+    /// rows; `None` if a letter is not available.
     pub(crate) fn paged(
         &self,
         beside: Beside,
@@ -139,7 +137,7 @@ impl<A: Copy> Panel<A> {
         })
     }
 
-    /// What is done by a click on one of its targets.
+    /// The action of a click on one of its targets.
     pub(crate) fn action(&self, (block, own): ActionAt) -> Option<A> {
         self.blocks.get(block)?.actions.get(own).copied()
     }
@@ -175,7 +173,7 @@ fn placed<'p>(
         0 => 0,
         rows => rows + 1,
     };
-    // Where there is hardly room for more, they are scrolled too.
+    // If there is hardly room for more, they scroll too.
     let (head, foot, middle) = match head + foot + LEAST <= area.height {
         true => (head, foot, middle),
         false => (0, 0, 0..pieces.len()),
@@ -198,7 +196,7 @@ fn placed<'p>(
             continue;
         }
         let is_gap = matches!(piece.content, Content::Gap);
-        // Of gaps that meet, and of one above all, none is left.
+        // Adjacent gaps, and a gap at the top, are removed.
         if !shown || is_gap && after_gap {
             continue;
         }
@@ -224,7 +222,7 @@ fn placed<'p>(
     placed
 }
 
-/// Which blocks have room in so many rows.
+/// Which blocks have room in this many rows.
 fn with_room(pieces: &[PlacedBlock], height: u16, rows: impl Iterator<Item = u16>) -> Vec<bool> {
     let rows: Vec<u16> = rows.collect();
     let of = |worth: Option<u8>| -> u16 {
@@ -269,7 +267,7 @@ impl<'p> Placed<'p> {
         Self { area, ..self }
     }
 
-    /// It on pages, where it is read so.
+    /// Its pages, if it is read page by page.
     pub(crate) fn pages(&self) -> Option<&PlacedPages<'p>> {
         self.pages.as_ref()
     }
@@ -297,15 +295,15 @@ impl<'p> Placed<'p> {
         self.is_list
     }
 
-    /// How far it is scrolled unless the player does it by hand: what is chosen stands in
-    /// the middle where not all has room.
+    /// The scroll position unless the player scrolls: the chosen item is in the middle if there is
+    /// not room for everything.
     pub(crate) fn following(&self) -> u16 {
         let chosen = self.chosen().unwrap_or(0);
         let above = chosen.saturating_sub(self.area.height / 2);
         above.min(self.overflow())
     }
 
-    /// The cells that do something, with what they do, once it is scrolled by so many rows.
+    /// The cells that react to clicks with their actions, scrolled by this many rows.
     pub(crate) fn targets(&self, scrolled: u16) -> impl Iterator<Item = (Rect, ActionAt)> + '_ {
         let [head, foot] = &self.fixed;
         let parts = [
@@ -321,8 +319,8 @@ impl<'p> Placed<'p> {
         targets.chain(pages.flat_map(move |pages| pages.targets(scrolled)))
     }
 
-    /// Draws it, scrolled by so many rows. Where it does not fit, the frame below says which
-    /// key brings the rest.
+    /// Draws it, scrolled by this many rows. If it does not fit, the frame below names the key for
+    /// the rest.
     pub(crate) fn draw(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing) {
         if let Some(pages) = &self.pages {
             return pages.draw(scrolled, buf, writing);
@@ -356,7 +354,7 @@ impl<'p> Placed<'p> {
 type TakeTarget<'t> = dyn FnMut(Range<u16>, Range<u16>, usize) + 't;
 
 impl PlacedBlock<'_> {
-    /// Writes it, and tells which cells do what.
+    /// Writes it, and returns the cells that react to clicks.
     fn write(&self, lines: &mut Lines, take: &mut TakeTarget) {
         let from = lines.written();
         match self.content {
@@ -422,7 +420,7 @@ fn write(content: &Content, lines: &mut Lines) {
             let (_, side_role) = roles[1].of_choice(*chosen);
             lines.choice(*chosen, roles[0], |lines, mark, role| {
                 let name = format!("{mark} {name}");
-                // The name is worth more than what stands beside it.
+                // The name has priority over the text beside it.
                 let room = usize::from(lines.width()).saturating_sub(text::width(&name) + 2);
                 let side = Some(side).filter(|side| text::width(side) <= room);
                 lines.pair(&name, side.map_or("", String::as_str), role, side_role);

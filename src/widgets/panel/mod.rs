@@ -1,5 +1,5 @@
-//! What stands beside a picture, as a list of blocks: what they mean and what a click on
-//! them does, not where their letters are. [`cells`] lays a panel out and draws it.
+//! The text beside a picture, as a list of blocks: their meaning and the actions of clicks, not the
+//! positions of their letters. [`cells`] lays a panel out and draws it.
 
 mod board;
 mod cells;
@@ -17,24 +17,23 @@ use crate::lessons::Formula;
 use crate::widgets::Role;
 use crate::widgets::flow::Run;
 
-/// A list of blocks under a title, one below the other; `A` is what they can do.
+/// A list of blocks under a title, one below the other; `A` is the type of their actions.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Panel<A> {
     /// Its title, on its frame; empty for none.
     pub title: String,
-    /// The number of what it is about: with another one it begins at its top again, however
-    /// far it was scrolled.
+    /// The number of its subject: a new number resets its scroll position.
     pub subject: usize,
-    /// Whether it is read from its top, rather than follow what is chosen in it.
+    /// Whether it starts at its top, rather than follow its chosen item.
     pub(crate) from_top: bool,
     /// Whether no frame stands around it.
     pub(crate) open: bool,
     blocks: Vec<Block<A>>,
-    /// How many of the blocks, from the first on, stay in sight however far it is scrolled.
+    /// How many of the first blocks stay visible when it is scrolled.
     pinned: usize,
-    /// From which of them on they stay in sight below the others, if any do.
+    /// The first of the blocks that stay visible below the others, if any do.
     below: Option<usize>,
-    /// The worth of the blocks being written.
+    /// The priority of the blocks being written.
     worth: Option<u8>,
 }
 
@@ -42,11 +41,10 @@ pub(crate) struct Panel<A> {
 #[derive(Debug, Clone, PartialEq)]
 struct Block<A> {
     content: Content,
-    /// What a click on it does: nothing or one thing; of the rows of a table and of prompts,
-    /// one each.
+    /// The actions of clicks: none or one; for the rows of a table and prompts, one each.
     actions: Vec<A>,
-    /// Where there is room for some only, blocks of the greatest worth come first, all of
-    /// one worth together or none; a block without a worth is always there.
+    /// If there is not room for all, blocks of the highest priority come first, all of one priority
+    /// or none; a block without a priority is always shown.
     worth: Option<u8>,
 }
 
@@ -57,8 +55,8 @@ enum Content {
     Gap,
     /// What the next blocks are about, in one row.
     Heading(String),
-    /// A few words in large letters, where the panel has so many rows: the first of these texts
-    /// that fits.
+    /// A few words in large letters, if the panel has this many rows: the first of these texts that
+    /// fits.
     Large(Vec<String>, Role, u16),
     /// A text in the largest letters that fit.
     LargeText(LargeText),
@@ -69,7 +67,7 @@ enum Content {
         cells: Vec<[String; 2]>,
         chosen: Option<usize>,
     },
-    /// Names, large where there is room, with what each has reached.
+    /// Names with their scores, large if there is room.
     Board(Vec<BoardRow>),
     /// A few words of their own, in one row.
     Line(String, Role),
@@ -115,11 +113,11 @@ enum Content {
     Tabs { names: Vec<String>, open: usize },
     /// A text in more than one style, behind a mark or none.
     Flow(String, Vec<Run>),
-    /// A formula, in as many storeys as it has.
+    /// A formula, in as many rows as it has.
     Formula(Formula, Role),
     /// A line of working: it may be broken before a sign, and its rest is set in.
     Working(String),
-    /// Something that can be set.
+    /// A setting.
     Field {
         name: String,
         value: String,
@@ -181,7 +179,7 @@ enum Content {
 struct LargeText {
     text: String,
     role: Role,
-    /// Whether it is to stand whole on a page.
+    /// Whether it must not be split over pages.
     whole: bool,
     /// A bar below it, for such a share of all.
     share: Option<f64>,
@@ -291,20 +289,19 @@ impl<A> Panel<A> {
         });
     }
 
-    /// Writes blocks that are left out where there is no room for all of this worth.
+    /// Writes blocks that are left out if there is no room for all of this priority.
     pub(crate) fn worth(&mut self, worth: u8, write: impl FnOnce(&mut Self)) {
         let around = self.worth.replace(worth);
         write(self);
         self.worth = around;
     }
 
-    /// Keeps what has been written so far in sight, however far the rest is scrolled.
+    /// Keeps the blocks so far visible when the rest is scrolled.
     pub(crate) fn pin(&mut self) {
         self.pinned = self.blocks.len();
     }
 
-    /// Keeps what is written from here on in sight below what has been written so far,
-    /// however far that is scrolled.
+    /// Keeps the following blocks visible below the previous ones when those are scrolled.
     pub(crate) fn pin_below(&mut self) {
         self.below = Some(self.blocks.len());
     }
@@ -386,7 +383,7 @@ impl<A> Panel<A> {
         self.push_with(Content::Grid { cells, chosen }, actions);
     }
 
-    /// Names with what each has reached, in letters as large as there is room for.
+    /// Names with their scores, in letters as large as they fit.
     pub(crate) fn board(&mut self, rows: Vec<BoardRow>) {
         self.push(Content::Board(rows));
     }

@@ -1,7 +1,7 @@
 //! Panels for the back row: words in the largest letters that fit beside a picture.
 //!
-//! The back row has to read them, so words come first: a picture shrinks before letters do, and
-//! letters no smaller than can be read go on over several pages.
+//! The back row has to read them, so words have priority: a picture shrinks before letters do, and
+//! a long text continues on several pages rather than in letters that are too small.
 
 use std::rc::Rc;
 
@@ -31,7 +31,7 @@ pub(crate) enum Beside {
     Nothing,
     /// One without which the words can be understood.
     Helps,
-    /// One that says what the words do not.
+    /// A picture that shows more than the words.
     Needed,
 }
 
@@ -83,7 +83,7 @@ impl<'p> PlacedPages<'p> {
         body_rows: u16,
         look: &Look,
     ) -> Option<Self> {
-        // Nobody reads the cells of a page that lays out what is recorded.
+        // A page that lays out the recorded blocks does not use these cells.
         let screen_rows = match room.pictures {
             Some(_) => 0,
             None => body_rows + CHROME,

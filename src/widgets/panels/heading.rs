@@ -1,4 +1,4 @@
-//! What a screen shows for a whole class is called, large enough for the back row.
+//! The heading of a screen for a whole class, large enough for the back row.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

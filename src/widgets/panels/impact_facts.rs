@@ -1,4 +1,5 @@
-//! The facts of an impact, a row each: where the two meet, what they are, how they part, and why.
+//! The facts of an impact, one per row: the point of impact, the discs, the angle between the
+//! paths, and the explanation.
 
 use crate::physics::units::{deg_from_rad, g_from_kg, mm_from_m};
 use crate::physics::{Bond, Collision, Meeting};
@@ -11,7 +12,7 @@ pub(crate) fn offset<A>(collision: &Collision, panel: &mut Panel<A>) {
     panel.fact("offset b", format!("{offset:.1} mm"));
 }
 
-/// How far apart their centres are when they touch.
+/// The distance between their centres at contact.
 pub(crate) fn contact_distance<A>(collision: &Collision, panel: &mut Panel<A>) {
     let apart = mm_from_m(collision.contact_distance());
     panel.fact("r₁ + r₂", format!("{apart:.1} mm"));
@@ -25,7 +26,7 @@ pub(crate) fn impact_angle<A>(collision: &Collision, panel: &mut Panel<A>) {
     }
 }
 
-/// The masses of the two, but for those that are `secret`, and e where energy is lost.
+/// The masses, except those that are `secret`, and e if energy is lost.
 pub(crate) fn masses<A>(collision: &Collision, secret: [bool; 2], panel: &mut Panel<A>) {
     let discs = [collision.striker, collision.target];
     let [striker, target] = [0, 1].map(|body| match secret[body] {
@@ -38,7 +39,7 @@ pub(crate) fn masses<A>(collision: &Collision, secret: [bool; 2], panel: &mut Pa
     }
 }
 
-/// The angle between the two departures, if both move on apart.
+/// The angle between the paths, if both move on separately.
 pub(crate) fn separation<A>(collision: &Collision, panel: &mut Panel<A>) {
     let outcome = collision.outcome();
     let sticks = collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit;
@@ -49,7 +50,7 @@ pub(crate) fn separation<A>(collision: &Collision, panel: &mut Panel<A>) {
     panel.fact("separation", separation);
 }
 
-/// Why the two go where they go: a title, which may be empty, and a text.
+/// The explanation of the directions: a title, which may be empty, and a text.
 pub(crate) fn reason<A>((title, text): &(&str, String), panel: &mut Panel<A>) {
     if !title.is_empty() {
         panel.paragraph(*title, Role::Title);

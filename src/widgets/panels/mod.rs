@@ -1,5 +1,5 @@
-//! Frames and what they hold: a picture with a panel beside it, the facts of a hit, and
-//! what was said of it beside what was true.
+//! Frames and their contents: a picture with a panel beside it, the facts of a collision, and
+//! predictions beside the true directions.
 
 mod heading;
 mod impact_facts;

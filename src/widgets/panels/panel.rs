@@ -23,7 +23,7 @@ const ASCII: border::Set<'static> = border::Set {
 };
 
 /// Draws an empty frame with a title, `+- title --+` in ASCII, rounded lines in Unicode, and
-/// says what room is inside it. An empty title leaves the frame whole.
+/// returns the area inside. An empty title leaves the frame closed.
 pub(crate) fn draw_panel(
     buffer: &mut Buffer,
     area: Rect,

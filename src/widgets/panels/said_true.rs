@@ -1,4 +1,4 @@
-//! Where two were said to go, beside where they go.
+//! Predicted directions beside the true ones.
 
 use crate::numbers;
 use crate::physics::{Bond, Collision, Meeting};
@@ -6,9 +6,8 @@ use crate::quiz::{Ray, Rays};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Role, brief, input::degrees};
 
-/// Writes the angles that were said beside the true ones, in the degrees of the screen, a
-/// row for each disc of a hit; a ray that was not asked for has no name and no row.
-/// `errors` adds how far off each was.
+/// Writes the predicted angles beside the true ones, in the degrees of the screen, one row per
+/// disc; a ray that was not asked for has no name and no row. `errors` adds the error of each.
 pub(crate) fn said_and_true<A>(
     collision: &Collision,
     said: &Rays,
@@ -23,7 +22,7 @@ pub(crate) fn said_and_true<A>(
         let apart = said.apart(&true_rays, ray);
         apart.map_or("-".into(), numbers::bare_degrees)
     });
-    // The way of a pair that sticks is that of its centre of mass.
+    // The path of a pair that sticks is that of its centre of mass.
     let truth = match (collision.bond, outcome.meeting) {
         (Bond::Stick, Meeting::Hit) => "V",
         _ => "truth",

@@ -1,4 +1,4 @@
-//! What is written into a picture.
+//! The labels of a picture.
 
 use glam::DVec2;
 
@@ -9,20 +9,20 @@ use crate::widgets::Role;
 pub struct Label {
     /// What is written.
     pub text: String,
-    /// What is written instead where there is no room near by for all of it.
+    /// A shorter text, if there is no room near by for the whole label.
     pub short: Option<String>,
     /// What it is.
     pub role: Role,
-    /// The points it may stand beside, the dearest first, each with the sides it would
-    /// like; there is always one.
+    /// The points it may be beside, the preferred first, each with its preferred sides; there is
+    /// always one.
     pub places: Vec<(DVec2, Vec<LabelSide>)>,
     /// Whether it and others leave each other the surroundings of their points.
     pub(in crate::widgets) keeps_others_off: bool,
 }
 
 impl Label {
-    /// The same for what stands apart, so that nobody takes it for the name of something
-    /// else: it has the first choice, and need not keep away from the points of others.
+    /// The same for a label that stands apart and cannot be mistaken for another name: it is placed
+    /// first, and may be close to the points of others.
     pub fn apart(&mut self) -> &mut Self {
         self.keeps_others_off = false;
         self

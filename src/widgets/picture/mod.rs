@@ -35,7 +35,7 @@ pub use label::{Label, LabelSide};
 pub use pen::{Dash, DrawLayer, Pen};
 pub use view::View;
 
-/// One thing that is drawn.
+/// A mark of a picture.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Mark {
     Line {
@@ -69,13 +69,13 @@ pub(crate) enum Mark {
     },
     /// A disc. It hides what lies on lower layers.
     Disc(Body),
-    /// A disc that hides nothing, faint or an outline, with its letter at `letter`: among
-    /// things that are to be seen.
+    /// A disc that hides nothing, faint or an outline, with its letter at `letter`, for use behind
+    /// other marks.
     Ring {
         body: Body,
         letter: DVec2,
     },
-    /// Many discs, all drawn in one way, and every one of them to be seen.
+    /// Many discs, all drawn in one way, and each of them visible.
     Discs(Vec<Body>),
     /// A filled rectangle between its lower left and its upper right corner.
     Area {
@@ -91,7 +91,7 @@ pub(crate) enum Mark {
     },
     /// The axes of a plot, along the left and the lower edge of the view.
     Axes(Axes),
-    /// Nothing to be seen, but labels keep off this point.
+    /// An invisible mark: labels keep off this point.
     Reserved(DVec2),
 }
 

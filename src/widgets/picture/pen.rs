@@ -2,9 +2,8 @@
 
 use crate::widgets::Role;
 
-/// What lies above what, whatever the order of drawing. Where two strokes share a
-/// cell, the cell looks like the one on the higher layer; on the same layer, like
-/// the later one.
+/// The order of layers, whatever the order of drawing. Where two strokes share a cell, the cell
+/// looks like the one on the higher layer; on the same layer, like the later one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum DrawLayer {
     /// Boards, axes, frames.
@@ -15,7 +14,7 @@ pub enum DrawLayer {
     Disc,
     /// Geometry: line of impact, tangent, arcs, square corners.
     Construction,
-    /// What the player said.
+    /// The player's prediction.
     Prediction,
     /// Velocities.
     Vector,

@@ -3,7 +3,7 @@
 use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
 
-/// How the world is laid on an area of cells, both ways.
+/// The mapping between world coordinates and an area of cells.
 ///
 /// World coordinates are metres (or whatever a plot has on its axes), x to the
 /// right and y **up**. Cell coordinates count columns and rows of the screen, y
@@ -46,8 +46,8 @@ impl View {
         Self::new(area, (corner + opposite) / 2.0, scale)
     }
 
-    /// The same view, moved by half a cell at most so that `world` is in the middle of
-    /// a cell: what is small and stands there stands exactly.
+    /// The same view, shifted by at most half a cell so that `world` is in the middle of a cell: a
+    /// small mark there is drawn exactly.
     #[must_use]
     pub fn with_in_a_middle(self, world: DVec2) -> Self {
         let cell = self.to_cell(world);
@@ -58,8 +58,8 @@ impl View {
         }
     }
 
-    /// A view that gives each axis its own scale, as a plot wants: the corners of
-    /// the world's rectangle fall in the middles of the area's corner cells.
+    /// A view with a separate scale for each axis, for plots: the corners of the world's rectangle
+    /// fall in the middles of the area's corner cells.
     #[must_use]
     pub fn stretch(area: Rect, bottom_left: DVec2, top_right: DVec2) -> Self {
         let cells = dvec2(f64::from(area.width), f64::from(area.height)) - DVec2::ONE;

@@ -1,4 +1,4 @@
-//! Plots of what a player has answered, for the screen and for a report.
+//! Plots of a player's answers, for the screen and for a report.
 
 use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
@@ -9,14 +9,13 @@ use crate::quiz::{Confidence, RIGHT_DEG};
 use crate::widgets::picture::{LabelSide as S, Pen, Picture};
 use crate::widgets::{Look, Role};
 
-/// How many answers the line of errors takes the mean of.
+/// The number of answers in each mean of the line of errors.
 pub(crate) const REACH: usize = 5;
 /// More answers than this are drawn as means of groups.
 const MOST_MARKS: usize = 120;
 
-/// The error of each of the last answers, and the mean of the last few; of many answers,
-/// the means of groups of them. With how many are in a group. `None` where no answer had
-/// an angle to be off.
+/// The error of each of the last answers, and the mean of the last few; of many answers, the means
+/// of groups of them. Also returns the size of a group. `None` if no answer was an angle.
 pub(crate) fn errors_picture(
     attempts: &[Attempt],
     last: usize,
@@ -61,8 +60,8 @@ pub(crate) fn errors_picture(
     Some((plot.picture(), group))
 }
 
-/// Of each confidence the share that was right among the `reach` answers before, for the
-/// last answers. `None` where too few were given.
+/// For each confidence the share of right answers among the last `reach` ones, for the last
+/// answers. `None` if there are too few.
 pub(crate) fn sureness_picture(
     attempts: &[Attempt],
     last: usize,

@@ -1,4 +1,4 @@
-//! An axis: what it measures, from where to where, and on what scale.
+//! An axis: its quantity, range and scale.
 
 use super::ticks::{Tick, decades, even};
 
@@ -9,7 +9,7 @@ pub(crate) struct Axis {
     from: f64,
     to: f64,
     scale: AxisScale,
-    /// Distance of the ticks, where it is not left to the room there is.
+    /// Distance of the ticks, if it is not chosen by the available space.
     step: Option<f64>,
 }
 

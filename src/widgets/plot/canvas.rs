@@ -9,8 +9,8 @@ use crate::widgets::{Look, Role, text};
 
 /// A plot being made: a [`Picture`] that takes everything in the values of its axes.
 ///
-/// What has no place on them (0 on a logarithmic axis, what is not a number) is left
-/// out, what lies beyond their ends is cut off.
+/// Undefined values (0 on a logarithmic axis, NaN) are left out, and values beyond the ends are cut
+/// off.
 #[derive(Debug, Clone)]
 pub(crate) struct Plot {
     axes: [Axis; 2],
@@ -34,7 +34,7 @@ impl Plot {
             width: area.width - left - right,
             height: rows,
         };
-        // The room a number takes does not depend on how many there are.
+        // The width of a number does not depend on their count.
         let widest = x.ticks(6).iter().map(width_of).max().unwrap_or(1);
         let x_ticks = x.ticks(usize::from(paper.width / (widest + 3)).max(1));
         let ((x0, x1), (y0, y1)) = (x.ends(), y.ends());

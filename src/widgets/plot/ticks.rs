@@ -35,7 +35,7 @@ pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Ve
         let digits = fixed(value / 10_f64.powi(exponent), 0);
         format!("{digits}×{}", power_of_ten(exponent))
     };
-    // A hair's breadth of rounding must not cost the ticks at the ends.
+    // Rounding errors must not remove the ticks at the ends.
     let (first, last) = ((from / step - 1e-9).ceil(), (to / step + 1e-9).floor());
     let count = (last - first).clamp(-1.0, MOST as f64);
     (0..=count as i64)

@@ -1,5 +1,4 @@
-//! How time runs while a stroke is watched: at real speed, slower or faster, halted,
-//! stepped through.
+//! The clock of a stroke that is watched: real speed, slower or faster, paused, stepped.
 
 use std::time::Duration;
 
@@ -10,7 +9,7 @@ pub struct WatchRate(i32);
 impl WatchRate {
     /// As it was.
     pub(crate) const REAL: Self = Self(0);
-    /// All there are, the slowest first.
+    /// All of them, the slowest first.
     pub(crate) const ALL: [Self; 7] = [
         Self(-4),
         Self(-3),
@@ -28,7 +27,7 @@ impl WatchRate {
         2.0_f64.powi(self.0)
     }
 
-    /// The speed so many steps faster.
+    /// The speed this many steps faster.
     #[must_use]
     pub(crate) fn faster(self, steps: i8) -> Self {
         Self((self.0 + i32::from(steps)).clamp(-4, 2))
@@ -75,12 +74,12 @@ impl ShotClock {
         self.running
     }
 
-    /// Whether all has come to rest.
+    /// Whether everything has come to rest.
     pub(crate) fn is_over(&self) -> bool {
         self.time >= self.end
     }
 
-    /// When all has come to rest, in seconds since the start of the stroke.
+    /// When everything has come to rest, in seconds since the start of the stroke.
     pub(crate) fn end(&self) -> f64 {
         self.end
     }
@@ -90,12 +89,12 @@ impl ShotClock {
         self.rate
     }
 
-    /// Lets time run at another speed.
+    /// Changes the speed.
     pub(crate) fn set_rate(&mut self, rate: WatchRate) {
         self.rate = rate;
     }
 
-    /// Lets `passed` go by on the screen.
+    /// Advances by `passed` on the screen.
     pub(crate) fn advance(&mut self, passed: Duration) {
         if self.running {
             self.time = (self.time + passed.as_secs_f64() * self.rate.seconds()).min(self.end);
@@ -103,7 +102,7 @@ impl ShotClock {
         }
     }
 
-    /// Goes on from a halt; while running, to the end at once.
+    /// Continues after a pause; while running, goes to the end at once.
     pub(crate) fn go_on(&mut self) {
         if self.running {
             self.seek(self.end);
@@ -118,13 +117,13 @@ impl ShotClock {
         self.running = self.end > 0.0;
     }
 
-    /// Halts at a time; times beyond the ends count as the ends.
+    /// Pauses at a time, clamped to the ends.
     pub(crate) fn seek(&mut self, time: f64) {
         self.time = time.clamp(0.0, self.end);
         self.running = false;
     }
 
-    /// Halts, so many seconds further or back.
+    /// Pauses this many seconds further or back.
     pub(crate) fn step(&mut self, seconds: f64) {
         self.seek(self.time + seconds);
     }

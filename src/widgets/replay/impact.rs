@@ -1,4 +1,4 @@
-//! The impacts of a shot, each as a collision of two discs that the lab could show.
+//! The impacts of a shot, each as a collision that the lab can show.
 
 use glam::DVec2;
 
@@ -9,7 +9,7 @@ use crate::physics::{Collision, Disc, EventKind, Shot};
 pub(crate) struct ShotImpact {
     /// When, in seconds since the start of the shot.
     pub time: f64,
-    /// Which, body 1 first: the disc that was set off if it took part, else the faster.
+    /// The discs, body 1 first: the disc that was shot if it took part, otherwise the faster one.
     pub discs: [usize; 2],
     /// The same hit by itself.
     pub collision: Collision,

@@ -1,5 +1,5 @@
-//! A recorded shot played back on the board: its clock, and the impacts in it that can
-//! be looked at one by one.
+//! A recorded shot played back on the board: its clock, and its impacts, which can be examined one
+//! by one.
 
 mod clock;
 mod impact;

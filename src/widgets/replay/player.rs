@@ -31,11 +31,11 @@ pub(crate) struct ShotPlayer {
     lists: bool,
     list: ListView,
     showing: Showing,
-    /// The time to go back to when the impacts are put away.
+    /// The time to return to when the impacts are closed.
     left_at: f64,
 }
 
-/// What is shown of the shot.
+/// The view of the shot.
 #[derive(Debug, Clone)]
 enum Showing {
     Board,
@@ -127,7 +127,7 @@ impl ShotPlayer {
         &self.impacts
     }
 
-    /// The impact that is chosen, with its place among all, while one is.
+    /// The chosen impact and its index, if there is one.
     pub(crate) fn chosen(&self) -> Option<(usize, &ShotImpact)> {
         if let Showing::Board = self.showing {
             return None;
@@ -196,7 +196,7 @@ impl ShotPlayer {
         }
     }
 
-    /// What a click on the picture stands for: what Space does, but not in the list of impacts.
+    /// The action of a click on the picture: that of Space, except in the list of impacts.
     pub(crate) fn clicked(&self) -> Option<ShotAction> {
         match self.showing {
             Showing::Impacts => None,
@@ -204,8 +204,7 @@ impl ShotPlayer {
         }
     }
 
-    /// What a turn of the wheel up (-1) or down (1) stands for: a step, or a move in the list
-    /// of impacts.
+    /// The action of the wheel, up (-1) or down (1): a step, or a move in the list of impacts.
     pub(crate) fn wheel(&self, by: i8) -> Option<ShotAction> {
         match self.showing {
             Showing::Impacts => Some(ShotAction::List(ListAction::Choose(by.into()))),
@@ -213,8 +212,8 @@ impl ShotPlayer {
         }
     }
 
-    /// Does what a key stands for. A speed that is chosen goes into `rate`, to be
-    /// remembered; an enlarged impact is played at this pace.
+    /// Carries out an action. A chosen speed is stored in `rate`; an enlarged impact is played at
+    /// this pace.
     pub(crate) fn act(&mut self, action: ShotAction, rate: &mut Option<WatchRate>, pace: HitPace) {
         match action {
             ShotAction::GoOn => self.clock.go_on(),
@@ -228,7 +227,7 @@ impl ShotPlayer {
             }
             ShotAction::Impacts => {
                 self.left_at = self.clock.time();
-                // The one last seen; at the end the first, which was aimed at.
+                // The latest one shown; at the end the first, which was aimed at.
                 let now = if self.clock.is_over() {
                     0.0
                 } else {

@@ -5,9 +5,9 @@ use ratatui::style::{Color, Modifier};
 
 use crate::widgets::theme::Rgb;
 
-/// What is behind everything, as in a dark terminal.
+/// The background, as in a dark terminal.
 pub(super) const PAPER: Rgb = Rgb::hex(0x101418);
-/// What text is written in unless it says otherwise.
+/// The default colour of text.
 const INK: Rgb = Rgb::hex(0xd0d0d0);
 
 /// The first sixteen colours, as xterm and its kin show them.
@@ -48,7 +48,7 @@ fn colour_of(colour: Color, otherwise: Rgb) -> Rgb {
     }
 }
 
-/// The two colours of a cell as they are seen.
+/// The two visible colours of a cell.
 pub(super) struct CellColours {
     /// The colour of what is drawn.
     pub(super) ink: Rgb,

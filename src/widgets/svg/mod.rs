@@ -36,8 +36,8 @@ pub(crate) fn of_screen(cells: &Buffer) -> String {
     screen(cells, "")
 }
 
-/// A panel with pictures as a file of its own. `fill` writes what is text into the cells
-/// of the panel and gives the pictures that are to be drawn in it.
+/// A panel with pictures as a file of its own. `fill` writes the text into the cells of the panel
+/// and returns the pictures to draw in it.
 pub(crate) fn of_panel(
     title: &str,
     look: &Look,
@@ -122,8 +122,8 @@ pub struct Svg {
 }
 
 impl Svg {
-    /// A picture whose area begins in the corner of the screen. `words` say what is to be
-    /// seen, to whoever cannot see it. At a `scale` of 1, letters are 14 CSS pixels high.
+    /// A picture whose area begins in the corner of the screen. `words` are its text alternative.
+    /// At a `scale` of 1, letters are 14 CSS pixels high.
     #[must_use]
     pub(crate) fn new(words: &str, picture: &Picture, look: &Look, scale: f64) -> Self {
         Self {
@@ -147,7 +147,7 @@ impl Svg {
         &self.words
     }
 
-    /// The picture as a file of its own, on paper: it may be shown on anything.
+    /// The picture as a file of its own, with a paper background.
     #[must_use]
     pub fn file(&self) -> String {
         let paper = self.paper;
@@ -177,8 +177,8 @@ impl Render for Svg {
     }
 }
 
-/// A number of a picture: two decimals are finer than any printer, and nothing but a
-/// number can come out.
+/// A number of a picture: two decimals are finer than any printer, and the output is always a
+/// number.
 struct Number(f64);
 
 impl std::fmt::Display for Number {
@@ -261,7 +261,7 @@ impl SvgWord {
     }
 }
 
-/// `text` as XML takes it; what XML has no way to say becomes a question mark.
+/// `text` escaped for XML; characters that XML does not allow become question marks.
 fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for letter in text.chars() {

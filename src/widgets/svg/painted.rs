@@ -91,7 +91,7 @@ pub fn glyph_shape(symbol: &str) -> Option<(String, f64)> {
 }
 
 impl DrawnPicture {
-    /// Whether most of what it drew is no longer there: a page lies over it.
+    /// Whether most of it is covered by a page over it.
     fn is_erased(&self, screen: &Buffer) -> bool {
         let drawn = |at: &Position| {
             self.cells

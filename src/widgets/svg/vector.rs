@@ -1,4 +1,4 @@
-//! Pictures as true vectors: lines are lines and discs are circles.
+//! Pictures as vectors: lines are lines and discs are circles.
 
 use std::f64::consts::{PI, TAU};
 use std::fmt::{self, Display, Write};
@@ -27,7 +27,7 @@ const NEAR: f64 = 0.3;
 /// A disc of a smaller radius is a plain dot of this one.
 const DOT: f64 = 3.5;
 
-/// What is drawn of a picture, in units of a screen of [`CELL`]s.
+/// The elements of a picture, in units of a screen of [`CELL`]s.
 pub(super) fn draw(picture: &Picture, look: &Look) -> String {
     draw_labelled(picture, look, Canvas::of(picture, look).labels())
 }
@@ -310,7 +310,7 @@ impl Vectors<'_> {
         self.path(&path, self.inked(pen), "");
     }
 
-    /// A disc of a hit: pale, so that what is drawn over it is plain to see.
+    /// A disc of a collision: pale, so that marks over it are clearly visible.
     fn disc(&mut self, body: &Body) {
         let radius = self.length(body.radius);
         let role = self.rgb(body.role);

@@ -27,12 +27,11 @@ impl Charset {
         }
     }
 
-    /// `text` as this charset writes it.
+    /// `text` in this charset.
     ///
-    /// In Unicode that is the text itself, with minus signs for the hyphens before and
-    /// between numbers. In ASCII each letter and sign of
-    /// physics is spelt out, and what has no spelling becomes `?`, so every
-    /// character of the answer is printable ASCII. Line breaks are kept.
+    /// In Unicode that is the text itself, with minus signs for the hyphens before and between
+    /// numbers. In ASCII each letter and sign of physics is spelt out, and characters without a
+    /// spelling become `?`, so the result is printable ASCII. Line breaks are kept.
     ///
     /// ```
     /// use carrom::widgets::Charset;
@@ -102,7 +101,7 @@ fn is_sign(before: &str, after: &str) -> bool {
     opens && after.starts_with(|first: char| first.is_ascii_digit())
 }
 
-/// Whether a hyphen here takes one term from another.
+/// Whether a hyphen here is a minus between two terms.
 fn is_difference(before: &str, after: &str) -> bool {
     let term = |last: char| last.is_numeric() || matches!(last, '°' | ')' | ']');
     let next = |first: char| first.is_numeric() || matches!(first, '(' | '[' | '√' | 'α'..='ω');

@@ -47,7 +47,7 @@ impl Run {
     }
 }
 
-/// A word: pieces that no blank parts.
+/// A word: pieces without a blank between them.
 type FlowWord = Vec<Run>;
 
 /// Breaks `runs` at blanks into rows of at most `columns` (at least 1), spelt in

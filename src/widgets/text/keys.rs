@@ -5,9 +5,9 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::widgets::{Charset, Role, Theme};
 
-/// The keys of a screen in one line: each hint is a key and what it does. Hints
-/// that no longer fit into `width` are left out whole, so give the needed ones
-/// first; the last one (help, as a rule) always stays if there is room for any.
+/// The keys of a screen in one line: each hint is a key and what it does. Hints that do not fit
+/// into `width` are left out completely, so the most needed come first; the last one (usually help)
+/// always stays if there is room for any.
 ///
 /// ```
 /// use carrom::widgets::{Charset, Theme, keys::key_line};

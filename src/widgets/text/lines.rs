@@ -51,7 +51,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The same where nobody will see it, such as to learn how many rows a text takes.
+    /// The same without showing it, for example to measure the rows of a text.
     pub(crate) fn unseen(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
         Self {
             is_recorded: false,
@@ -59,7 +59,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Leaves the first `rows` out, so that those after them are seen.
+    /// Skips the first `rows`, so that those after them are visible.
     #[must_use]
     pub(crate) fn scrolled(mut self, rows: u16) -> Self {
         self.scrolled = rows;
@@ -276,8 +276,8 @@ impl<'a> Lines<'a> {
         self.written += rows;
     }
 
-    /// One row: a name on the left, its value flush right. A name too long for the room
-    /// beside the value is cut, and dots tell of it.
+    /// One row: a name on the left, its value flush right. A name too long for the room beside the
+    /// value is cut with an ellipsis.
     pub(crate) fn pair(&mut self, name: &str, value: &str, name_role: Role, value_role: Role) {
         self.record(|charset| Words::Pair {
             name: Run::new(self.unmarked(name), name_role).spelt(charset),
@@ -323,8 +323,8 @@ impl<'a> Lines<'a> {
         self.hanging("", text, role);
     }
 
-    /// An equation over as many rows as it takes, those after the first set in by
-    /// `indent`: the rest of an equation is no equation of its own.
+    /// An equation over as many rows as it takes, those after the first set in by `indent`: the
+    /// rest of an equation must not look like a separate equation.
     pub(crate) fn equation(&mut self, equation: &str, indent: u16, role: Role) {
         self.record(|charset| Words::Equation {
             runs: vec![Run::new(equation, role).spelt(charset)],
@@ -398,7 +398,7 @@ impl<'a> Lines<'a> {
         let room = (self.area.width - column).into();
         let style = self.look.theme.style(role);
         let (x, y) = (self.area.x + column, self.area.y + row);
-        // A screen may be drawn before it is told that it has become smaller.
+        // A screen may be drawn before it knows that it has become smaller.
         if !self.buf.area.contains((x, y).into()) {
             return;
         }

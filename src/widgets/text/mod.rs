@@ -1,5 +1,5 @@
-//! Letters in cells: how they are spelt and broken into rows, formulas, large type, bars;
-//! and what they were, for whoever can do better than cells (`sheet`).
+//! Letters in cells: spelling, line breaking, formulas, large type, bars; and a record of the words
+//! for shells that can show more than cells (`sheet`).
 
 pub(crate) mod areas;
 pub mod bar;

@@ -1,9 +1,8 @@
-//! What a screen says in words, for whoever can do better than cells.
+//! The words of a screen, for shells that can show more than cells.
 //!
-//! A screen writes its words into cells, and what they were is lost there: a heading, a
-//! value, one of several choices. A browser has elements for all of them: its shell records
-//! them while it has the screen drawn, as it gathers the pictures. They go only to whoever
-//! asked, for the one call it asked for.
+//! A screen writes its words into cells, where their role is lost: a heading, a value, one of
+//! several choices. A browser has elements for all of them, so its shell records them during a call
+//! that draws the screen, as it gathers the pictures. Only that call receives them.
 
 use std::cell::RefCell;
 
@@ -17,14 +16,14 @@ thread_local! {
     static RECORDED: RefCell<Option<Recorder>> = const { RefCell::new(None) };
 }
 
-/// A screen, or what lies over one: a list of its own.
+/// A screen or a layer over it, as a list.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Sheet {
     /// What it is.
     pub kind: SheetKind,
     /// What it is called.
     pub title: String,
-    /// What is set up, how it stands.
+    /// The status, in parts.
     pub status: String,
     /// Its parts in the order in which they are read.
     pub sections: Vec<Section>,
@@ -40,11 +39,11 @@ pub enum SheetKind {
     Help,
     /// Something the player is told.
     Notice,
-    /// Something the player is asked.
+    /// A question to the player.
     Question,
 }
 
-/// What stands in one frame, or in a part of the screen without one.
+/// The contents of one frame, or of a part of the screen without one.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Section {
     /// The title of the frame; empty for none.
@@ -66,9 +65,9 @@ pub struct Item {
     /// What it is.
     #[serde(flatten)]
     pub words: Words,
-    /// The cell where a click does what it stands for: column and row.
+    /// The cell where a click carries out its action: column and row.
     pub press: Option<[u16; 2]>,
-    /// Whether it is the one that is chosen; `None` of what is not for choosing.
+    /// Whether it is chosen; `None` if it cannot be chosen.
     pub chosen: Option<bool>,
 }
 
@@ -115,7 +114,7 @@ pub enum Words {
         /// A value for each column.
         values: Vec<Run>,
     },
-    /// Something that can be set.
+    /// A setting.
     Field {
         /// Its name.
         name: String,
@@ -278,8 +277,7 @@ impl Item {
     }
 }
 
-/// Does what draws, and gives what it says in words, the screen first and then what lies
-/// over it.
+/// Runs the drawing function, and returns the words, the screen first and then the layers over it.
 pub fn recorded<T>(draw: impl FnOnce() -> T) -> (T, Vec<Sheet>) {
     RECORDED.set(Some(Recorder {
         sheets: Vec::new(),
@@ -354,8 +352,8 @@ pub(crate) fn picture(area: Rect) {
     });
 }
 
-/// Says in sentences what the picture shows that is drawn next, for whoever does not see it.
-/// `say` is asked only if anyone records.
+/// Describes the next picture in sentences, for users who cannot see it. `say` is called only while
+/// recording.
 pub(crate) fn next_picture_shows(say: impl FnOnce() -> Vec<String>) {
     if is_recording() {
         let shows = say();
@@ -363,12 +361,12 @@ pub(crate) fn next_picture_shows(say: impl FnOnce() -> Vec<String>) {
     }
 }
 
-/// Says what can be dragged in the picture that is drawn next.
+/// Names what can be dragged in the next picture.
 pub(crate) fn next_picture_drags(drag: Option<&'static str>) {
     with(|recorder| recorder.drag = drag);
 }
 
-/// Notes something that was written into an area. `make` is asked only if anyone records.
+/// Records something that was written into an area. `make` is called only while recording.
 pub(crate) fn note(area: Rect, make: impl FnOnce() -> Item) {
     if is_recording() {
         let item = make();

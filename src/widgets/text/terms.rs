@@ -18,8 +18,8 @@ const NUMBERED: [&str; 8] = [
     "law", "laws", "chapter", "page", "level", "question", "step", "board",
 ];
 
-/// How firmly a blank holds the two words beside it together. Where not all of a formula fits
-/// into a row, it breaks at the weakest of its blanks.
+/// How strongly a blank holds its two words together. If a formula does not fit into a row, it
+/// breaks at its weakest blank.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Hold {
     /// Not at all: words of a sentence.
@@ -203,8 +203,8 @@ fn is_function(word: &str) -> bool {
     FUNCTIONS.contains(&bare)
 }
 
-/// Whether it is seen at once that a word is one of a sentence, as most are: two of those are
-/// never held together.
+/// A quick test whether a word is an ordinary word, as most are: two of those are never held
+/// together.
 fn is_prose(word: &str) -> bool {
     let letters = word.trim_end_matches(['.', ',', ';', ':', '?', '!']);
     letters.len() > 1

@@ -26,7 +26,7 @@ pub fn wrap(text: &str, columns: usize) -> Vec<String> {
     for paragraph in text.split('\n') {
         let mut line = String::new();
         for (gap, entry) in entries(paragraph) {
-            // A name stays with what it names; one equation may part from the next.
+            // A name stays with its value; two equations may be separated.
             let fits = width(&line) + gap + width(entry) <= columns;
             if !fits && line.contains('=') {
                 lines.push(std::mem::take(&mut line));
@@ -162,8 +162,8 @@ pub(crate) fn ago(age: Duration) -> String {
     }
 }
 
-/// The beginning of a text, in at most so many columns; what is cut off is told by dots. Marks
-/// without a width of their own do not pile up either: a column has two signs at most.
+/// The beginning of a text, in at most this many columns, with an ellipsis if it is cut. Zero-width
+/// marks are limited too: a column has at most two characters.
 pub(crate) fn clipped(text: &str, columns: usize) -> String {
     let fits =
         |text: &str, columns| width(text) <= columns && text.chars().nth(2 * columns).is_none();

@@ -1,4 +1,4 @@
-//! What everything on screen is coloured like.
+//! The colours of everything on the screen.
 //!
 //! A picture names what a thing *is*, its [`Role`]; the [`Theme`] alone knows how
 //! that looks, in the player's [`Palette`] and with the colours the terminal has
@@ -6,8 +6,8 @@
 //! Design", 2008), which all kinds of colour vision tell apart, and never carry a
 //! meaning alone: a letter, a dash or a weight always says the same.
 //!
-//! The eye should find the hit first, so contrast falls from the two discs and
-//! their departures, over the line of impact and the arcs, to board and frames.
+//! The eye should find the collision first, so contrast falls from the two discs and their final
+//! velocities, over the line of impact and the arcs, to board and frames.
 
 mod colour;
 mod role;
@@ -88,8 +88,8 @@ impl Theme {
         self.palette == Palette::Mono || self.depth == Depth::None
     }
 
-    /// Whether a disc of this role is but a rim: black coins where there is no
-    /// colour to tell them from white ones.
+    /// Whether a disc of this role is only a rim: black coins, if there is no colour to distinguish
+    /// them from white ones.
     #[must_use]
     pub(crate) fn is_hollow(self, role: Role) -> bool {
         self.is_mono() && role == Role::Black
@@ -172,7 +172,7 @@ impl Theme {
         Style::new().fg(ink).bg(self.colour(role))
     }
 
-    /// [`Theme::on`] for what should not outshine the disc: geometry drawn over it.
+    /// [`Theme::on`] for marks that should not dominate the disc: geometry drawn over it.
     #[must_use]
     pub(crate) fn faintly_on(self, role: Role) -> Style {
         if self.is_mono() || self.depth == Depth::Ansi16 {
@@ -211,7 +211,7 @@ impl Theme {
         !self.is_mono() && matches!(self.depth, Depth::Indexed256 | Depth::True)
     }
 
-    /// The colour of a disc of this role that is so faint that all upon it is plain to see.
+    /// The colour of a disc of this role that is so faint that marks on it are clearly visible.
     pub(super) fn faint(self, role: Role) -> Rgb {
         self.rgb(Role::Background).mixed(self.rgb(role), 0.3)
     }

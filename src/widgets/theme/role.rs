@@ -1,4 +1,4 @@
-//! What a thing on screen is, and its colour in each palette.
+//! The roles of things on the screen, and their colours in each palette.
 
 use ratatui::style::{Color, Modifier};
 use serde::Serialize;
@@ -6,7 +6,7 @@ use strum::VariantArray;
 
 use super::{Palette, colour::Rgb};
 
-/// What a thing on screen is. The theme turns it into a colour and a weight.
+/// The role of a thing on the screen. The theme turns it into a colour and a weight.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, VariantArray)]
 #[serde(rename_all = "kebab-case")]
 pub enum Role {
@@ -38,15 +38,15 @@ pub enum Role {
     Queen,
     /// A marble.
     Marble,
-    /// The striker's velocity before the hit, u.
+    /// The striker's initial velocity, u.
     Incoming,
-    /// Its part along the line of impact, uₙ.
+    /// Its component along the line of impact, uₙ.
     NormalPart,
-    /// Its part along the tangent, uₜ.
+    /// Its component along the tangent, uₜ.
     TangentPart,
-    /// The striker's velocity after the hit, v₁.
+    /// The striker's final velocity, v₁.
     StrikerOut,
-    /// The coin's velocity after the hit, v₂.
+    /// The coin's final velocity, v₂.
     CoinOut,
     /// The line through both centres at contact.
     LineOfImpact,
@@ -58,7 +58,7 @@ pub enum Role {
     SquareCorner,
     /// The point where two discs touch.
     Contact,
-    /// What the player said would happen.
+    /// The player's prediction.
     Predicted,
     /// Where a disc has been.
     Trail,

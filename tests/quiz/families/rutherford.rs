@@ -17,7 +17,7 @@ fn count(angle_deg: f64) -> f64 {
 }
 
 #[test]
-fn the_law_is_that_of_rings() {
+fn rings_follow_the_law() {
     let offset = |deg: f64| (1.0 + deg.to_radians().cos()) / deg.to_radians().sin();
     for tens in 2..17 {
         let (deg, step) = (10.0 * f64::from(tens), 1e-4);

@@ -20,7 +20,7 @@ fn read(question: &Question, unit: &str, n: usize) -> f64 {
 }
 
 #[test]
-fn what_is_read_in_the_text_gives_the_mass() {
+fn the_numbers_in_the_text_give_the_mass() {
     for question in all(Family::Weigh) {
         assert!(matches!(question.picture, Illustration::After { .. }));
         let theta1 = read(&question, "°", 0).to_radians();

@@ -40,7 +40,7 @@ fn by_angle(question: &Question) -> bool {
 }
 
 #[test]
-fn each_asks_what_its_name_says() {
+fn each_kind_asks_what_its_name_promises() {
     let equal = |question: &Question| figure(question, "m1_g") == figure(question, "m2_g");
     for question in all(Family::FromAngle) {
         assert!(by_angle(&question) && equal(&question), "{question:#?}");
@@ -58,7 +58,7 @@ fn each_asks_what_its_name_says() {
 }
 
 #[test]
-fn the_picture_alone_is_all_there_is_to_go_by() {
+fn a_question_by_the_picture_alone_gives_no_numbers() {
     for difficulty in Difficulty::ALL {
         for question in questions(Family::FromPicture, difficulty) {
             let Illustration::Before { shown, .. } = question.picture else {

@@ -69,7 +69,7 @@ pub(super) fn spread(coins: &mut [Coin]) {
 }
 
 impl Table {
-    /// South and North come to this board with these points.
+    /// South and North begin this board with these points.
     pub(super) fn score(mut self, south: u8, north: u8) -> Self {
         // Four boards, so that the break is South's again.
         for (winner, points) in [(Team::First, south), (Team::Second, north)] {
@@ -81,7 +81,7 @@ impl Table {
         self
     }
 
-    /// White owes so many coins.
+    /// White owes this many coins.
     pub(super) fn white_owes(mut self, dues: u8) -> Self {
         self.0.play.owed[Team::First] = dues;
         self

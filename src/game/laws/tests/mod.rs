@@ -1,5 +1,5 @@
-//! The laws, one by one: each test is named after the law it holds the referee
-//! to, and plays a stroke at a table laid for it.
+//! The laws, one by one: each test is named after the law it checks, and plays a stroke on a board
+//! set up for it.
 
 mod board_ends;
 mod break_and_turn;

@@ -1,4 +1,4 @@
-//! What no game can be, whatever was played: an oracle for the other tests.
+//! States that no game can have: an oracle for the other tests.
 
 use glam::DVec2;
 

@@ -1,4 +1,4 @@
-//! Whole games of random strokes: whatever falls, the game stays a game.
+//! Whole games of random strokes: the state of the game stays valid.
 
 use glam::DVec2;
 use proptest::prelude::*;
@@ -118,8 +118,7 @@ proptest! {
     }
 }
 
-/// The pieces of both rooms together: boards played with the engine by someone
-/// who strikes hard and at random, from a legal place.
+/// Rules and engine together: boards of hard random strokes from legal places.
 #[test]
 fn boards_played_on_the_engine_stay_valid_and_end() {
     let board = Board::default();

@@ -6,20 +6,20 @@ use super::super::sight::{Sight, WALLS, Way};
 use super::{THINNEST, Unchecked};
 use crate::game::pieces::Piece;
 
-/// What a coin must be given to end in a pocket, or to drive one there.
+/// The motion that a coin needs to reach a pocket, or to drive another coin there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in super::super) struct PocketPath {
-    /// The coin, by its place among the coins.
+    /// The coin, by its index.
     pub(in super::super) coin: usize,
     /// The direction in which it must leave.
     pub(in super::super) toward: DVec2,
-    /// The speed in m/s with which it just gets there.
+    /// The least speed in m/s that is enough.
     pub(in super::super) speed: f64,
-    /// The largest error of its direction that is forgiven, in radians.
+    /// The largest tolerable error of its direction, in radians.
     pub(in super::super) allowance: f64,
 }
 
-/// The straight ways of a coin into the pockets that nothing bars.
+/// The unblocked straight paths of a coin into pockets.
 pub(in super::super) fn straight<'a>(
     sight: &'a Sight,
     coin: usize,
@@ -27,7 +27,7 @@ pub(in super::super) fn straight<'a>(
     to_the_pockets(sight, coin).filter_map(|course| course.if_clear(sight))
 }
 
-/// The straight ways of a coin to all pockets.
+/// The straight paths of a coin to all pockets.
 pub(in super::super) fn to_the_pockets<'a>(
     sight: &'a Sight,
     coin: usize,
@@ -38,7 +38,7 @@ pub(in super::super) fn to_the_pockets<'a>(
     ways.map(move |way| into_pocket(sight, coin, way))
 }
 
-/// The ways of a coin into a pocket by way of the wall opposite to it.
+/// The paths of a coin into a pocket off the opposite cushion.
 pub(in super::super) fn off_a_cushion<'a>(
     sight: &'a Sight,
     coin: usize,

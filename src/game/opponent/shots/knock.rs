@@ -1,4 +1,4 @@
-//! Strokes without a pocket in mind: to break, to open a cluster, to leave little.
+//! Strokes that do not aim for a pocket: to break, to open a cluster, to leave the opponent little.
 
 use std::ops::Range;
 

@@ -1,13 +1,12 @@
-//! Shots from geometry alone: which strokes are worth playing in the mind.
+//! Shots from geometry alone: which strokes are worth simulating.
 //!
-//! A shot is put together from its end. A [`PocketPath`] says how a coin has to leave
-//! for a pocket: straight, off a cushion, or to drive another coin that has a
-//! course. A [`ProposedStroke`] says how the striker has to leave to give a coin its course:
-//! straight or off a cushion. Each link asks a speed of the one before it and
-//! takes its share of the error that is still allowed.
+//! A shot is built from its end. A [`PocketPath`] says how a coin has to leave for a pocket:
+//! straight, off a cushion, or to drive another coin that has a course. A [`ProposedStroke`] says
+//! how the striker has to leave to give a coin its course: straight or off a cushion. Each link
+//! requires a speed of the one before it and uses a share of the tolerance that is left.
 //!
-//! To look along a way past every coin costs more than all the rest. So a link comes
-//! [`Unchecked`], and only what is good enough to be chosen is looked along.
+//! Checking a path against every coin costs more than all the rest. So a link is [`Unchecked`] at
+//! first, and only candidates that are good enough are checked.
 
 mod course;
 mod knock;
@@ -21,17 +20,17 @@ pub(super) use course::{PocketPath, combinations, off_a_cushion, straight, to_th
 pub(super) use knock::knocks;
 pub(super) use strike::{ProposedStroke, allowance, ghost, kicks, most_allowed, strike, strikes};
 
-/// The thinnest hit that is looked at, as the cosine of the impact angle: 78°.
+/// The thinnest hit that is considered, as the cosine of the impact angle: 78°.
 const THINNEST: f64 = 0.2;
 
-/// A link of a shot whose way may still be barred by a coin.
+/// A link of a shot whose path a coin may still block.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Unchecked<T> {
     pub(super) link: T,
     way: Way,
-    /// Radius of the disc that goes it.
+    /// Radius of the disc on this path.
     radius: f64,
-    /// That disc, if it is a coin, and the coin that it is to meet at the end.
+    /// That disc, if it is a coin, and the coin that it hits at the end.
     part: [Option<usize>; 2],
 }
 

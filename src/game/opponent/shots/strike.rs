@@ -14,28 +14,28 @@ pub(in super::super) struct ProposedStroke {
     pub(in super::super) from: DVec2,
     /// The direction in which it is struck.
     pub(in super::super) toward: DVec2,
-    /// The speed in m/s that just suffices.
+    /// The least speed in m/s that is enough.
     pub(in super::super) speed: f64,
-    /// The largest error of its direction that is forgiven, in radians.
+    /// The largest tolerable error of its direction, in radians.
     pub(in super::super) allowance: f64,
 }
 
 impl ProposedStroke {
-    /// The stroke at `times` the speed that just suffices.
+    /// The stroke at `times` the least speed.
     pub(in super::super) fn motion(&self, times: f64) -> Motion {
         Motion::new(self.from, self.toward * (self.speed * times))
     }
 }
 
-/// Where the striker's centre is when it gives the coin its course: the ghost
-/// striker that one aims at, touching the coin right behind its line of impact.
+/// Where the striker's centre is when it gives the coin its course: the ghost striker to aim at,
+/// which touches the coin on its line of impact.
 pub(in super::super) fn ghost(sight: &Sight, course: &PocketPath) -> Option<DVec2> {
     let coin = sight.coins.get(course.coin)?;
     let ghost = coin.at - course.toward * (sight.striker() + sight.coin());
     sight.is_inside(ghost, sight.striker()).then_some(ghost)
 }
 
-/// The straight strokes from these places.
+/// The straight strokes from these positions.
 pub(in super::super) fn strikes<'a>(
     sight: &'a Sight,
     course: &'a PocketPath,
@@ -59,8 +59,8 @@ pub(in super::super) fn strike(
     stroke(sight, course, Way::straight(from, ghost)?)
 }
 
-/// The allowance of that stroke, but for rounding, without a root: most strokes are worked
-/// out no further.
+/// The tolerance of that stroke, except for rounding, without a square root: most strokes are not
+/// computed further.
 pub(in super::super) fn allowance(
     sight: &Sight,
     course: &PocketPath,
@@ -71,13 +71,13 @@ pub(in super::super) fn allowance(
     most_allowed(sight, course, way.length_squared() / way.dot(course.toward))
 }
 
-/// The largest allowance of a straight stroke that gives a coin its course from so many
-/// metres away, a full hit.
+/// The largest tolerance of a straight stroke that gives a coin its course from this distance: that
+/// of a full hit.
 pub(in super::super) fn most_allowed(sight: &Sight, course: &PocketPath, away: f64) -> f64 {
     course.allowance * (sight.striker() + sight.coin()) / away
 }
 
-/// The strokes from these places that come off a cushion first.
+/// The strokes from these positions off a cushion.
 pub(in super::super) fn kicks<'a>(
     sight: &'a Sight,
     course: &'a PocketPath,
@@ -92,12 +92,11 @@ pub(in super::super) fn kicks<'a>(
     ways.filter_map(move |way| stroke(sight, course, way))
 }
 
-/// The stroke by which the striker gives a coin its course at the end of this way, if it
-/// does.
+/// The stroke by which the striker gives a coin its course at the end of this path, if it does.
 ///
-/// Along the line of impact it passes on a fixed share, and only the cosine of its speed
-/// counts. An error of its direction grows over its way to a shift, which the reach and
-/// the cosine turn into an error of the line of impact.
+/// Along the line of impact it transfers a fixed share of its component. An error of its direction
+/// becomes a shift at the end of its path, and through r₁ + r₂ and the cosine an error of the line
+/// of impact.
 fn stroke(sight: &Sight, course: &PocketPath, way: Way) -> Option<Unchecked<ProposedStroke>> {
     let cosine = way.arriving.dot(course.toward);
     if cosine <= THINNEST || cosine.is_nan() {

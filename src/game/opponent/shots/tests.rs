@@ -1,4 +1,4 @@
-//! The closed forms against the engine: what geometry promises comes about.
+//! Tests of the closed forms against the engine.
 
 use glam::DVec2;
 
@@ -161,7 +161,7 @@ fn a_coin_comes_off_a_cushion_into_its_pocket() {
         for course in courses {
             let places = [coins[0].at - course.toward * 0.1];
             for aim in clear(&sight, strikes(&sight, &course, &places)) {
-                // Just enough, so that the striker stays out of the way.
+                // Just fast enough, so that the striker does not interfere.
                 let shot = shoot(&sight, aim.motion(1.0 + 1e-6));
                 assert!(falls(&shot, 1), "{course:?}");
                 assert_eq!(cushions_of(&shot, 1), 1);
@@ -219,7 +219,7 @@ fn a_coin_in_the_way_closes_a_way() {
     assert_eq!(pockets(&open), 4);
     let barred = [open[0], coin(0.2, 0.215)];
     assert_eq!(pockets(&barred), 3);
-    // Two radii and a little beside the way leaves it open.
+    // Slightly more than two radii beside the path, it is free.
     let beside = DVec2::splat(0.2) + DVec2::new(0.5, -0.5).normalize() * 0.0319;
     assert_eq!(pockets(&[open[0], coin(beside.x, beside.y)]), 4);
 }

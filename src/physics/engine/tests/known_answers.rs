@@ -119,7 +119,7 @@ fn two_discs_with_friction_meet_when_and_where_the_closed_form_says() {
             DVec2::new(way - 0.2, 0.0),
             1e-14,
         );
-        // And they leave as the forms for a target at rest say.
+        // And they leave as the closed forms for a target at rest predict.
         let speed = speed_after(way, 2.0, a).expect("it gets there");
         let EventKind::Impact {
             discs,
@@ -300,7 +300,7 @@ fn a_symmetric_break_stays_symmetric() {
 }
 
 #[test]
-fn what_cannot_be_played_is_refused_in_words() {
+fn an_impossible_shot_is_refused_in_words() {
     let says = |board: &Board, table: &Table, limits: Limits| {
         play(board, &table.discs, &table.start, limits)
             .expect_err("it is unusable")
@@ -334,8 +334,8 @@ fn what_cannot_be_played_is_refused_in_words() {
     assert!(says(&board, &good, few).starts_with("more than 0 events"));
 }
 
-/// In a pack that touches, of masses over six powers of ten, nearly all work goes into the
-/// impulses of contacts at once. What was played before the work ran out stands.
+/// In a pack that touches, of masses over six powers of ten, nearly all work goes into the impulses
+/// of contacts at once. The part played before the work ran out stays in the record.
 #[test]
 fn a_shot_that_is_too_much_work_is_given_up_where_it_is() {
     let mut table = rack(0.0, (0.3, 4.0));

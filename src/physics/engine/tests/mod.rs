@@ -1,4 +1,4 @@
-//! What the engine must show, against closed forms and conservation laws.
+//! Tests of the engine against closed forms and conservation laws.
 
 mod known_answers;
 mod pinned;

@@ -3,7 +3,7 @@
 use super::tables::{closed_board, rack};
 use crate::physics::{Board, EventKind, Shot};
 
-/// FNV-1a over the bits of everything a shot says.
+/// FNV-1a over the bits of a whole shot.
 fn fingerprint(shot: &Shot) -> u64 {
     let mut hash = 0xcbf2_9ce4_8422_2325_u64;
     let mut add = |value: f64| {
@@ -27,9 +27,9 @@ fn fingerprint(shot: &Shot) -> u64 {
     hash
 }
 
-/// A pinned figure is right here, and only here: a break is chaotic, so one bit that a
-/// compiler or a processor rounds differently anywhere comes out as another number.
-/// Whoever changes the arithmetic on purpose pins it anew.
+/// A pinned figure is right here, and only here: a break is chaotic, so one bit that a compiler or
+/// a processor rounds differently anywhere comes out as another number. A deliberate change of the
+/// arithmetic needs a new pinned figure.
 #[test]
 fn whole_breaks_are_the_same_to_the_last_bit() {
     let inelastic = Board {

@@ -1,4 +1,4 @@
-//! What must hold on any table.
+//! Properties that hold on any table.
 
 use glam::DVec2;
 use proptest::prelude::*;
@@ -21,7 +21,7 @@ fn a_disc() -> impl Strategy<Value = (Disc, Motion)> {
     })
 }
 
-/// Two to twenty discs, those left out that would overlap one before.
+/// Two to twenty discs, without those that would overlap an earlier one.
 fn a_table() -> impl Strategy<Value = Table> {
     prop::collection::vec(a_disc(), 2..=20).prop_map(|all| {
         let mut table = Table::default();
@@ -52,7 +52,7 @@ fn a_board() -> impl Strategy<Value = Board> {
     )
 }
 
-/// The times worth looking at: all events, and evenly between.
+/// The times to check: all events, and evenly spaced ones between.
 fn times(shot: &Shot) -> Vec<f64> {
     let mut times: Vec<f64> = shot.events().iter().map(|event| event.time).collect();
     times.extend((0..=300).map(|i| shot.duration() * f64::from(i) / 300.0));
@@ -110,7 +110,7 @@ fn assert_balanced(shot: &Shot) {
                 (gained, since) = (0.0, event.time);
             }
             gained += 0.5 * (energy(after) - energy(before));
-            // Smooth discs: nothing happens across the line of impact.
+            // Smooth discs: the perpendicular components do not change.
             for (u, v) in before.into_iter().zip(after) {
                 let across = (v - u).perp_dot(normal).abs();
                 assert!(across <= 1e-14 * (u.length() + v.length()));
@@ -164,7 +164,7 @@ proptest! {
     }
 }
 
-/// Packs that stick together, press and come to rest disc by disc: what is hardest.
+/// Packs that stay together, press and come to rest disc by disc: the hardest case.
 #[test]
 fn so_do_packs_that_collapse() {
     for (gap, friction, e, cushion, velocity) in [
@@ -185,7 +185,7 @@ fn so_do_packs_that_collapse() {
     }
 }
 
-/// A table large enough for the grid, every disc on the move.
+/// A table large enough for the grid, with every disc moving.
 #[test]
 fn so_does_a_crowd() {
     for e in [1.0, 0.6] {
@@ -207,7 +207,7 @@ fn so_does_a_crowd() {
     }
 }
 
-/// Without friction nothing is lost at e = 1, however long one watches.
+/// Without friction no energy is lost at e = 1, however long the shot.
 #[test]
 fn without_friction_energy_stays() {
     let board = Board {

@@ -1,4 +1,4 @@
-//! Boards, discs and starts the tests play.
+//! Boards, discs and starting positions of the tests.
 
 use glam::DVec2;
 
@@ -7,7 +7,7 @@ use crate::physics::{Board, Disc, Limits, Motion, Shot, play};
 pub(super) const COIN: Disc = Disc::from_g_mm(5.5, 15.9);
 pub(super) const STRIKER: Disc = Disc::from_g_mm(15.0, 20.65);
 
-/// A table to play: discs and how they start.
+/// A table: discs and their initial motion.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Table {
     pub(super) discs: Vec<Disc>,

@@ -1,4 +1,4 @@
-//! How pupils come in: the address, the code, and a picture of both for phones.
+//! How pupils join: the address, the code, and a QR code for phones.
 
 use ratatui::layout::Rect;
 
@@ -12,22 +12,22 @@ use crate::widgets::big::Big;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Look, Role, Room, SplitLayout, areas, text};
 
-/// What is said when nobody has come for a while.
-const HINT: &str = "Nobody in yet? Devices must be in the same network as this computer. Many \
-    school networks keep devices apart: then let this computer or a phone open a hotspot and \
-    have all join that, or vote with hands or cards instead.";
+/// The hint if nobody has joined for a while.
+const HINT: &str = "Nobody in yet? Devices must be on the same network as this computer. Many \
+                    school networks separate devices: then open a hotspot on this computer or a \
+                    phone and let everyone join it, or vote with hands or cards instead.";
 /// Rows of an address in large letters.
 const LETTERS: u16 = 4;
-/// Rows beside a code from which on letters are large.
+/// The least rows beside a QR code for large letters.
 const LARGE_FROM: u16 = 13;
-/// How many times as large a code for cameras may be, the largest first.
+/// The scales of a QR code, the largest first.
 const SCALES: [usize; 3] = [3, 2, 1];
 /// Columns beside it, for the address in plain letters at least.
 const LEAST_WORDS: u16 = 24;
-/// What all should know.
+/// The notice for everyone.
 const OPENLY: &str = "Everyone on this network can see names and votes. Nicknames are fine.";
 
-/// What tells how to come in.
+/// The instructions for joining.
 pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction> {
     let mut panel = Panel::new("");
     panel.open = true;
@@ -35,11 +35,11 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     let door = match session.door() {
         DoorState::Open(door) => door,
         DoorState::Opening => {
-            panel.line("The door is being opened ..", Role::Text);
+            panel.line("Getting ready ..", Role::Text);
             return View::alone(column, panel);
         }
         DoorState::Failed(reason) => {
-            panel.paragraph(format!("Pupils cannot come in: {reason}."), Role::Warn);
+            panel.paragraph(format!("Pupils cannot join: {reason}."), Role::Warn);
             panel.gap();
             let words = "The round can also be played with teams or with cards.";
             panel.paragraph(words, Role::Text);
@@ -56,7 +56,7 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     let qr = Qr::of(&link, &look).filter(|_| door.page.is_ok());
     let beside = qr.and_then(|qr| BesideQr::new(qr, &address, body, &look));
     let is_below = beside.as_ref().is_some_and(|it| it.address_is_below);
-    // Beside a code there is room for what to do when nobody comes.
+    // Beside a QR code there is room for the hint if nobody joins.
     let waits = session.waits_long();
     write(session, door, (&address, is_below), &mut panel);
     if waits && beside.is_some() {
@@ -93,7 +93,7 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     }
 }
 
-/// Writes the address, unless it stands below, the code, and how many are in.
+/// Writes the address, unless it is below, the code, and the number of participants.
 fn write(
     session: &Session,
     door: &OpenDoor,
@@ -122,7 +122,7 @@ fn write(
     };
     panel.line(in_words, Role::Title);
     if session.is_shut() {
-        panel.line("The door is closed: nobody new can come in.", Role::Warn);
+        panel.line("The round is closed: nobody new can join.", Role::Warn);
     }
     for other in door.addresses.iter().skip(1).take(2) {
         panel.line(format!("or {other}"), Role::Dim);
@@ -140,18 +140,18 @@ fn address(door: &OpenDoor) -> String {
     first.map(ToString::to_string).unwrap_or_default()
 }
 
-/// A code for cameras, and what stands around it.
+/// A QR code, and what is around it.
 struct BesideQr {
     qr: Qr,
     place: Rect,
     words: Rect,
-    /// Whether the address stands below it, too long to be large beside it.
+    /// Whether the address is below it, because it is too long to be large beside it.
     address_is_below: bool,
 }
 
 impl BesideQr {
-    /// The largest code that leaves room for the words; for the address in plain letters at least,
-    /// and in large ones beside a code that could be smaller.
+    /// The largest QR code that leaves room for the words: for the address in plain letters, or in
+    /// large ones if the QR code can be smaller.
     fn new(qr: Qr, address: &str, body: Rect, look: &Look) -> Option<Self> {
         let mut qr = qr;
         for scale in SCALES {

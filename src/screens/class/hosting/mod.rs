@@ -1,4 +1,4 @@
-//! The pages about pupils on devices of their own: how to come in, and who is in.
+//! The pages about pupils on their own devices: how to join, and who has joined.
 
 mod door;
 mod people;
@@ -46,7 +46,7 @@ pub(crate) enum HostingAction {
 /// A page of its own.
 #[derive(Debug, Clone)]
 pub(super) enum HostPage {
-    /// How to come in.
+    /// How to join.
     Door,
     People(People),
 }
@@ -63,11 +63,11 @@ impl HostPage {
         use HostingAction::{Door, GoOn, Names, Shut};
         let shut = match session.is_shut() {
             true => "let them in",
-            false => "close the door",
+            false => "no newcomers",
         };
         match self {
             Self::Door => KeyTable::new("class")
-                .on(Key::Enter, GoOn, "on with the round")
+                .on(Key::Enter, GoOn, "back to the round")
                 .or([(Key::Char(' '), GoOn), (Key::Char('j'), GoOn)])
                 .on('w', Names, "who is in")
                 .on('c', Shut, shut),
@@ -78,7 +78,7 @@ impl HostPage {
         }
     }
 
-    /// Takes a key that types; says whether it was one.
+    /// Handles a typing key; returns whether it was one.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         match self {
             Self::People(people) => people.typed(key),
@@ -86,7 +86,7 @@ impl HostPage {
         }
     }
 
-    /// What is asked before an action is done that cannot be undone.
+    /// The question before an action that cannot be undone.
     pub(super) fn confirmation(
         &mut self,
         action: HostingAction,
@@ -96,7 +96,7 @@ impl HostPage {
             (Self::People(_), HostingAction::RemoveAway) => {
                 let away = session.away().len();
                 Some(format!(
-                    "Take {away} off the list who are away and never voted? They can join again."
+                    "Remove {away} who are away and never voted? They can join again."
                 ))
             }
             (Self::People(people), _) => people.confirmation(action, session),
@@ -104,7 +104,7 @@ impl HostPage {
         }
     }
 
-    /// Does what a key stands for; gives the page that is shown then.
+    /// Carries out an action; returns the page to show next.
     pub(super) fn act(
         page: Option<Self>,
         action: HostingAction,
@@ -136,7 +136,7 @@ impl HostPage {
         }
     }
 
-    /// Shows how things stand now.
+    /// Shows the present state.
     pub(super) fn renew(&mut self, session: &Session) {
         if let Self::People(people) = self {
             people.renew(session);

@@ -14,25 +14,25 @@ pub(in crate::screens::class) struct People {
     /// The row at the mark.
     marked: Option<Row>,
     doing: Doing,
-    /// Whom the question before the teacher is about. It is answered later, and by then others
-    /// may have come or gone.
+    /// The participant whom the question is about. By the time it is answered, others may have
+    /// joined or left.
     asked: Option<String>,
 }
 
-/// A row of the list, by the name that nobody else on it has.
+/// A row of the list, by its unique name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Row {
     Person(String),
     Removed(String),
 }
 
-/// What is being done with the one at the mark.
+/// The action in progress on the chosen row.
 #[derive(Debug, Clone)]
 enum Doing {
     Nothing,
     /// Another name is typed.
     Rename(String, TextField),
-    /// Who this stranger really is, is being chosen.
+    /// The original participant is being chosen.
     Merge(String),
 }
 
@@ -69,7 +69,7 @@ impl People {
         people
     }
 
-    /// Keeps the mark at whom it was at; where they are gone it goes to whoever stands there next.
+    /// Keeps the mark at the same participant, or at the next one if that one has gone.
     pub(super) fn renew(&mut self, session: &Session) {
         let rows = rows(session);
         if let Some(at) = rows
@@ -96,18 +96,18 @@ impl People {
         }
     }
 
-    /// The keys; `shut` is what closing or opening the door is called.
+    /// The keys; `shut` is the label for closing or opening the round.
     pub(super) fn keys(&self, session: &Session, shut: &'static str) -> KeyTable<HostingAction> {
         use HostingAction::{Back, List, Merge, NotYet, Remove, RemoveAway, Rename, Shut};
         let keys = KeyTable::new("class");
         match &self.doing {
             Doing::Rename(..) => {
-                keys.on(Key::Enter, Rename, "that is the name")
-                    .on(Key::Escape, NotYet, "as it was")
+                keys.on(Key::Enter, Rename, "use this name")
+                    .on(Key::Escape, NotYet, "cancel")
             }
             Doing::Merge(_) => {
-                let list = ListView::keys("this is who it is");
-                keys.with(list, List).on(Key::Escape, NotYet, "as it was")
+                let list = ListView::keys("it is this one");
+                keys.with(list, List).on(Key::Escape, NotYet, "cancel")
             }
             Doing::Nothing => keys
                 .with(
@@ -122,7 +122,7 @@ impl People {
                 .on(Key::Delete, Remove, "remove")
                 .or([(Key::Char('x'), Remove)])
                 .when(self.at().is_some())
-                .on('a', RemoveAway, "remove who is away")
+                .on('a', RemoveAway, "remove absentees")
                 .when(!session.away().is_empty())
                 .on('c', Shut, shut)
                 .on(Key::Escape, Back, "back")
@@ -130,7 +130,7 @@ impl People {
         }
     }
 
-    /// Takes a key that types; says whether it was one.
+    /// Handles a typing key; returns whether it was one.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         match &mut self.doing {
             Doing::Rename(_, field) => field.update(key),
@@ -138,7 +138,7 @@ impl People {
         }
     }
 
-    /// What is asked before an action is done.
+    /// The question before an action.
     pub(super) fn confirmation(
         &mut self,
         action: HostingAction,
@@ -156,7 +156,7 @@ impl People {
         let asked = self.asked.as_ref();
         match (&self.doing, action) {
             (Doing::Nothing, HostingAction::Remove) => Some(format!(
-                "Take {} off the list, with all they said? They stay out until you let them in \
+                "Remove {} with all their votes? They stay out until you let them in \
                  again.",
                 asked?
             )),
@@ -168,7 +168,7 @@ impl People {
         }
     }
 
-    /// Does what a key stands for; gives what is to change in the round.
+    /// Carries out an action; returns the change of the round.
     pub(super) fn act(&mut self, action: HostingAction, session: &Session) -> Option<ClassChange> {
         let asked = self.asked.take().and_then(|name| number(session, &name));
         match (action, std::mem::replace(&mut self.doing, Doing::Nothing)) {
@@ -223,7 +223,7 @@ impl People {
             Doing::Merge(from) => format!("Who is \"{from}\" really? Choose the name."),
             Doing::Rename(..) => "Type the name.".into(),
             Doing::Nothing if session.is_shut() => {
-                "The door is closed: nobody new can come in.".into()
+                "The round is closed: nobody new can join.".into()
             }
             Doing::Nothing => match session.handed_in_where() {
                 Some(folder) => format!("Handed in: carrom gather \"{folder}\" --out class.html"),

@@ -1,4 +1,4 @@
-//! A QR code in half blocks, black on white whatever the theme: so a phone reads it.
+//! A QR code in half blocks, black on white whatever the theme, so that phones can read it.
 
 use qrcode::{Color as Module, EcLevel, QrCode};
 use ratatui::buffer::Buffer;
@@ -21,14 +21,14 @@ pub(super) struct Qr {
 }
 
 impl Qr {
-    /// The code of a text; `None` where it cannot be drawn so that a phone reads it: without
-    /// half blocks, or without black and white.
+    /// The QR code of a text; `None` if a phone could not read it: without half blocks, or without
+    /// black and white.
     pub(super) fn of(text: &str, look: &Look) -> Option<Self> {
         let has_cells = look.charset == Charset::Unicode && look.theme.depth != Depth::None;
         let code = QrCode::with_error_correction_level(text, EcLevel::L).ok()?;
         has_cells.then(|| Self {
             side: code.width(),
-            // The first sixteen colours are whatever a terminal's owner likes.
+            // Terminals let users redefine the first sixteen colours.
             colours: match look.theme.depth {
                 Depth::None | Depth::Ansi16 => [Color::White, Color::Black],
                 Depth::Indexed256 | Depth::True => [Color::Indexed(231), Color::Indexed(16)],
@@ -38,7 +38,7 @@ impl Qr {
         })
     }
 
-    /// The same so many times as large, to be read from farther away.
+    /// The same enlarged, to be read from farther away.
     pub(super) fn scaled(self, scale: usize) -> Self {
         Self { scale, ..self }
     }
@@ -59,7 +59,7 @@ impl Qr {
         }
     }
 
-    /// Draws it into the upper left corner of a place, on white.
+    /// Draws it into the upper left corner of an area, on white.
     pub(super) fn draw(&self, place: Rect, buf: &mut Buffer) {
         let (columns, rows) = self.size();
         let colour = |dark: bool| self.colours[usize::from(dark)];

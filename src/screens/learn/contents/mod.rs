@@ -1,4 +1,4 @@
-//! The contents: what there is to read, how far one has come.
+//! The contents: the chapters and the reading progress.
 
 mod view;
 
@@ -33,8 +33,8 @@ pub(crate) enum ContentsAction {
 pub(crate) struct Contents;
 
 impl Contents {
-    /// The contents, at the first chapter that is not done. How far they have been read
-    /// is asked for, if it is not known yet.
+    /// The contents, at the first chapter that is not done. The bookmarks are requested, if they
+    /// are not known yet.
     pub(crate) fn new(cx: &mut Context) -> Self {
         cx.ask_for_marks();
         cx.book.at = cx.book.next().unwrap_or(0);
@@ -55,7 +55,7 @@ fn listed(book: &mut Book, action: ListAction) -> Next {
 #[derive(Debug, Clone, Copy)]
 enum ContentsLine<'a> {
     Chapter(&'a Chapter),
-    /// How far one has come.
+    /// The reading progress.
     Summary,
     /// The terms that the chapters introduce.
     Glossary,
@@ -150,7 +150,8 @@ impl Screen for Contents {
         };
         Next::Confirm(Confirmation::new(
             format!(
-                "Forget {title}? Your place and your answers in {of} are forgotten, so that you can start over. Your progress goes on counting every answer that you have ever given."
+                "Forget {title}? Your place and your answers in {of} are forgotten, so that you \
+                 can start over. Your progress still counts every answer you have given."
             ),
             "forget it",
             "leave it",

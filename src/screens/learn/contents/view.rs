@@ -1,4 +1,4 @@
-//! What the contents show.
+//! The view of the contents.
 
 use super::{ContentsAction, ContentsLine, chosen, lines};
 use crate::lessons::{Book, Bookmark, Chapter, GlossaryEntry};
@@ -7,12 +7,12 @@ use crate::widgets::Role;
 use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
 
-/// The contents, and what the chosen line is about.
+/// The contents, and the description of the chosen line.
 pub(super) fn view<'s>(cx: &Context) -> View<'s, ContentsAction> {
     let book = &cx.book;
     let mut list = Panel::new("learn");
     if !book.is_known() {
-        list.line("Looking …", Role::Dim);
+        list.line("Loading …", Role::Dim);
         return View::panels(list, Panel::new(""));
     }
     for (i, line) in lines(book).into_iter().enumerate() {
@@ -50,7 +50,7 @@ fn chapter_line(book: &Book, chapter: &Chapter) -> (String, String, Role) {
     )
 }
 
-/// How far a chapter is: its page while it is being read, then how many answers are right.
+/// The progress of a chapter: its page while it is being read, then the number of right answers.
 fn standing(mark: &Bookmark, chapter: &Chapter) -> String {
     let (seen, pages) = (mark.seen(chapter), chapter.pages.len());
     let sign = match (mark.is_done(chapter), mark.is_right(chapter)) {
@@ -104,7 +104,7 @@ fn about_glossary() -> Panel<ContentsAction> {
     panel
 }
 
-/// How far one has come, and what to try on the board.
+/// The overall progress, and what to try on the board.
 fn summary(book: &Book) -> Panel<ContentsAction> {
     let mut panel = Panel::new("so far");
     let chapters = &book.library().chapters;
@@ -127,7 +127,8 @@ fn summary(book: &Book) -> Panel<ContentsAction> {
         .max_by_key(|(missed, chapter)| (*missed, std::cmp::Reverse(chapter.number)));
     if let Some((_, chapter)) = weakest {
         let advice = format!(
-            "Worth another look: chapter {}, {}. In a week it will teach you more than it would today.",
+            "Worth another look: chapter {}, {}. In a week it will teach you more than it would \
+             today.",
             chapter.number, chapter.title
         );
         panel.paragraph(advice, Role::Text);
@@ -136,7 +137,7 @@ fn summary(book: &Book) -> Panel<ContentsAction> {
     panel.heading("On the board, try this:");
     for idea in [
         "Two equal coins, off-centre: look for the right angle.",
-        "Striker on a coin: it turns by 21.5° at most. Find the offset that does it.",
+        "Striker on a coin: it is deflected by at most 21.5°. At which offset?",
         "Levels: aim by the line of impact.",
     ] {
         panel.item(idea, Role::Text);

@@ -1,4 +1,4 @@
-//! α particles thrown past an atom's charge: exact hyperbolas.
+//! α-particles past the charge of an atom: exact hyperbolas.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -9,7 +9,7 @@ use crate::widgets::picture::{LabelSide, Pen, Picture, View};
 
 /// Offsets of the particles, in closest approaches d.
 const OFFSETS: [f64; 8] = [-2.2, -1.4, -0.8, -0.35, 0.15, 0.5, 1.0, 1.8];
-/// How far from the charge a way is drawn, in d, and its straight pieces.
+/// How far from the charge a path is drawn, in d, and the number of its straight pieces.
 const FARTHEST: f64 = 20.0;
 const PIECES: u32 = 240;
 /// Half the width and height of the picture, in d.

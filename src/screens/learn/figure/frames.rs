@@ -1,4 +1,4 @@
-//! One hit seen from the board and from the centre of mass, at the same moment.
+//! One collision in the laboratory frame and in the centre-of-mass frame, at the same moment.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -9,7 +9,7 @@ use crate::widgets::hit::{Overlay, Overlays, Watch};
 use crate::widgets::picture::Picture;
 use crate::widgets::{Lines, Look, Role, areas};
 
-/// The two: from the board, from the centre of mass.
+/// The two frames: laboratory, centre of mass.
 pub(super) fn watches(collision: &Collision) -> [Watch; 2] {
     let layers = Overlays::default().without([Overlay::Triangle, Overlay::Lines]);
     [Frame::Laboratory, Frame::CentreOfMass].map(|frame| {
@@ -18,11 +18,11 @@ pub(super) fn watches(collision: &Collision) -> [Watch; 2] {
     })
 }
 
-/// The room of each: side by side where there is room, else one above the other.
+/// The area of each: side by side if there is room, otherwise one above the other.
 fn halves(area: Rect) -> [Rect; 2] {
     let wide = area.width + 2 >= area.height.saturating_mul(2);
     if wide {
-        // Of one size, so that they are drawn alike: the middle column may be shared.
+        // Of equal size, so that they are drawn to the same scale: the middle column may be shared.
         let width = area.width.div_ceil(2);
         let x = area.right() - width;
         [Rect { width, ..area }, Rect { x, width, ..area }]
@@ -31,7 +31,7 @@ fn halves(area: Rect) -> [Rect; 2] {
     }
 }
 
-/// Both pictures; writes above each what it is.
+/// Both pictures, each with its name above it.
 pub(super) fn lay_out(
     watches: &[Watch],
     area: Rect,
@@ -51,8 +51,7 @@ pub(super) fn lay_out(
     .collect()
 }
 
-/// What takes the one picture to the other, V, and what happens in the other, the turn
-/// by Θ.
+/// V, which relates the two pictures, and the scattering angle Θ.
 fn told(collision: &Collision) -> [String; 2] {
     let speed = collision.centre_of_mass_velocity().length();
     let angle = collision

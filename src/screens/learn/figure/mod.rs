@@ -1,4 +1,4 @@
-//! The figure of a page: what it shows, the keys and the mouse that work it.
+//! The figure of a page: its view, its keys and its mouse actions.
 
 mod foil;
 mod frames;
@@ -57,12 +57,12 @@ pub(crate) enum FigureAction {
 pub(super) struct LiveFigure {
     figure: Figure,
     collision: Collision,
-    /// Whether the outcome is not to be seen yet.
+    /// Whether the outcome is still hidden.
     hidden: bool,
     state: FigureState,
 }
 
-/// What a kind of figure has to remember.
+/// The state of a kind of figure.
 #[derive(Debug, Clone)]
 enum FigureState {
     /// The hit being watched, or the hit in two frames.
@@ -75,8 +75,8 @@ enum FigureState {
 }
 
 impl LiveFigure {
-    /// A figure with its outcome `hidden` or told. `alpha_deg` is the angle that the
-    /// student set last.
+    /// A figure with its outcome `hidden` or shown. `alpha_deg` is the angle that the student set
+    /// last.
     pub(super) fn new(mut figure: Figure, alpha_deg: Option<f64>, hidden: bool) -> Self {
         if !hidden {
             figure.shot = figure.after;
@@ -129,13 +129,13 @@ impl LiveFigure {
         &self.collision
     }
 
-    /// The same as the lab sets it up.
+    /// The same as settings of the lab.
     pub(super) fn setup(&self) -> CollisionSpec {
         CollisionSpec::from(&self.collision)
     }
 
-    /// The question of where both will go, where it is given by the impact angle and
-    /// one of the quiz's kind: smooth discs that meet, one of them at rest.
+    /// The question where both will go, if the shot is given by the impact angle and is of the
+    /// quiz's kind: smooth discs, one of them at rest.
     pub(super) fn question_by_angle(&self) -> Option<Hit> {
         let collision = &self.collision;
         let hit = collision.outcome().meeting == Meeting::Hit;
@@ -167,8 +167,8 @@ impl LiveFigure {
         }
     }
 
-    /// Shows the outcome. What the student said of it is watched from the start, unless
-    /// motion is reduced; anything else stands told.
+    /// Shows the outcome. After a prediction it is played from the start, unless motion is reduced;
+    /// otherwise its end is shown.
     pub(super) fn reveal(&mut self, said: Option<Rays>, pace: HitPace) {
         self.hidden = false;
         if self.figure.shot != self.figure.after {
@@ -181,14 +181,14 @@ impl LiveFigure {
         }
     }
 
-    /// Tells all of its hit at once.
+    /// Shows the whole explanation of its collision at once.
     pub(super) fn tell(&mut self) {
         if let FigureState::Hits(hits) = &mut self.state {
             hits.iter_mut().for_each(Watch::tell);
         }
     }
 
-    /// Whether it takes arrow keys to set something, so that keys go to it first.
+    /// Whether it uses arrow keys, so that keys go to it first.
     pub(super) fn is_set_by_keys(&self) -> bool {
         self.has_alpha() || self.is_text()
     }
@@ -235,21 +235,21 @@ impl LiveFigure {
             },
             FigureKind::Triangle { .. } => triangle::title(&self.collision).into(),
             FigureKind::Frames => "one hit, two frames".into(),
-            FigureKind::Curves => "speeds after the hit".into(),
+            FigureKind::Curves => "speeds afterwards".into(),
             FigureKind::Angles => "the two angles".into(),
-            FigureKind::Energy => "who has the energy".into(),
+            FigureKind::Energy => "shares of energy".into(),
             FigureKind::Worked { .. } | FigureKind::Solve | FigureKind::Foil { .. } => {
                 match &self.state {
                     FigureState::Worked(worked) => worked.title(&self.collision),
                     FigureState::Foil(plot) => plot.title().into(),
-                    _ => "α particles at an atom".into(),
+                    _ => "α-particles at an atom".into(),
                 }
             }
             FigureKind::Shots { space, .. } => shots::title(space).into(),
         }
     }
 
-    /// Whether an outcome that is hidden is covered by the picture before the hit.
+    /// Whether a hidden outcome is replaced by the picture before the collision.
     fn covers_outcome(&self) -> bool {
         let kind = self.figure.kind;
         kind.is_hit() || matches!(kind, FigureKind::Triangle { .. } | FigureKind::Frames)
@@ -274,7 +274,7 @@ impl LiveFigure {
             FigureState::Hits(hits) => match hits.as_slice() {
                 [] => keys,
                 [hit] => keys.with(watched(hit), FigureAction::Watch),
-                // Each is seen from its own frame, always.
+                // Each is always in its own frame.
                 [hit, ..] => {
                     let watched = watched(hit).without_keys(&[Key::Char('f')]);
                     alpha.with(watched, FigureAction::Watch)
@@ -287,7 +287,7 @@ impl LiveFigure {
         }
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(super) fn act(&mut self, action: FigureAction) {
         match (action, &mut self.state) {
             (FigureAction::Alpha(by), _) => {
@@ -316,8 +316,7 @@ impl LiveFigure {
         }
     }
 
-    /// Takes the mouse over its picture, where `rays` may be turned; says whether it
-    /// meant anything.
+    /// Handles the mouse over its picture, where `rays` may be turned; returns whether it was used.
     pub(super) fn mouse(
         &mut self,
         mouse: &Mouse,
@@ -366,7 +365,7 @@ impl LiveFigure {
         })
     }
 
-    /// Lets time pass.
+    /// Advances the time.
     pub(super) fn advance(&mut self, passed: Duration, pace: HitPace) {
         match &mut self.state {
             FigureState::Hits(hits) => {
@@ -388,14 +387,14 @@ impl LiveFigure {
         }
     }
 
-    /// Draws it, with the rays that are turned.
+    /// Draws it, with the predicted rays.
     pub(super) fn draw(&self, area: Rect, buf: &mut Buffer, look: &Look, rays: Option<&RayInput>) {
         for picture in self.lay_out(area, buf, look, rays) {
             picture.draw(buf, look);
         }
     }
 
-    /// Writes what is read in it, and gives what is to be drawn.
+    /// Writes its text, and returns its picture.
     fn lay_out(
         &self,
         area: Rect,

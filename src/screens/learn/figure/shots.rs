@@ -1,4 +1,4 @@
-//! Many shots at one disc at rest, none of them aimed: equal masses, nothing lost.
+//! Many unaimed shots at one disc at rest: equal masses, no energy lost.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -26,8 +26,8 @@ pub(super) fn title(space: bool) -> &'static str {
     }
 }
 
-/// The shots, evenly spread. With an angle `beyond`, in radians, those that are turned
-/// by more stand out; writes below how many.
+/// The shots, evenly spread. With an angle `beyond`, in radians, those deflected by more are
+/// highlighted, with their number below.
 pub(super) fn lay_out(
     space: bool,
     beyond: Option<f64>,
@@ -36,7 +36,7 @@ pub(super) fn lay_out(
     look: &Look,
 ) -> Picture {
     let [area, words] = areas::upper(area, area.height.saturating_sub(1));
-    // What is turned by more than θ₁ = 90° − α comes nearer than sin α = cos θ₁.
+    // A deflection of more than θ₁ = 90° − α requires an offset below sin α = cos θ₁.
     let near = beyond.map(f64::cos);
     let text = match (beyond, near) {
         (Some(beyond), Some(near)) => {
@@ -44,7 +44,7 @@ pub(super) fn lay_out(
             let counted = offsets.iter().filter(|at| at.length() < near).count();
             let angle = beyond.to_degrees();
             format!(
-                "{counted} of {} turn by more than {angle:.0}°.",
+                "{counted} of {} deflected by over {angle:.0}°.",
                 offsets.len()
             )
         }
@@ -59,7 +59,7 @@ pub(super) fn lay_out(
     }
 }
 
-/// The ways of shots on a board. Those that come within `near` stand out.
+/// The paths of shots on a board. Those with offsets below `near` are highlighted.
 fn ways(near: Option<f64>, area: Rect) -> Picture {
     let view = View::fit(area, -ON_BOARD_EXTENT, ON_BOARD_EXTENT);
     let mut picture = Picture::new(view);
@@ -77,14 +77,14 @@ fn ways(near: Option<f64>, area: Rect) -> Picture {
     picture
 }
 
-/// The round target of shots in space, and where they meet it. Those within `near` stand
-/// out.
+/// The circular target of shots in space, and where they hit it. Those within `near` are
+/// highlighted.
 fn face(near: Option<f64>, area: Rect) -> Picture {
     let view = View::fit(area, -IN_SPACE_EXTENT, IN_SPACE_EXTENT);
     let mut picture = Picture::new(view);
     picture.circle(DVec2::ZERO, 1.0, Pen::new(Role::Arc).dotted());
     for at in in_space() {
-        // Small enough for a mark of its place.
+        // Small enough to be drawn as a mark.
         let counted = near.is_some_and(|near| at.length() < near);
         let role = if counted { Role::Marble } else { Role::Coin };
         picture.disc(at, 1e-3, role, ' ');
@@ -115,8 +115,8 @@ fn in_space() -> Vec<DVec2> {
     (0..IN_SPACE).map(at).collect()
 }
 
-/// The way of a striker's centre: straight on until the rims touch, then at θ₁ = 90° − α
-/// from its old course, away from the coin, sin α = b.
+/// The path of a striker's centre: straight on until the rims touch, then at θ₁ = 90° − α from its
+/// original direction, away from the coin, sin α = b.
 fn way(offset: f64) -> [DVec2; 3] {
     let far = 3.0 * ON_BOARD_EXTENT.length();
     let contact = dvec2(-(1.0 - offset * offset).sqrt(), offset);

@@ -1,7 +1,7 @@
 //! The triangle of momenta and the proof in three steps.
 //!
-//! All momenta are shares of m₁, so that between equal masses they are the very
-//! velocities: u = v₁ + (m₂/m₁) v₂.
+//! All momenta are divided by m₁, so that for equal masses they are the velocities: u = v₁ +
+//! (m₂/m₁) v₂.
 
 use glam::DVec2;
 use ratatui::buffer::Buffer;
@@ -35,12 +35,12 @@ pub(super) fn title(collision: &Collision) -> &'static str {
     }
 }
 
-/// The rows for the picture and those for what it says.
+/// The rows for the picture and those for its text.
 fn rooms(area: Rect) -> [Rect; 2] {
     areas::upper(area, area.height.saturating_sub(2))
 }
 
-/// Squares stand on the sides from the second step on.
+/// Squares are drawn on the sides from the second step on.
 fn view(collision: &Collision, step: u8, area: Rect) -> View {
     let u = collision.u1.length();
     let squares = f64::from(u8::from(step == 2));
@@ -64,7 +64,7 @@ pub(super) fn alpha_at(shown: &LiveFigure, area: Rect, (column, row): (u16, u16)
         .then(|| at.y.atan2(left.x).to_degrees())
 }
 
-/// The triangle up to a step of the proof; writes below it what the step says.
+/// The triangle up to a step of the proof, with the text of the step below it.
 pub(super) fn lay_out(
     collision: &Collision,
     step: u8,
@@ -112,7 +112,7 @@ pub(super) fn lay_out(
             _ => format!("{name} = {length:.2}"),
         };
         let outwards = outwards(from, to, middle);
-        // In the middle of a square that has room for it, else beyond the square.
+        // In the middle of a square if there is room, otherwise beyond it.
         let columns = length / picture.view().per_column();
         let roomy = columns > text::width(&text) as f64 + 2.0;
         let towards = LabelSide::towards(outwards);
@@ -130,7 +130,7 @@ pub(super) fn lay_out(
     picture
 }
 
-/// Away from the middle of the triangle, square to a side.
+/// Away from the middle of the triangle, perpendicular to a side.
 fn outwards(from: DVec2, to: DVec2, middle: DVec2) -> DVec2 {
     let across = (to - from).perp().normalize_or_zero();
     let away = (from + to) / 2.0 - middle;
@@ -146,7 +146,7 @@ fn square(picture: &mut Picture, from: DVec2, to: DVec2, middle: DVec2, role: Ro
     picture.curve([from, from + out, to + out, to], Pen::new(role).dotted());
 }
 
-/// What a step says, in the numbers of the shot.
+/// The text of a step, with the numbers of the shot.
 fn words(collision: &Collision, step: u8, [a, b]: [DVec2; 2]) -> String {
     let u = collision.u1.length();
     let (uu, aa, bb) = (u * u, a.length_squared(), b.length_squared());
@@ -162,7 +162,7 @@ fn words(collision: &Collision, step: u8, [a, b]: [DVec2; 2]) -> String {
     }
 }
 
-/// What the squares on the two short sides leave over.
+/// The difference between the square of u and those of the short sides.
 fn spare(both: f64) -> String {
     if both.abs() < 0.005 {
         String::new()

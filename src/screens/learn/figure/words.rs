@@ -1,4 +1,4 @@
-//! What the figure of a page shows, in words, computed by the engine.
+//! The figure of a page in words, computed by the engine.
 
 use glam::DVec2;
 
@@ -11,8 +11,8 @@ use crate::physics::{
     Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, Meeting, worked,
 };
 
-/// What the figure of a page shows, a line each; before the page's question is
-/// `answered`, and where a later page asks for it, no more than how the hit is set up.
+/// The figure of a page in sentences; before the page's question is `answered`, or if a later page
+/// asks for the outcome, only the set-up.
 pub(in crate::screens::learn) fn describe(
     chapter: &Chapter,
     at: usize,
@@ -51,7 +51,7 @@ pub(in crate::screens::learn) fn describe(
     }
 }
 
-/// Whether one of these pages asks what becomes of a shot.
+/// Whether one of these pages asks for the outcome of a shot.
 fn is_asked(later: &[ChapterPage], shot: &CollisionSpec) -> bool {
     later.iter().any(|page| {
         let figure = page.figure.as_ref();
@@ -68,8 +68,8 @@ fn is_asked(later: &[ChapterPage], shot: &CollisionSpec) -> bool {
     })
 }
 
-/// What becomes of a hit, as a figure of this kind tells it; of what `is_asked` later
-/// only what is drawn of the hit itself.
+/// The outcome of a collision, as a figure of this kind shows it; if it `is_asked` later, only the
+/// drawn geometry.
 fn outcome(kind: FigureKind, collision: &Collision, is_asked: bool) -> Vec<String> {
     match kind {
         FigureKind::Split { lines } => split(collision, lines),
@@ -93,8 +93,8 @@ fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
         FigureKind::Angles => every_ten(collision, |_, outcome| {
             let angle = |theta: Option<f64>| theta.map(|theta| degrees(theta.abs()));
             match (angle(outcome.theta1), angle(outcome.theta2)) {
-                (Some(theta1), Some(theta2)) => format!("θ₂ = {theta2} goes with θ₁ = {theta1}."),
-                _ => "Head-on the striker stops, and has no angle.".into(),
+                (Some(theta1), Some(theta2)) => format!("θ₁ = {theta1} belongs to θ₂ = {theta2}."),
+                _ => "Head-on the striker stops and has no direction.".into(),
             }
         }),
         FigureKind::Energy => every_ten(collision, |alpha_deg, outcome| {
@@ -112,7 +112,7 @@ fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
     }
 }
 
-/// Shots that nobody aimed, between equal discs.
+/// Unaimed shots between equal discs.
 fn shots(space: bool, beyond_deg: f64, told: bool) -> Vec<String> {
     let (beam, over) = if space {
         (Beam::Space, "a round target of radius r₁ + r₂")
@@ -123,14 +123,14 @@ fn shots(space: bool, beyond_deg: f64, told: bool) -> Vec<String> {
     if told {
         let share = beam.share_within(rad_from_deg(beyond_deg).cos());
         lines.push(format!(
-            "{} % of them are turned by more than {beyond_deg}°.",
+            "{} % of them are deflected by more than {beyond_deg}°.",
             significant(100.0 * share)
         ));
     }
     lines
 }
 
-/// How the hit is set up, as far as the picture before it shows.
+/// The set-up of the collision, as the picture before it shows.
 fn set_up(spec: &CollisionSpec, collision: &Collision) -> String {
     let place = match collision.alpha() {
         _ if collision.offset.abs() <= 0.0 => "head-on".to_owned(),
@@ -140,7 +140,7 @@ fn set_up(spec: &CollisionSpec, collision: &Collision) -> String {
         }
         _ => {
             let b = millimetres(mm_from_m(collision.offset.abs()));
-            format!("with its path at b = {b} beside the other's centre")
+            format!("with an offset of b = {b}")
         }
     };
     let target = match collision.u2.length() > 0.0 {
@@ -148,12 +148,12 @@ fn set_up(spec: &CollisionSpec, collision: &Collision) -> String {
         false => "one at rest".to_owned(),
     };
     format!(
-        "a disc comes at {} to {target}, {place}.",
+        "a disc moves at {} towards {target}, {place}.",
         speed(collision.u1)
     )
 }
 
-/// What no picture shows of the two: their masses, and how they push.
+/// What no picture shows: the masses, and the kind of contact.
 fn weighed(collision: &Collision) -> String {
     let [m1, m2] = [collision.striker, collision.target]
         .map(|disc| with_unit(&significant(g_from_kg(disc.mass)), "g"));
@@ -167,7 +167,7 @@ fn weighed(collision: &Collision) -> String {
     format!("The first has {m1}, the other one {m2}. {contact}")
 }
 
-/// What becomes of it, as the worked solution sums it up.
+/// The outcome, as the worked solution summarizes it.
 fn result(collision: &Collision) -> Vec<String> {
     let last = worked::steps(collision, false).pop();
     last.map(|step| step.why).into_iter().collect()
@@ -189,7 +189,7 @@ fn every_ten(
     (0..90).step_by(10).map(told).collect()
 }
 
-/// The lines at the contact, and unless it is these `lines` alone, the two parts of the
+/// The lines at the contact and, unless only the `lines` are shown, the two components of the
 /// striker's velocity.
 fn split(collision: &Collision, lines: bool) -> Vec<String> {
     let Collision { u1, .. } = collision;
@@ -205,8 +205,8 @@ fn split(collision: &Collision, lines: bool) -> Vec<String> {
                 .into(),
         ],
         false => vec![format!(
-            "Of the striker's velocity {along} m/s lie along the line of impact and {across} m/s \
-             across it."
+            "The striker's velocity has components of {along} m/s along the line of impact and \
+             {across} m/s perpendicular to it."
         )],
     }
 }
@@ -221,7 +221,7 @@ fn triangle(collision: &Collision) -> Vec<String> {
     ];
     let [before, striker, target] = sides.map(|momentum| significant(1e3 * momentum));
     let momenta = format!(
-        "The momenta make a triangle: {before} g m/s before, and after it {striker} g m/s of the \
+        "The momenta form a triangle: {before} g m/s before; afterwards {striker} g m/s of the \
          striker and {target} g m/s of the other disc."
     );
     let apart = outcome.separation.map(degrees);
@@ -236,19 +236,22 @@ fn in_the_centre(collision: &Collision) -> Vec<String> {
     let [u1, u2, v1, v2] =
         [centre.u1, centre.u2, outcome.v1, outcome.v2].map(|v| significant(v.length()));
     let came = format!(
-        "The centre of mass moves at {drift} all the while. Seen from there the discs come with \
-         {u1} and {u2} m/s from opposite sides, and"
+        "The centre of mass moves at {drift} throughout. In its frame the discs approach at {u1} \
+         and {u2} m/s from opposite sides, and"
     );
     let mut lines = result(collision);
     if collision.bond == Bond::Stick && outcome.meeting == Meeting::Hit {
-        lines.push(format!("{came} stay."));
+        lines.push(format!("{came} stay together."));
         return lines;
     }
     lines.push(format!(
-        "{came} leave with {v1} and {v2} m/s, back to back."
+        "{came} leave at {v1} and {v2} m/s in opposite directions."
     ));
     if let Some(turn) = outcome.theta1.filter(|_| outcome.v1.length() > 1e-9) {
-        lines.push(format!("Both are turned by Θ = {}.", degrees(turn.abs())));
+        lines.push(format!(
+            "Both are deflected by Θ = {}.",
+            degrees(turn.abs())
+        ));
     }
     lines
 }

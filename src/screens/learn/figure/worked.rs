@@ -1,4 +1,4 @@
-//! The worked solution, a step at a time.
+//! The worked solution, step by step.
 
 use crate::messages::Key;
 use crate::physics::worked::{self, WorkedStep};
@@ -15,13 +15,13 @@ use crate::widgets::panel::Panel;
 pub(super) struct WorkedFigure {
     /// The step, from 0.
     step: usize,
-    /// The first step, from 1, whose results are left blank until they are told.
+    /// The first step, from 1, whose results are blank until they are shown.
     blank: Option<usize>,
-    /// What the student sets, in a solution of their own.
+    /// The student's numbers, in a solution of their own.
     form: Option<SettingsForm>,
 }
 
-/// What the student sets in a solution of their own.
+/// The student's numbers in a solution of their own.
 const FIELDS: [CollisionField; 5] = [
     CollisionField::StrikerMass,
     CollisionField::CoinMass,
@@ -30,7 +30,7 @@ const FIELDS: [CollisionField; 5] = [
     CollisionField::Restitution,
 ];
 
-/// The numbers of a solution of one's own.
+/// The numbers of a student's own solution.
 struct OwnNumbers(CollisionSpec);
 
 impl FormFields for OwnNumbers {
@@ -59,8 +59,7 @@ fn last(collision: &Collision) -> usize {
 }
 
 impl WorkedFigure {
-    /// A solution that is read, open at the step that is left blank while it is `hidden`, if
-    /// any is.
+    /// A solution to read, open at the step that is blank while it is `hidden`, if there is one.
     pub(super) fn given(blank: Option<usize>, hidden: bool) -> Self {
         Self {
             step: blank.map_or(0, |step| step - 1),
@@ -78,7 +77,7 @@ impl WorkedFigure {
         }
     }
 
-    /// Tells what was left blank.
+    /// Shows the blank results.
     pub(super) fn reveal(&mut self) {
         self.blank = None;
     }
@@ -102,7 +101,7 @@ impl WorkedFigure {
         // Tab and the keys for pages are those of the page.
         let page = [Key::Tab, Key::BackTab, Key::PageUp, Key::PageDown];
         let set = form.keys(&numbers(collision)).without_keys(&page);
-        // On a small screen the steps are worth more than what is typed.
+        // On a small screen the steps have priority over the typed number.
         let set = set.renamed("set", |action| matches!(action, FormAction::Step(_)));
         let set = set.renamed("", |action| matches!(action, FormAction::Number(_)));
         let set = set.map(FigureAction::Set);
@@ -120,7 +119,7 @@ impl WorkedFigure {
         self.form.as_ref().is_some_and(SettingsForm::is_typing)
     }
 
-    /// Does what a key stands for.
+    /// Carries out an action.
     pub(super) fn act(&mut self, action: FigureAction, collision: &mut Collision) {
         match (action, &mut self.form) {
             (FigureAction::Step(by), _) => {
@@ -136,7 +135,7 @@ impl WorkedFigure {
         }
     }
 
-    /// Writes the step at hand, below what is set, if anything is.
+    /// Writes the present step, below the settings, if there are any.
     pub(super) fn write(&self, collision: &Collision, panel: &mut Panel<FigureAction>) {
         if let Some(form) = &self.form {
             let numbers = numbers(collision);
@@ -170,11 +169,11 @@ impl WorkedFigure {
     }
 }
 
-/// What stands in place of a result.
+/// The placeholder of a result.
 const GAP: &str = "____";
 
-/// A line of working without what it finds: a formula stays, and the numbers that are
-/// put into it; from the first value on there is a gap.
+/// A line of working without its results: the formula and the inserted numbers stay; from the first
+/// value on there is a gap.
 fn without_result(line: &str) -> String {
     let equality = || line.match_indices('=').map(|(at, _)| at);
     let value = equality().find(|at| is_value(&line[at + 1..]));
@@ -189,7 +188,7 @@ fn without_result(line: &str) -> String {
     }
 }
 
-/// Whether a text begins with a number or with the parts of a vector.
+/// Whether a text begins with a number or with the components of a vector.
 fn is_value(text: &str) -> bool {
     let text = text.trim_start().trim_start_matches(['(', '−']);
     text.starts_with(|first: char| first.is_ascii_digit())

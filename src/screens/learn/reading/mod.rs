@@ -59,16 +59,16 @@ pub(crate) struct Reading {
     number: usize,
     chapter: Chapter,
     at: usize,
-    /// The page; none is open before it is known where the chapter was left.
+    /// The page; none is open until the bookmark is known.
     open: Option<OpenPage>,
     /// The impact angle that was set since the bookmark was moved last, in degrees.
     alpha_deg: Option<f64>,
     notice: Option<&'static str>,
-    /// The page that it was opened at to look something up.
+    /// The page that was opened to look something up.
     visited: Option<usize>,
 }
 
-/// Why a figure is not shown whole yet.
+/// Why a figure is not shown completely yet.
 const SAY_FIRST: &str = "First say what you think.";
 
 impl Reading {
@@ -79,8 +79,8 @@ impl Reading {
         Self::opened(number, None, cx)
     }
 
-    /// A chapter, opened at a page to look something up; `None` beyond the last. Where it
-    /// was left stays.
+    /// A chapter, opened at a page to look something up; `None` beyond the last. The bookmark does
+    /// not move.
     pub(crate) fn visit(number: usize, page: usize, cx: &mut Context) -> Option<Self> {
         cx.ask_for_marks();
         Self::opened(number, Some(page), cx)
@@ -109,8 +109,8 @@ impl Reading {
         }
     }
 
-    /// A page as it is before its checkpoint, after a `first` wrong answer to it, or with an
-    /// `answer` after it: to see whether it fits.
+    /// A page before its checkpoint, after a `first` wrong answer to it, or with an `answer`, for
+    /// the check whether it fits.
     pub(super) fn of_page(
         chapter: &Chapter,
         at: usize,
@@ -152,7 +152,7 @@ impl Reading {
         self.lay_out(mark.and_then(|mark| mark.alpha_deg), answer);
     }
 
-    /// Keeps what was done; who looks something up keeps the place where they read on.
+    /// Saves what was done; looking something up does not move the bookmark.
     fn mark(&self, mut later: Bookmark, cx: &mut Context) {
         if self.visited.is_some() {
             later.place = None;
@@ -174,8 +174,8 @@ impl Reading {
         self.open.as_ref()?.figure.as_ref()
     }
 
-    /// Takes an answer: marks it and keeps it. A first wrong one gets a hint, if there is
-    /// one, else it is told what is so.
+    /// Handles an answer: marks and saves it. After a first wrong answer there is a hint, if the
+    /// page has one; otherwise the right answer is shown.
     fn answered(&mut self, answer: Response, cx: &mut Context) {
         let Some(open) = &mut self.open else {
             return;
@@ -203,7 +203,7 @@ impl Reading {
         self.mark(mark, cx);
     }
 
-    /// Tells what is so after the first try alone.
+    /// Shows the right answer after the first try.
     fn show_it(&mut self, cx: &mut Context) {
         let Some(open) = &mut self.open else {
             return;
@@ -232,8 +232,8 @@ impl Reading {
         }
     }
 
-    /// Keeps the impact angle that the student has set: not at each step of a dial, but
-    /// when the page is left.
+    /// Saves the impact angle that the student has set: not at each step, but when the page is
+    /// left.
     fn keep_alpha(&mut self, cx: &mut Context) {
         if let Some(alpha_deg) = self.alpha_deg.take() {
             let later = Bookmark {
@@ -257,7 +257,7 @@ impl Reading {
         };
         self.mark(first, cx);
         if self.visited.is_none() {
-            // The next chapter, or after the last one how far one has come.
+            // The next chapter, or after the last one the overall progress.
             cx.book.at = self.number + 1;
         }
         Next::Back
@@ -311,7 +311,7 @@ impl Reading {
 
     /// The keys that give an answer. The other ray is chosen by Enter: Tab goes to the figure.
     fn answer_keys(open: &OpenPage) -> KeyTable<AnswerAction> {
-        // What leads back to the contents is worth more on a small screen.
+        // On a small screen the way back to the contents has priority.
         let spare = |action| {
             use AnswerAction::{Choose, Ray};
             matches!(action, Choose(_) | Ray(RayAction::StaysStill))
@@ -374,7 +374,7 @@ impl Screen for Reading {
             .on(Key::Enter, Next, on)
             .or([(Key::Char('n'), Next)])
             .when(!asking && !telling && !typing)
-            // Enter and Space go through what the hit tells.
+            // Enter and Space step through the explanation of the collision.
             .on(Key::Char('n'), Next, on)
             .when(telling)
             .on(Key::Escape, Leave, away)
@@ -484,7 +484,7 @@ impl Screen for Reading {
     fn view<'s>(&'s self, cx: &'s Context) -> View<'s, ReadingAction> {
         let Some(open) = &self.open else {
             let mut panel = Panel::new(self.chapter.title.as_str());
-            panel.line("Looking …", Role::Dim);
+            panel.line("Loading …", Role::Dim);
             return View::alone(SplitLayout::text_alone, panel);
         };
         let panel = panel::panel(open, self.at, self.notice, cx.settings.charset);
@@ -531,7 +531,7 @@ impl Screen for Reading {
         Next::after(used)
     }
 
-    /// Beyond its ends the text goes on with another page.
+    /// Beyond its ends the text continues with another page.
     fn scrolled_out(&mut self, by: i16, cx: &mut Context) -> Next {
         match by {
             PAGE_ROWS => self.on(cx),

@@ -1,4 +1,4 @@
-//! A page that is open: its figure, and how far its question is.
+//! An open page: its figure, and the state of its question.
 
 use crate::lessons::{ChapterPage, Checkpoint};
 use crate::physics::Collision;
@@ -18,7 +18,7 @@ pub(super) struct OpenPage {
     pub(super) on_figure: bool,
 }
 
-/// What a page asks, and how far that is.
+/// The question of a page, and its state.
 #[derive(Debug, Clone)]
 pub(super) struct PageQuestion {
     pub(super) checkpoint: Checkpoint,
@@ -27,16 +27,16 @@ pub(super) struct PageQuestion {
     pub(super) first: Option<Response>,
 }
 
-/// How far a question is.
+/// The state of a question.
 #[derive(Debug, Clone)]
 pub(super) enum Stage {
-    /// It waits for its answer, or after a hint for the second.
+    /// It waits for its answer, or after a hint for the second one.
     Asking(AnswerInput),
-    /// It was answered, and what is true is told.
+    /// It was answered, and the right answer is shown.
     Told(Response),
 }
 
-/// What a checkpoint asks, as the quiz asks it.
+/// A checkpoint as a question of the quiz.
 fn form_of(checkpoint: &Checkpoint, figure: Option<&Collision>) -> Form {
     let prose = Prose {
         figure: None,
@@ -60,7 +60,7 @@ impl PageQuestion {
         form_of(&self.checkpoint, figure)
     }
 
-    /// Begins the second try: rays stay as they were said, to be changed.
+    /// Begins the second try: the rays stay as they were, to be changed.
     pub(super) fn ask_again(&mut self, first: Response, form: &Form) {
         self.first = Some(first);
         self.stage = Stage::Asking(match first {
@@ -109,7 +109,7 @@ impl OpenPage {
         self.figure.as_ref().map(LiveFigure::collision)
     }
 
-    /// The answer in the making.
+    /// The answer being entered.
     pub(super) fn input(&self) -> Option<&AnswerInput> {
         match &self.question.as_ref()?.stage {
             Stage::Asking(input) => Some(input),
@@ -117,7 +117,7 @@ impl OpenPage {
         }
     }
 
-    /// The same, to be changed.
+    /// The same, for changing.
     pub(super) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
         match &mut self.question.as_mut()?.stage {
             Stage::Asking(input) => Some(input),
@@ -135,18 +135,18 @@ impl OpenPage {
         self.input().is_some()
     }
 
-    /// The first answer, while a second one is asked for.
+    /// The first answer, while a second one is being entered.
     pub(super) fn hinted(&self) -> Option<Response> {
         self.question.as_ref().filter(|_| self.is_asking())?.first
     }
 
-    /// The hit that is just telling what happens, step by step.
+    /// The collision that is being explained step by step.
     pub(super) fn telling(&self) -> Option<&Watch> {
         let watch = self.figure.as_ref().and_then(LiveFigure::watch);
         watch.filter(|watch| !self.is_asking() && !watch.is_told())
     }
 
-    /// Shows what belongs to an answer.
+    /// Shows the result of an answer.
     pub(super) fn tell(&mut self, answer: Response, pace: HitPace) {
         if let Some(question) = &mut self.question {
             question.stage = Stage::Told(answer);

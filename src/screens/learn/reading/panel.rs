@@ -1,4 +1,4 @@
-//! The text of a page: what is to be read and asked, or what is said to an answer.
+//! The text of a page: its words and question, or the feedback on an answer.
 
 use super::ReadingAction;
 use super::page::{OpenPage, PageQuestion, Stage};
@@ -11,12 +11,12 @@ use crate::widgets::panel::Panel;
 use crate::widgets::panels::{reason, said_and_true};
 use crate::widgets::{AnswerAction, AnswerInput, Charset, Role};
 
-/// What next to do has the least worth, for the keys at the foot say it too; then what has
-/// been read.
+/// The prompts have the lowest priority, because the line of keys shows them too; then the text
+/// that has been read.
 const NEXT: u8 = 1;
 const READ: u8 = 2;
 
-/// The panel of page `at`; a notice stays in sight above it.
+/// The panel of page `at`; a notice stays visible above it.
 pub(super) fn panel(
     open: &OpenPage,
     at: usize,
@@ -52,7 +52,7 @@ pub(super) fn panel(
         }
         Stage::Told(answer) => {
             panel.subject += 2;
-            // What was read stays above it, if there is room for both.
+            // The text stays above it, if there is room for both.
             panel.worth(READ, |panel| {
                 prose.write_dimmed(&open.page.text, panel);
                 if answer.rays().is_some() {
@@ -67,7 +67,7 @@ pub(super) fn panel(
     panel
 }
 
-/// What is asked, and the answer in the making.
+/// The question, and the answer being entered.
 fn asking(
     open: &OpenPage,
     question: &PageQuestion,
@@ -126,7 +126,7 @@ fn asking(
     });
 }
 
-/// What is said to an answer.
+/// The feedback on an answer.
 fn told(
     open: &OpenPage,
     question: &PageQuestion,

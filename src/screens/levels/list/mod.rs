@@ -1,4 +1,4 @@
-//! The list of levels: what there is, what has been won, what comes next.
+//! The list of levels: all levels, those that have been won, and the next one.
 
 mod view;
 
@@ -28,8 +28,8 @@ pub(crate) enum LevelsAction {
 }
 
 impl Levels {
-    /// The list, at the first level that was never won. Which ones the player has won
-    /// before is asked for, and the list goes on to the next when that is known.
+    /// The list, at the first level that was never won. The levels won before are requested, and
+    /// the list moves to the next one when they are known.
     pub(crate) fn new(cx: &mut Context) -> Self {
         cx.shelf.at = cx.shelf.next().unwrap_or(0);
         let player = cx.settings.player.clone();

@@ -1,4 +1,4 @@
-//! What the list of levels shows.
+//! The view of the list of levels.
 
 use super::LevelsAction;
 use crate::levels::{Level, Shelf};
@@ -8,7 +8,7 @@ use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Role, Room, SplitLayout};
 
-/// What stands beside the level that is to be won next.
+/// The mark beside the level to win next.
 const NEXT: &str = "next";
 /// Columns of the panel on a narrow screen, where the titles need the room.
 const NARROW_PANEL: u16 = 24;
@@ -22,7 +22,7 @@ fn layout(room: Room) -> SplitLayout {
     }
 }
 
-/// The list, and what the chosen level is about.
+/// The list, and the description of the chosen level.
 pub(super) fn view<'s>(shelf: &Shelf) -> View<'s, LevelsAction> {
     let at = shelf.at.checked_sub(shelf.count());
     let problem = at.and_then(|i| shelf.library().problems.get(i));
@@ -42,7 +42,7 @@ pub(super) fn view<'s>(shelf: &Shelf) -> View<'s, LevelsAction> {
     View::panels(list(shelf), about).laid_out(layout)
 }
 
-/// All levels, pack by pack, and after them what is left out.
+/// All levels, pack by pack, and after them the files left out.
 fn list(shelf: &Shelf) -> Panel<LevelsAction> {
     let mut panel = Panel::new("levels");
     let mut number = 0;
@@ -88,7 +88,7 @@ fn choice(shelf: &Shelf, at: usize, panel: &mut Panel<LevelsAction>) {
     panel.row((name, Role::Text), (side, Role::Key), chosen, action);
 }
 
-/// What a level is about.
+/// The description of a level.
 fn about(level: &Level, stars: u8) -> Panel<LevelsAction> {
     let mut panel = Panel::new("the level");
     panel.paragraph(&level.title, Role::Title);

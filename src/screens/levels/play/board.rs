@@ -14,16 +14,16 @@ use crate::widgets::{Role, board, sheet};
 
 /// Length of the arrow of the shot, in metres for each m/s.
 const ARROW: f64 = 0.03;
-/// Length of a ray that was said, in metres.
+/// Length of a predicted ray, in metres.
 const RAY: f64 = 0.14;
-/// The same where the picture is of the discs alone.
+/// The same in a picture of the discs alone.
 const NEAR_RAY: f64 = 0.055;
 
-/// Room round the discs where only the first hit counts, in metres: to see them leave.
+/// Space around the discs if only the first collision counts, in metres, to see them leave.
 const MARGIN: f64 = 0.02;
 
-/// Where the board of a level is on the screen: the whole of it, or the discs alone and
-/// larger where nothing counts but their first hit.
+/// The area of the board on the screen: the whole board, or an enlarged part with the discs if only
+/// their first collision counts.
 pub(super) fn view(level: &Level, area: Rect) -> View {
     let scene = &level.scene;
     if !level.is_of_the_first_hit() {
@@ -61,8 +61,8 @@ fn ground(level: &Level, area: Rect) -> Picture {
     let mut picture = Picture::new(view);
     let board = &level.scene.board;
     board::ground(&mut picture, board);
-    // A board with pockets that fills the picture is plain to see; of any other the
-    // cushions are drawn, for discs turn back there.
+    // A board with pockets that fills the picture is clear; otherwise the cushions are drawn,
+    // because discs rebound there.
     if view.area() != area || board.pocket_diameter <= 0.0 {
         let half = DVec2::splat(0.5 * board.side);
         picture.rectangle(-half, half, Role::BoardLine);
@@ -74,7 +74,7 @@ fn ground(level: &Level, area: Rect) -> Picture {
     picture
 }
 
-/// Writes which circle is whose, and tells discs of one kind apart.
+/// Labels the circles, and discs of the same kind.
 fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
     let circles: Vec<_> = level
         .goals
@@ -82,7 +82,7 @@ fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
         .filter_map(|goal| goal.circle())
         .collect();
     for (circle, disc) in &circles {
-        // One alone is the goal; of several each has the name of its disc.
+        // A single circle is "goal"; several have the names of their discs.
         let name = level.scene.name(*disc);
         let text = match circles.as_slice() {
             [_] => "goal",
@@ -124,7 +124,7 @@ fn discs(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
     picture.discs(discs.iter().filter_map(body));
 }
 
-/// The board with the shot as it is aimed, up to the first thing it meets.
+/// The board with the aimed shot, up to the first contact.
 pub(super) fn of_aim(level: &Level, scene: &Scene, met: Option<FirstMet>, area: Rect) -> Picture {
     let mut picture = ground(level, area);
     let places = scene.pieces.iter().map(|piece| piece.at).enumerate();
@@ -163,7 +163,7 @@ pub(super) fn first_met(scene: &Scene) -> Option<FirstMet> {
     Some((shot.at(aimed, time).position, touches))
 }
 
-/// A shot at the time its clock shows, with the ways so far.
+/// A shot at the time of its clock, with the paths so far.
 pub(super) fn of_made(level: &Level, made: &MadeShot, area: Rect) -> Picture {
     let mut picture = ground(level, area);
     let player = &made.player;
@@ -180,7 +180,7 @@ pub(super) fn of_made(level: &Level, made: &MadeShot, area: Rect) -> Picture {
     if level.is_of_the_first_hit()
         && let Some(impact) = player.impacts().first().filter(|impact| impact.time < now)
     {
-        // Where they touched, as those that leave are soon out of the picture.
+        // At the contact, because discs that leave are soon out of the picture.
         for disc in impact.discs {
             let at = shot.at(disc, impact.time).position;
             let radius = shot.discs().get(disc).map_or(0.0, |disc| disc.radius);
@@ -193,7 +193,7 @@ pub(super) fn of_made(level: &Level, made: &MadeShot, area: Rect) -> Picture {
     picture
 }
 
-/// The way of a disc up to now.
+/// The path of a disc so far.
 fn trail(picture: &mut Picture, shot: &Shot, disc: usize, now: f64, role: Role) {
     let pen = Pen::new(role).on(DrawLayer::Trail).dotted();
     for leg in shot.path(disc).take_while(|leg| leg.start < now) {
@@ -206,7 +206,7 @@ fn trail(picture: &mut Picture, shot: &Shot, disc: usize, now: f64, role: Role) 
     }
 }
 
-/// What was said of the first impact, once it has come.
+/// The prediction for the first impact, once it has happened.
 fn said(picture: &mut Picture, level: &Level, made: &MadeShot) {
     let player = &made.player;
     let (Some(said), Some(impact)) = (&made.said, player.impacts().first()) else {

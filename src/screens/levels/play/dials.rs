@@ -13,7 +13,7 @@ use crate::widgets::input::{Field, FieldValue, FormFields, SettingsForm};
 pub(super) struct Dials {
     pub(super) level: Level,
     pub(super) aim: LevelAim,
-    /// What the shot first meets as it is aimed.
+    /// The first contact of the aimed shot.
     pub(super) met: Option<FirstMet>,
     dragged: Option<Dial>,
 }
@@ -21,8 +21,8 @@ pub(super) struct Dials {
 impl FormFields for Dials {
     fn fields(&self) -> Vec<Field> {
         let field = |(dial, range): (Dial, Range)| {
-            // To the right is against the way that directions count, and they may be
-            // counted from either side of a whole turn.
+            // Turning right decreases the direction, and a direction has several values that differ
+            // by whole turns.
             let (range_held, step) = match dial {
                 Dial::Direction => ((f64::NEG_INFINITY, f64::INFINITY), -dial.step()),
                 _ => ((range.from, range.to), dial.step()),
@@ -66,13 +66,13 @@ impl Dials {
         self.aim = aim;
     }
 
-    /// The place of a dial among those that may be turned.
+    /// The index of a dial among the adjustable ones.
     fn place(&self, dial: Dial) -> Option<usize> {
         self.level.adjust.dials().position(|(own, _)| own == dial)
     }
 
-    /// Sets a dial as near to a number as the level allows; a direction may be
-    /// counted from either side of a whole turn.
+    /// Sets a dial as close to a number as the level allows; a direction may be counted from either
+    /// side of a whole turn.
     fn set_dial(&mut self, dial: Dial, number: f64) {
         let Some(range) = self.level.adjust.range(dial) else {
             return;
@@ -88,7 +88,7 @@ impl Dials {
         self.set_aim(self.aim.with(dial, setting));
     }
 
-    /// All dials as they stand, in one line.
+    /// All dials with their values, in one line.
     pub(super) fn setting(&self) -> String {
         let set = self.fields().into_iter().map(|field| field.shown);
         set.collect::<Vec<_>>().join(", ")
@@ -101,8 +101,8 @@ impl Dials {
         form.step_at(self.place(Dial::Speed).unwrap_or(chosen), up, self);
     }
 
-    /// The button went down (`pressed`) or moved over a point of the board: drags the
-    /// disc along its line if it was pressed on it, else points the shot there.
+    /// The button went down (`pressed`) or moved over a point of the board: drags the disc along
+    /// its line if the button was pressed on the disc, otherwise aims the shot there.
     pub(super) fn drag(&mut self, form: &mut SettingsForm, at: DVec2, near: f64, pressed: bool) {
         let scene = self.level.aimed(&self.aim);
         let Some(piece) = scene.pieces.get(scene.stroke.disc) else {

@@ -8,8 +8,8 @@ use crate::screens::levels::words::face_of;
 use crate::widgets::RayInput;
 use crate::widgets::replay::{ShotAction, ShotClock, ShotImpact, ShotPlayer, WatchRate};
 
-/// Until when a shot is seen. Where nothing counts but the first hit, that is to the next
-/// cushion after it.
+/// The time until which a shot is shown. If only the first collision counts, until the next cushion
+/// after it.
 fn end(level: &Level, shot: &Shot) -> f64 {
     if !level.is_of_the_first_hit() {
         return shot.duration();
@@ -17,18 +17,18 @@ fn end(level: &Level, shot: &Shot) -> f64 {
     let hit = |event: &Event| matches!(event.kind, EventKind::Impact { .. });
     let cushion = |event: &&Event| matches!(event.kind, EventKind::Cushion { .. });
     let events = shot.events();
-    // The hit may come off a cushion itself.
+    // The collision may itself come after a cushion.
     let since = events.iter().position(hit).unwrap_or(0);
     let next = events.iter().skip(since).find(cushion);
     next.map_or(shot.duration(), |event| event.time)
 }
 
-/// The rays that were asked for.
+/// The rays that the level asks for.
 pub(super) fn asked(said: &RayInput) -> impl Iterator<Item = Ray> + '_ {
     Ray::BOTH.into_iter().filter(|ray| said.asks(*ray))
 }
 
-/// Whether all that was asked for is right.
+/// Whether all of them are right.
 fn is_right(said: &RayInput, impact: &ShotImpact) -> bool {
     let truth = Rays::from(&impact.collision.outcome());
     asked(said).all(|ray| {
@@ -42,18 +42,17 @@ fn is_right(said: &RayInput, impact: &ShotImpact) -> bool {
 pub(super) struct MadeShot {
     pub(super) player: ShotPlayer,
     pub(super) verdict: Judgement,
-    /// What the player said of the first impact.
+    /// The player's prediction for the first impact.
     pub(super) said: Option<RayInput>,
-    /// How it was won, if it was.
+    /// The kind of win, if it was won.
     pub(super) win: Option<Win>,
-    /// Whether it was seen to its end, so that its outcome may be told.
+    /// Whether it was watched to its end, so that its outcome may be shown.
     pub(super) told: bool,
 }
 
 impl MadeShot {
-    /// The shot numbered `number`, counted from 1, made after so many hints, watched at
-    /// `rate` if that was chosen.
-    /// `to_say`: whether there was something to say of it.
+    /// The shot numbered `number`, from 1, made after this many hints, watched at `rate` if that
+    /// was chosen. `to_say`: whether a prediction was possible.
     pub(super) fn new(
         level: &Level,
         shot: Shot,
@@ -63,7 +62,7 @@ impl MadeShot {
         (rate, reduced): (Option<WatchRate>, bool),
     ) -> Self {
         let verdict = judge(level, &shot);
-        // What is seen of a first hit alone is small and near.
+        // A first collision alone is short and small.
         let usual = match level.is_of_the_first_hit() {
             true => WatchRate::QUARTER,
             false => WatchRate::REAL,
@@ -96,7 +95,8 @@ impl MadeShot {
         self.keep_if_told(level, cx);
     }
 
-    /// Notes whether all has been seen, and then keeps a win in the level of this number.
+    /// Notes whether the shot has been watched to its end, and then saves a win in the level of
+    /// this number.
     pub(super) fn keep_if_told(&mut self, level: usize, cx: &mut Context) {
         self.told |= self.player.zoom().is_none() && self.player.clock().is_over();
         if self.told {
@@ -104,14 +104,14 @@ impl MadeShot {
         }
     }
 
-    /// Keeps a win; one that was not watched to its end counts all the same.
+    /// Saves a win; it counts even if it was not watched to its end.
     pub(super) fn keep(&self, level: usize, cx: &mut Context) {
         if let Some(win) = self.win {
             cx.won(level, win);
         }
     }
 
-    /// What came about: of the goals the first that was missed.
+    /// The result: the first goal that was missed.
     pub(super) fn in_short(&self) -> Option<String> {
         let findings = &self.verdict.findings;
         let unmet = findings.iter().find(|finding| !finding.met);

@@ -1,5 +1,5 @@
-//! Playing a level: set the shot, say where the first hit sends the discs, watch, and
-//! see what came about.
+//! Playing a level: set the shot, predict the paths after the first collision, watch, and see the
+//! result.
 
 mod board;
 mod dials;
@@ -29,25 +29,25 @@ pub(crate) struct LevelPlay {
     /// Its number on the shelf, from 0.
     number: usize,
     dials: Dials,
-    /// The dial that keys turn.
+    /// The dial that keys change.
     form: SettingsForm,
     /// How many hints have been asked for.
     hints: usize,
     /// Shots made since it was opened.
     shots: u32,
-    /// What came of those that were looked at, the last one last.
+    /// The results of the shots watched, the latest last.
     earlier: Vec<EarlierShot>,
     phase: LevelPhase,
-    /// Why the last shot could not be made.
+    /// Why the last shot could not be played.
     trouble: Option<String>,
 }
 
-/// What one is doing.
+/// The phase of the level.
 #[derive(Debug, Clone)]
 enum LevelPhase {
     /// Setting the shot.
     Aim,
-    /// Saying where the first hit sends the discs.
+    /// Predicting the paths after the first collision.
     Predict(Box<PendingShot>),
     Watch(Box<MadeShot>),
 }
@@ -58,11 +58,11 @@ struct EarlierShot {
     /// Its number, from 1.
     number: u32,
     set: String,
-    /// What came about: of the goals the first that was missed.
+    /// The result: the first goal that was missed.
     told: String,
 }
 
-/// The shot that is about to be made, and what is being said of its first impact.
+/// The next shot, and the prediction being entered for its first impact.
 #[derive(Debug, Clone)]
 struct PendingShot {
     rays: RayInput,
@@ -136,7 +136,7 @@ impl LevelPlay {
         both.filter_map(|(ray, asked)| asked.then_some(ray))
     }
 
-    /// From aiming to saying, or to the shot where there is nothing to say.
+    /// From aiming to predicting, or to the shot if there is nothing to predict.
     fn go(&mut self, cx: &mut Context) {
         let scene = self.level().aimed(&self.dials.aim);
         let shot = match scene.play(Patience::AKey) {
@@ -211,7 +211,7 @@ impl Screen for LevelPlay {
             LevelPhase::Aim => {
                 let says = !self.level().say_first.is_empty();
                 let go = match says && cx.settings.predict {
-                    true => "say where",
+                    true => "predict",
                     false => "shoot",
                 };
                 let form = self

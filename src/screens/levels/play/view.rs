@@ -1,5 +1,5 @@
-//! What a level shows: the board or an impact, and beside it goals and dials, the rays being
-//! said, what came about and why.
+//! The view of a level: the board or an impact, and beside it goals and dials, the predicted rays,
+//! the result and the explanation.
 
 use super::made_shot::{MadeShot, asked};
 use super::{LevelAction, LevelPhase, LevelPlay, PendingShot, board};
@@ -38,8 +38,8 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
                 .discs
                 .map(|disc| words::face_of(&level.scene, disc));
             let (collision, rays) = (&pending.impact.collision, &pending.rays);
-            // Along the line of impact the other disc leaves: its angle is not given where
-            // that is asked for.
+            // The target leaves along the line of impact, so its angle is not shown if the player
+            // has to predict it.
             let given = Markings {
                 offset: true,
                 angle: !rays.asks(Ray::Target),
@@ -56,7 +56,7 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
             }
         },
     };
-    // A hit takes all the room there is; a board is square.
+    // A collision fills the area; a board is square.
     match play.is_enlarged() || level.is_of_the_first_hit() {
         true => view,
         false => view.square(),
@@ -104,8 +104,8 @@ fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
     let shoot = ("shoot", LevelAction::Go);
     panel.prompts(match (says, cx.settings.predict) {
         _ if play.form.is_typing() => vec![("set it", set)],
-        (true, true) => vec![("say where they go", LevelAction::Go)],
-        (true, false) => vec![shoot, ("say first", LevelAction::Predict)],
+        (true, true) => vec![("predict both paths", LevelAction::Go)],
+        (true, false) => vec![shoot, ("predict", LevelAction::Predict)],
         (false, _) => vec![shoot],
     });
     let hidden = play.earlier.len().saturating_sub(SHOWN_EARLIER);
@@ -138,14 +138,14 @@ fn hints(play: &LevelPlay, panel: &mut LevelPanel) {
 }
 
 fn say(play: &LevelPlay, pending: &PendingShot) -> LevelPanel {
-    let mut panel = Panel::new("say it first");
+    let mut panel = Panel::new("predict it");
     let scene = &play.level().scene;
     let [_, target] = pending.impact.discs;
     let name = words::short(scene, target);
     let collision = &pending.impact.collision;
     offset(collision, &mut panel);
     if pending.rays.asks(Ray::Target) {
-        // The angle itself is what is asked for.
+        // The player has to predict this angle.
         contact_distance(collision, &mut panel);
     } else {
         impact_angle(collision, &mut panel);
@@ -176,7 +176,7 @@ fn watching(play: &LevelPlay, made: &MadeShot) -> LevelPanel {
     panel
 }
 
-/// What came about.
+/// The result.
 fn outcome(play: &LevelPlay, made: &MadeShot, cx: &Context) -> LevelPanel {
     let mut panel = Panel::new(if made.win.is_some() { "won" } else { "not yet" });
     match &made.win {
@@ -222,19 +222,19 @@ fn outcome(play: &LevelPlay, made: &MadeShot, cx: &Context) -> LevelPanel {
     panel
 }
 
-/// The explanation, what the stars were for, and where to go on.
+/// The explanation, the reasons for the stars, and the next step.
 fn won(play: &LevelPlay, win: Win, panel: &mut LevelPanel, cx: &Context) {
     panel.paragraph(&play.level().explanation, Role::Text);
     panel.gap();
     if !win.has_few_shots() {
-        let text = format!("A star more: win with at most {FEW_SHOTS} shots and no hint.");
+        let text = format!("One more star: win with at most {FEW_SHOTS} shots and no hint.");
         panel.paragraph(text, Role::Dim);
     }
     if !win.is_accurate() {
         let text = match win.said_right {
-            Some(_) if cx.settings.predict => "A star more: say within 4° where the discs go.",
-            Some(_) => "A star more: say first where the discs go.",
-            None => "A star more: win with the first shot.",
+            Some(_) if cx.settings.predict => "One more star: predict the paths within 4°.",
+            Some(_) => "One more star: predict the paths first.",
+            None => "One more star: win with the first shot.",
         };
         panel.paragraph(text, Role::Dim);
     }
@@ -245,7 +245,7 @@ fn won(play: &LevelPlay, win: Win, panel: &mut LevelPanel, cx: &Context) {
     panel.prompt(next, LevelAction::NextLevel);
 }
 
-/// What was said beside the truth.
+/// The prediction beside the true directions.
 fn answers(play: &LevelPlay, made: &MadeShot, impact: &ShotImpact, panel: &mut LevelPanel) {
     let Some(said) = &made.said else {
         return;
@@ -270,7 +270,7 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
     let [first, second] = impact.discs.map(|disc| scene.name(disc));
     let met = numbers::capital(&format!("{first} on {second}"));
     panel.paragraph(met, Role::Title);
-    // What a win has shown is no secret any more.
+    // After a win nothing is hidden any more.
     let secret = match made.win {
         Some(_) => &[],
         None => play.level().unknown_mass.as_slice(),
@@ -285,7 +285,8 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
     }
     panel.gap();
     if is_secret.contains(&true) {
-        let text = "A mass here is for you to find. The angles of the first hit tell it: where nothing is lost, m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁.";
+        let text = "One mass here is unknown. The angles of the first collision give it: with no \
+                    energy lost, m₁ / m₂ = sin(θ₁ + 2 θ₂) / sin θ₁.";
         panel.paragraph(text, Role::Text);
     } else {
         let why = why(&impact.collision, said.and_then(RayInput::both));

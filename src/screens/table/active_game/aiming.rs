@@ -1,4 +1,4 @@
-//! Aiming: the place, the direction and the strength of the next stroke.
+//! Aiming: the position, the direction and the strength of the next stroke.
 
 use glam::DVec2;
 use ratatui::layout::Rect;
@@ -63,7 +63,7 @@ pub enum AimAid {
     Line,
     /// Where the striker will be then.
     Ghost,
-    /// Where both will leave that hit.
+    /// Both paths after that collision.
     Rays,
 }
 
@@ -89,7 +89,7 @@ impl ActiveGame {
         let practice = self.is_practice();
         // A long hint is read with the page keys.
         let reads = self.hint.as_ref().is_some_and(|hinted| hinted.whole);
-        let back = if self.is_pulling() { "not now" } else { "" };
+        let back = if self.is_pulling() { "cancel" } else { "" };
         let aim = KeyTable::new("table")
             .on(' ', Strike, "strike")
             .or((!typing).then_some((Key::Enter, Strike)))
@@ -129,8 +129,8 @@ impl ActiveGame {
             .with(unnamed, TableAction::Aim)
     }
 
-    /// Aims, or does what can be done beside it. A number that was typed is a direction,
-    /// unless the key after it says that it is a place or a speed.
+    /// Aims, or carries out other actions. A typed number is a direction, unless the key after it
+    /// makes it a position or a speed.
     pub(super) fn aim_by(&mut self, action: AimAction, cx: &Context) -> Option<GamePhase> {
         if !matches!(action, AimAction::Number(_))
             && let Some(number) = self.entry.take()
@@ -242,7 +242,7 @@ impl ActiveGame {
         After::Same
     }
 
-    /// Writes the aim, what it will meet first, and how the game stands.
+    /// Writes the aim, its first contact, and the score.
     pub(super) fn write_aim(&self, charset: Charset, panel: &mut Panel<TableAction>) {
         self.write_turn(panel);
         let aim = self.aimed();
@@ -261,7 +261,7 @@ impl ActiveGame {
         }
         if self.is_pulling() {
             let what = match self.is_drawn() {
-                true => "Let go: strike. Back to the striker: not now.",
+                true => "Let go: strike. Back to the striker: cancel.",
                 false => "Pull farther back to strike.",
             };
             panel.paragraph(what, Role::Key);
@@ -306,7 +306,7 @@ impl ActiveGame {
             return;
         };
         match &preview.end {
-            // While one calls, the impact angle is the coin's answer.
+            // During a call the impact angle would reveal the coin's direction.
             WayEnd::Meets(hit) => first_hit(self.game(), hit, !self.options.call, panel),
             WayEnd::Falls => panel.line("no hit: into the pocket", Role::Warn),
             WayEnd::Stops => panel.line("no hit", Role::Dim),
@@ -342,7 +342,7 @@ fn piece(game: &Game, coin: usize) -> &'static str {
     coin.map_or("coin", |coin| coin.piece.into())
 }
 
-/// Writes a first hit in numbers: which coin, b, and α if it may be told.
+/// Writes a first collision in numbers: which coin, b, and α if it may be shown.
 pub(super) fn first_hit<A>(game: &Game, hit: &FirstHit, tells_angle: bool, panel: &mut Panel<A>) {
     panel.fact("first hit", piece(game, hit.coin));
     offset(&hit.impact.collision, panel);

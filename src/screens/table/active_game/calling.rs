@@ -76,7 +76,7 @@ impl Calling {
     }
 
     pub(super) fn picture(&self, area: Rect) -> Picture {
-        // Not the impact angle: along the line of impact the coin leaves.
+        // Not the impact angle, because the coin leaves along the line of impact.
         let shown = Markings {
             angle: false,
             ..Markings::ALL
@@ -90,7 +90,7 @@ impl Calling {
     pub(super) fn write(&self, panel: &mut Panel<TableAction>) {
         let collision = &self.hit.impact.collision;
         offset(collision, panel);
-        // Not the impact angle: that is the coin's answer.
+        // Not the impact angle, which would reveal the coin's direction.
         contact_distance(collision, panel);
         masses(collision, [false; 2], panel);
         panel.gap();

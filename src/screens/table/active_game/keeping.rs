@@ -1,4 +1,4 @@
-//! GameKeeping the game: saved after each move, exported when asked, gone on with later.
+//! Saving the game: after each move, as an export, and for resuming it later.
 
 use super::ActiveGame;
 use crate::game::{Fingerprint, RecordError, SavedGame};
@@ -8,21 +8,19 @@ use crate::screens::table::game_history::GameHistory;
 use crate::screens::table::options::Options;
 use crate::screens::table::words;
 
-/// How a game is kept.
+/// How a game is saved.
 #[derive(Debug, Clone, Default)]
 pub(super) struct GameKeeping {
     /// The ticket it is saved with, once it has been.
     ticket: Option<u64>,
-    /// Whether the game as it stands can be gone on with later; `None` while the answer to
-    /// the first save is awaited.
+    /// Whether the present game can be resumed later; `None` until the first save is answered.
     pub(super) saved: Option<bool>,
     /// What the player has to know, until the next stroke: why the game cannot be saved.
     pub(super) trouble: Option<String>,
 }
 
 impl ActiveGame {
-    /// Sits down to a game that was saved, and keeps it with the ticket it was
-    /// loaded with.
+    /// Resumes a saved game, and saves it with the ticket it was loaded with.
     ///
     /// # Errors
     /// If it cannot be played.
@@ -45,7 +43,7 @@ impl ActiveGame {
         Ok(active)
     }
 
-    /// Has the game saved if anything was done since.
+    /// Saves the game if anything has changed.
     pub(super) fn save(&mut self, cx: &mut Context) {
         if self.history.take_unsaved() {
             let ticket = self.keeping.ticket.unwrap_or_else(|| cx.ticket());
@@ -66,11 +64,11 @@ impl ActiveGame {
         }
     }
 
-    /// Takes in what came of saving and exporting.
+    /// Handles the results of saving and exporting.
     pub(in crate::screens::table) fn take_answer(&mut self, answer: &StoreAnswer) {
         match &answer.done {
             StoreReply::Saved(result) if self.keeping.ticket == Some(answer.ticket) => {
-                // A failure is told once, not after each stroke.
+                // A failure is reported once, not after each stroke.
                 if let Err(reason) = result
                     && self.keeping.saved != Some(false)
                 {

@@ -1,5 +1,5 @@
-//! A game in progress at the table: the game itself, and one file a thing that one does
-//! there: aiming, calling, watching a stroke, looking into one impact, laying coins out.
+//! A game in progress at the table: the game itself, and one file per phase: aiming, calling,
+//! watching a stroke, examining an impact, laying coins out.
 
 mod aiming;
 mod arranging;
@@ -48,9 +48,9 @@ pub(super) struct ActiveGame {
     pub(super) options: Options,
     pub(super) history: GameHistory,
     pub(super) aim: Aim,
-    /// What the aim will meet; kept, because it takes an engine to know.
+    /// The first contact of the aim, cached because the engine has to compute it.
     pub(super) preview: Option<Preview>,
-    /// The aim it was worked out for, and how many moves had been made.
+    /// The aim it was computed for, and the number of moves at that time.
     previewed: Option<(Aim, usize)>,
     /// An angle being typed.
     entry: NumberEntry,
@@ -58,19 +58,19 @@ pub(super) struct ActiveGame {
     pub(super) hint: Option<Hinted>,
     /// What the mouse holds while its button is down.
     grip: Grip,
-    /// What has to be said just now: why something cannot be done.
+    /// A notice: why something cannot be done.
     notice: Option<String>,
     keeping: GameKeeping,
 }
 
-/// What is being done at the table.
+/// The phase of the table.
 #[derive(Debug, Clone)]
 enum GamePhase {
     /// Aiming the next stroke.
     Aim,
     /// Seeing the computer's stroke before it is struck.
     Show(Box<ShownStroke>),
-    /// Saying where the two of the first impact will go.
+    /// Predicting the directions after the first impact.
     Call(Box<Calling>),
     Watch(Box<StrokeReplay>),
     /// Laying coins out, in practice.
@@ -124,7 +124,7 @@ pub(super) struct Hinted {
 }
 
 impl ActiveGame {
-    /// Sits down to a new game.
+    /// Begins a new game.
     pub(super) fn new(options: Options, seed: u64) -> Self {
         Self::with(options, GameHistory::new(options.setup(seed)))
     }
@@ -170,7 +170,7 @@ impl ActiveGame {
         self.options.player(self.seat()) == Player::Computer
     }
 
-    /// Whether leaving now would break a game off.
+    /// Whether leaving now would interrupt a game.
     fn is_running(&self) -> bool {
         self.history.len() > 0 && !matches!(self.game().stage(), GameStage::MatchOver(_))
     }
@@ -185,8 +185,8 @@ impl ActiveGame {
         }
     }
 
-    /// Makes a move and begins the turn that follows; says in words if it cannot be
-    /// made. Gives the shot if it was a stroke.
+    /// Makes a move and begins the next turn; reports in words if it is impossible. Returns the
+    /// shot if it was a stroke.
     fn make(&mut self, next: Move) -> Option<Shot> {
         match self.history.make(next) {
             Ok(shot) => {
@@ -234,8 +234,8 @@ impl ActiveGame {
         self.look_at(first, cx.settings.reduced_motion, cx)
     }
 
-    /// A fresh aim for the game as it stands. In practice the aim stays as long as it
-    /// can, to try the same again with a little more or less of something.
+    /// A new aim for the present game. In practice the aim stays if possible, for another try with
+    /// a small change.
     fn begin_turn(&mut self) {
         if !self.is_practice() || self.game().check_place(self.aim.place).is_err() {
             let speed = self.aim.speed;
@@ -267,7 +267,7 @@ impl ActiveGame {
         aim
     }
 
-    /// Works out what the aim will meet, if it or the game has changed.
+    /// Computes the first contact of the aim, if it or the game has changed.
     fn look_ahead(&mut self) {
         let aim = (self.aimed(), self.history.len());
         if self.previewed.replace(aim) != Some(aim) {

@@ -40,7 +40,7 @@ impl Playing {
         self.follow(first.into(), cx);
     }
 
-    /// The keys that mean something just now, the most useful first.
+    /// The current keys, the most useful first.
     pub(in crate::screens::table) fn keys(&self) -> KeyTable<TableAction> {
         use GameAction::{Back, Export, WatchAll};
         let game = &self.game;
@@ -81,7 +81,7 @@ impl Playing {
         }
     }
 
-    /// Does what a key or a click stands for.
+    /// Carries out the action of a key or a click.
     pub(in crate::screens::table) fn act(&mut self, action: TableAction, cx: &mut Context) -> Next {
         self.hand_over(cx);
         self.game.notice = None;
@@ -155,7 +155,7 @@ impl Playing {
         self.follow(after, cx)
     }
 
-    /// Lets time pass.
+    /// Advances the time.
     pub(in crate::screens::table) fn advance(&mut self, passed: Duration, cx: &mut Context) {
         self.hand_over(cx);
         let after = match &mut self.phase {
@@ -225,7 +225,8 @@ impl Playing {
             .square()
             .dragging(match phase {
                 GamePhase::Aim => Some(
-                    "Touch the board to aim. Drag the striker along its base line; pull it back and let go to strike.",
+                    "Touch the board to aim. Drag the striker along its base line; pull it back \
+                     and let go to strike.",
                 ),
                 GamePhase::Call(_) => Some(RayInput::DRAG),
                 _ => None,
@@ -276,7 +277,7 @@ impl GamePhase {
     /// The titles of picture and panel.
     fn titles(&self, game: &ActiveGame) -> (String, String) {
         let panel = match self {
-            Self::Call(_) => return ("call it: where to?".into(), "say it first".into()),
+            Self::Call(_) => return ("call it: where to?".into(), "predict it".into()),
             Self::Watch(replay) => return replay.titles(&game.history),
             Self::Arrange(_) => "lay the coins out".into(),
             Self::Aim | Self::Show(_) => match game.options.seat_name(game.seat()) {

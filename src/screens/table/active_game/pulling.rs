@@ -1,5 +1,5 @@
-//! What the mouse or a finger does to the aim: it points where to go, moves the striker, or
-//! pulls back from it and lets go.
+//! Aiming with the mouse or a finger: pointing, moving the striker, or pulling it back and letting
+//! go.
 
 use glam::DVec2;
 

@@ -1,8 +1,8 @@
-//! The computer's stroke before it is struck: where it stands, where it aims, how hard, so
-//! that one can say first what will happen; and the player's hints.
+//! The computer's stroke before it is struck: position, aim and strength, so that the player can
+//! predict the result; and the player's hints.
 //!
-//! Both are searched for on the spot: while the computer decides nothing moves on the board,
-//! and a search takes less time than anyone would notice as a wait (`docs/performance.md`).
+//! Both are searched for without a thread: nothing moves on the board meanwhile, and a search takes
+//! too little time to be noticed (`docs/performance.md`).
 
 use std::time::Duration;
 
@@ -90,8 +90,8 @@ impl ShownStroke {
         Some(game.play_for_the_computer(&self.stroke, None, cx))
     }
 
-    /// Lets the player say where the two of its first hit will go. What is called is the
-    /// stroke as the hand makes it.
+    /// Lets the player predict the directions after its first collision. The call is about the
+    /// actual stroke, with the error of the hand.
     fn call(&self, game: &mut ActiveGame, cx: &Context) -> Option<GamePhase> {
         let [struck, _] = self.stroke.strikes();
         let preview = Preview::of(&struck, game.game());
@@ -150,7 +150,7 @@ impl ShownStroke {
             first_hit(game.game(), &hit, false, panel);
         }
         panel.gap();
-        panel.paragraph("What will happen? Say it first.", Role::Text);
+        panel.paragraph("What will happen? Predict it.", Role::Text);
         panel.part(TableAction::Show, |panel| {
             panel.prompts([
                 ("your call", ShowAction::CallShown),
@@ -226,7 +226,7 @@ impl ActiveGame {
         self.history.take_hint();
         let found = opponent::hint(self.game(), self.next_seed());
         if found.is_none() {
-            self.notice = Some("There is no stroke to be found here.".into());
+            self.notice = Some("No stroke was found here.".into());
         }
         self.hint = found.map(|hint| Hinted {
             pointer: Pointer::of(&hint.reason.story, &strike(hint.stroke), self.game()),
@@ -235,14 +235,13 @@ impl ActiveGame {
         });
     }
 
-    /// What is left to chance in the next stroke: another each time, and the same
-    /// when the game is played again.
+    /// The seed of the next stroke: different each time, and the same when the game is replayed.
     fn next_seed(&self) -> u64 {
         let seed = self.game().setup().seed.unwrap_or(0);
         seed.rotate_left(32) ^ self.history.len() as u64
     }
 
-    /// Lets a person play where the computer cannot: else the game would stand still.
+    /// Lets a person play if the computer cannot, so that the game does not stop.
     pub(super) fn hand_to_person(&mut self) {
         let seat = self.seat();
         self.options.set_player(seat, Player::Person);

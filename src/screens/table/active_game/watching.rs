@@ -1,4 +1,4 @@
-//! Watching strokes, and looking into their impacts.
+//! Watching strokes, and examining their impacts.
 
 use std::time::Duration;
 
@@ -334,7 +334,7 @@ impl StrokeReplay {
             return;
         }
         if first != "striker" {
-            let here = format!("Here the {first} plays the striker's part.");
+            let here = format!("Here the {first} acts as the striker.");
             panel.paragraph(here, Role::Dim);
         }
         reason(&why(watch.collision(), watch.said().copied()), panel);

@@ -1,4 +1,4 @@
-//! The functions of an angle as they are read aloud.
+//! Functions of an angle as read aloud.
 
 use super::signs::power;
 

@@ -7,7 +7,7 @@ mod units;
 pub(super) use functions::is_function;
 pub(super) use units::{means_unit, unit_name};
 
-/// Marks around what is to stay as it is: Unicode's own for text put into other text.
+/// Marks around text that stays unchanged: Unicode's isolates.
 const BEGIN: char = '\u{2068}';
 const END: char = '\u{2069}';
 
@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_to_stay_stays() {
+    fn isolated_text_stays_unchanged() {
         let path = "/home/p/run-1=a_2*b/my  files/progress.db: found -1, +++ 2 m";
         let said = spoken(&format!("θ at {}: v = 2 m/s", verbatim(path)));
         assert_eq!(

@@ -163,7 +163,7 @@ const fn spelling(letter: char) -> Option<&'static str> {
         '≤' => " at most ",
         '≥' => " at least ",
         '±' => " plus or minus ",
-        '∝' => " goes with ",
+        '∝' => " is proportional to ",
         '∞' => "infinity",
         '→' => " to ",
         '⇒' => " so ",

@@ -9,7 +9,7 @@ use crate::widgets::Role;
 use crate::widgets::hit::sketch::Sketch;
 
 impl Moment<'_> {
-    /// Line of impact and tangent, the first only `outside` of the discs.
+    /// Line of impact and tangent, the first only `outside` the discs.
     pub(super) fn axes(&self, sketch: &mut Sketch, outside: bool, n: DVec2, t: DVec2) {
         let unit = self.stage.unit();
         let ends = [
@@ -18,7 +18,7 @@ impl Moment<'_> {
         ];
         let pen = self.pen(Role::LineOfImpact).dashed();
         if outside {
-            // Within the discs there are arrows to be read.
+            // The arrows within the discs must stay readable.
             for (body, end) in ends.into_iter().enumerate() {
                 let centre = self.stage.centres[body];
                 let rim = centre + self.stage.radius(body) * (end - centre).normalize_or_zero();

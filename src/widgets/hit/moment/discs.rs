@@ -6,22 +6,21 @@ use super::Moment;
 use crate::widgets::Role;
 use crate::widgets::picture::{Pen, Picture};
 
-/// A way this short, in radii of the disc, is none.
+/// The shortest path that is drawn, in radii of the disc.
 const STANDS: f64 = 1e-6;
-/// How far from the centre a letter stands that makes room, in radii of the disc.
+/// How far from the centre a displaced letter is, in radii of the disc.
 const LETTER_ASIDE: f64 = 0.55;
 
 impl Moment<'_> {
-    /// A disc where it is now. While the contact explains itself, and once it has left and
-    /// stands, it is drawn so that it hides nothing, and its letter stands aside.
+    /// A disc where it is now. During the explanation, and once it has left and stopped, it is
+    /// drawn so that it hides nothing, and its letter is displaced.
     pub(super) fn disc(&self, picture: &mut Picture, body: usize, now: DVec2) {
         let face = self.watch.faces[body];
         let radius = self.stage.radius(body);
         let gone = now - self.stage.centres[body];
         let has_left = self.watch.clock.has_met() && gone.length() > STANDS * radius;
         let beside = match gone.try_normalize() {
-            // Its arrow runs through its middle: on the side further from the line of its
-            // old motion.
+            // Its arrow runs through its middle: on the side further from its original path.
             Some(way) if has_left && !self.watch.clock.is_moving() => {
                 let off = self.stage.heading().perp();
                 let away = way.perp().dot(off) * way.dot(off);
@@ -39,7 +38,7 @@ impl Moment<'_> {
         }
     }
 
-    /// The side of a disc's centre on which no part of its velocity lies.
+    /// The side of a disc's centre on which no component of its velocity lies.
     fn aside(&self, body: usize) -> Option<DVec2> {
         let tangent = self.watch.outcome.tangent?;
         if self.split_step().is_some() && !self.target_rests() {
@@ -66,7 +65,7 @@ impl Moment<'_> {
             let old = Pen::new(Role::Trail).dotted().aged(0.6);
             let (start, mut end) = (self.place(body, 0.0), self.place(body, until));
             if self.is_explaining() {
-                // Upon the disc there are arrows to be read.
+                // The arrows on the disc must stay readable.
                 end -= (end - start).clamp_length_max(self.stage.radius(body));
             }
             picture.line(start, end, old);

@@ -18,23 +18,23 @@ use crate::widgets::picture::{self, Pen, Picture};
 /// The point where the rims touch.
 const CONTACT: &str = "●";
 
-/// What a moment of a hit is drawn from.
+/// The data for drawing one moment of a collision.
 pub(super) struct Moment<'a> {
     pub(super) watch: &'a Watch,
     pub(super) stage: HitLayout,
 }
 
 impl Moment<'_> {
-    /// Velocity of the frame it is seen from.
+    /// Velocity of the reference frame.
     fn drift(&self) -> DVec2 {
         self.watch.frame.velocity(&self.stage.collision)
     }
 
-    /// Where a disc is at a time of the shot, as seen from the frame.
+    /// The position of a disc at a time of the shot, in the frame.
     fn place(&self, body: usize, time: f64) -> DVec2 {
         let position = match &self.watch.shot {
             Some(shot) => shot.at(body, time).position,
-            // Two that move alike never make a shot; each goes its way.
+            // Two discs with equal velocities have no contact; each follows its path.
             None => {
                 let (p1, p2) = self
                     .stage
@@ -46,30 +46,29 @@ impl Moment<'_> {
         position - self.drift() * (time - self.watch.clock.contact)
     }
 
-    /// Whether lines and arrows lie upon the discs at the contact.
+    /// Whether lines and arrows are on the discs at the contact.
     fn is_explaining(&self) -> bool {
         self.watch.clock.at_contact() && self.watch.beat() > Some(Beat::Contact)
     }
 
-    /// Whether they go on as one.
+    /// Whether they move on as one body.
     fn sticks(&self) -> bool {
         self.stage.collision.bond == Bond::Stick && self.watch.outcome.hit()
     }
 
-    /// Velocities before the contact, as seen from the frame.
+    /// Velocities before the contact, in the frame.
     fn before(&self) -> [DVec2; 2] {
         let collision = &self.stage.collision;
         [collision.u1, collision.u2].map(|u| u - self.drift())
     }
 
-    /// Whether the target stands still before the hit, as it is seen.
+    /// Whether the target is at rest before the collision, in the frame.
     fn target_rests(&self) -> bool {
         self.before()[1] == DVec2::ZERO
     }
 
-    /// Velocities after the contact as arrows show them, at a time of the shot. A pair
-    /// that sticks shows that of its centre of mass; seen from there, how its discs go
-    /// round.
+    /// Velocities after the contact as arrows show them, at a time of the shot. A pair that sticks
+    /// shows that of its centre of mass; in the centre-of-mass frame the velocities of its discs.
     fn after(&self, time: f64) -> [DVec2; 2] {
         let shared = [self.watch.outcome.v1, self.watch.outcome.v2];
         if self.sticks() && self.watch.frame == Frame::CentreOfMass {
@@ -95,13 +94,12 @@ impl Moment<'_> {
         self.watch.layers.shows(layer)
     }
 
-    /// Whether the picture is of the split of u alone, with all its room for that.
+    /// Whether the whole picture shows only the components of u.
     fn is_split_alone(&self) -> bool {
         self.shows(Overlay::Split) && !self.shows(Overlay::Velocities)
     }
 
-    /// The step whose velocities are drawn with their parts, and with all the room of the
-    /// picture for that.
+    /// The step whose velocities are drawn with their components in the whole picture.
     fn split_step(&self) -> Option<Beat> {
         let beat = self.watch.beat()?;
         match beat {
@@ -111,7 +109,7 @@ impl Moment<'_> {
         }
     }
 
-    /// All of it as it stands: ways, discs, and what the layers add.
+    /// The whole picture: paths, discs and layers.
     pub(super) fn picture(&self) -> Picture {
         let mut sketch = Sketch::new(self.stage);
         let time = self.watch.clock.time();
@@ -128,7 +126,7 @@ impl Moment<'_> {
         let (beat, split) = (self.watch.beat(), self.split_step());
         let told = beat == Some(Beat::Whole);
         let in_lab = self.watch.frame == Frame::Laboratory;
-        // From the centre of mass the triangle is none: the two cancel.
+        // In the centre-of-mass frame there is no triangle, because the momenta cancel.
         let flat = self.watch.frame == Frame::CentreOfMass || !self.watch.outcome.hit();
         if told && self.shows(Overlay::Triangle) && !flat {
             self.triangle(&mut sketch, before, after);

@@ -1,4 +1,4 @@
-//! The steps that split velocities along n and t.
+//! The steps that resolve velocities along n and t.
 
 use glam::DVec2;
 
@@ -9,7 +9,7 @@ use crate::widgets::hit::names::part_name;
 use crate::widgets::hit::sketch::{ArrowScale, NamedVelocity, Root, Sketch};
 
 impl Moment<'_> {
-    /// The velocities of a step, with their parts along n and t.
+    /// The velocities of a step, with their components along n and t.
     pub(super) fn parts(
         &self,
         sketch: &mut Sketch,
@@ -28,7 +28,7 @@ impl Moment<'_> {
                 parts.into_iter().chain([(root, v)])
             })
             .collect();
-        // One scale for all steps: an arrow is as long in one as in another.
+        // One scale for all steps, so that arrows keep their lengths.
         let along = before[0].dot(axes[0]) * axes[0];
         let along = if self.target_rests() {
             along
@@ -57,10 +57,9 @@ impl Moment<'_> {
         }
     }
 
-    /// Where the velocity of a disc before the hit is drawn. Where the target rests it
-    /// begins at the centre: what goes along n ends where the target's part begins. Where
-    /// both move it leads up to the centre, unless the other disc is behind: so each has its
-    /// arrows on its own side.
+    /// Where the initial velocity of a disc is drawn. If the target is at rest it begins at the
+    /// centre, so that its component along n ends where the target's begins. If both move it ends
+    /// at the centre, unless the other disc is behind, so that each has its arrows on its own side.
     fn root_before(&self, body: usize, v: DVec2) -> Root {
         let centre = self.stage.centres[body];
         if self.target_rests() || self.stage.runs_ahead(body, v) {
@@ -70,7 +69,7 @@ impl Moment<'_> {
         }
     }
 
-    /// A velocity before the hit with its parts, if there is one.
+    /// An initial velocity with its components, if there is one.
     pub(super) fn split_before(
         &self,
         sketch: &mut Sketch,
@@ -88,7 +87,7 @@ impl Moment<'_> {
         sketch.split(scale, (body, root), NamedVelocity { name, v, role }, &parts);
     }
 
-    /// A velocity after the hit with its parts, of which that along t is the old one.
+    /// A final velocity with its components; that along t is unchanged.
     fn split_after(
         &self,
         sketch: &mut Sketch,
@@ -115,7 +114,7 @@ impl Moment<'_> {
         }
     }
 
-    /// The parts of a velocity along n and t, named as before the hit.
+    /// The components of a velocity along n and t, with the names of the initial ones.
     fn parts_before(&self, body: usize, v: DVec2, axes: [DVec2; 2]) -> [NamedVelocity; 2] {
         let name = self.names().before[body];
         let part = |axis: DVec2, sign, role| NamedVelocity {

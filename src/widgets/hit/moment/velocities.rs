@@ -1,4 +1,4 @@
-//! Velocities before and after the hit, by how much they are turned, and their momenta.
+//! Velocities before and after the collision, their deflections, and their momenta.
 
 use glam::DVec2;
 
@@ -11,7 +11,7 @@ use crate::widgets::hit::sketch::{ArrowScale, Sketch};
 use crate::widgets::picture::Pen;
 
 impl Moment<'_> {
-    /// What was said, the velocities after the hit, and by how much they are turned.
+    /// The prediction, the final velocities, and their deflections.
     pub(super) fn departures(
         &self,
         sketch: &mut Sketch,
@@ -33,7 +33,7 @@ impl Moment<'_> {
         }
         let pen = self.pen(Role::Arc);
         if frame == Frame::CentreOfMass {
-            // Both turn by the same angle, so one arc tells it.
+            // Both are deflected by the same angle, so one arc is enough.
             if !self.sticks() {
                 sketch.arc(0, [before[0], after[0]], "Θ = ", pen);
             }
@@ -96,7 +96,7 @@ impl Moment<'_> {
         }
     }
 
-    /// The triangle of momenta, where there is room for it.
+    /// The triangle of momenta, if there is room for it.
     pub(super) fn triangle(&self, sketch: &mut Sketch, before: [DVec2; 2], after: [DVec2; 2]) {
         let collision = &self.stage.collision;
         let p1 = collision.striker.mass * after[0];

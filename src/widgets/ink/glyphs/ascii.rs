@@ -25,7 +25,7 @@ const HUNDREDTHS: [(u8, [u8; SAMPLES]); 13] = [
     (b'"', [0, 0, 0, 18, 49, 18, 0, 0, 0, 0, 0, 0, 0, 0, 0]),
 ];
 
-/// The same, 1 being all the ink that a sample can have.
+/// The same, where 1 is the most ink that a sample can have.
 static INK: LazyLock<[(u8, [f32; SAMPLES]); GLYPHS]> = LazyLock::new(|| {
     HUNDREDTHS.map(|(glyph, ink)| (glyph, ink.map(|sample| f32::from(sample) / 100.0)))
 });

@@ -1,5 +1,5 @@
-//! The words of a text to be set in large type. Many places and sizes are tried for them, so the
-//! letters of each are put together once.
+//! The words of a text for large type. Many areas and sizes are tried, so the letters of each word
+//! are assembled only once.
 
 use std::cell::OnceCell;
 use std::ops::Range;
@@ -9,7 +9,7 @@ use super::{BLANK, Ink, LetterSize, pixels_of};
 use crate::widgets::Charset;
 use crate::widgets::text::terms;
 
-/// Most letters that are held together on a line.
+/// The most letters that are kept together on a line.
 const HELD: usize = 14;
 
 #[derive(Debug, PartialEq, Eq)]
@@ -19,7 +19,7 @@ pub(crate) struct BigText {
     held: Vec<Range<usize>>,
 }
 
-/// A word in pixels and in strokes; `None` where a letter is not to be had.
+/// A word in pixels and in strokes; `None` if a letter is not available.
 #[derive(Debug, PartialEq, Eq)]
 struct BigWord {
     text: String,

@@ -69,9 +69,8 @@ enum Ink {
 }
 
 impl Big {
-    /// A name or a heading as large as it fits into so many columns and rows, broken at
-    /// blanks; `None` if it does not fit at all or has letters that there are no large ones
-    /// of.
+    /// A name or a heading as large as it fits into so many columns and rows, broken at blanks;
+    /// `None` if it does not fit at all or has letters without a large form.
     #[must_use]
     pub(crate) fn fit(text: &str, columns: u16, rows: u16, charset: Charset) -> Option<Self> {
         let fits = |all: &[Self]| all.iter().all(|it| it.rows() <= rows);
@@ -276,7 +275,7 @@ fn letter_columns(letter: char) -> Option<Vec<u8>> {
         .or_else(|| LATIN_FONTS.get(letter))
         .or_else(|| GREEK_FONTS.get(letter))
         .or_else(|| {
-            // What stands for it in ASCII, if that is a letter and not a riddle.
+            // Its ASCII form, if that is a single clear letter.
             let text = letter.to_string();
             let plain = Charset::Ascii.text(&text);
             let mut plain = plain.chars();

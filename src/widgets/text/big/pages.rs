@@ -64,7 +64,7 @@ impl BigPages {
                     false => 0,
                 };
                 if most == 0 {
-                    // Not a line fits: on an empty page that is as good as it gets.
+                    // Not even one line fits, so nothing better is possible on an empty page.
                     if is_fresh && pages.len() > 1 {
                         return None;
                     }

@@ -3,8 +3,8 @@
 use super::{HEIGHT, SMALL_LETTER, strokes};
 use crate::widgets::Charset;
 
-/// The back row reads a small letter, such as an x, that is at least such a part of the height
-/// of the picture: 1 cm of 30 cm from nine metres, were it a sheet of paper.
+/// The back row can read a small letter, such as an x, of at least this share of the picture's
+/// height: like 1 cm of 30 cm seen from nine metres.
 const READ_FROM_THE_BACK: usize = 30;
 
 /// How large the letters are.

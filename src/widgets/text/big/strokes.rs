@@ -1,4 +1,4 @@
-//! Letters of strokes: the smallest large type there is in ASCII, three rows and a tail.
+//! Letters of strokes: the smallest large type in ASCII, three rows and a descender.
 //!
 //! The font is "Mini" by Glenn Chappell, in the format of FIGlet: after a line with the
 //! height of its letters and the number of lines of remarks each letter from the blank on
