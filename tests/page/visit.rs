@@ -1,6 +1,7 @@
 //! All that carrom is for, from a class to a stroke: by touch alone on phones and a tablet with
 //! the bars of their browsers, and by keyboard alone on a computer, also at 200 % zoom.
-//! `CARROM_TEST_SHOTS` names a folder for pictures of every step, which people look at.
+//! `CARROM_TEST_SHOTS` names a folder for pictures of every step, which people look at, and for what
+//! a screen reader is given there.
 
 use std::path::Path;
 use std::{env, fs};
@@ -57,13 +58,17 @@ impl Visit {
             return;
         };
         let shot = self.phone.0.debug("Page.captureScreenshot", &json!({}));
+        let tree = self
+            .phone
+            .0
+            .debug("Accessibility.getFullAXTree", &json!({}));
         self.pictures += 1;
-        let name = format!("{}-{:02}-{what}.png.base64", self.name, self.pictures);
-        fs::write(
-            Path::new(&folder).join(name),
-            shot["data"].as_str().unwrap(),
-        )
-        .unwrap();
+        let write = |kind: &str, text: &str| {
+            let name = format!("{}-{:02}-{what}.{kind}", self.name, self.pictures);
+            fs::write(Path::new(&folder).join(name), text).unwrap();
+        };
+        write("png.base64", shot["data"].as_str().unwrap());
+        write("txt", &spoken(&tree));
     }
 
     /// Presses keys of a real keyboard, written as for a tape.
@@ -330,6 +335,18 @@ impl Visit {
         self.level();
         self.chapter();
     }
+}
+
+/// The nodes of an accessibility tree that have a name: role, name and value of each.
+fn spoken(tree: &Value) -> String {
+    let nodes = tree["nodes"].as_array().into_iter().flatten();
+    let lines = nodes.filter_map(|node| {
+        let of = |field: &str| node[field]["value"].as_str().unwrap_or_default();
+        let (role, name) = (of("role"), of("name"));
+        let is_heard = node["ignored"] == json!(false) && role != "InlineTextBox";
+        (is_heard && !name.is_empty()).then(|| format!("{role}: {name} {}\n", of("value")))
+    });
+    lines.collect()
 }
 
 #[test]
