@@ -57,7 +57,7 @@ fn the_coin_leaves_at_the_impact_angle_and_the_striker_square_to_it() {
     met("kind = \"separation\"\nbetween_deg = [89.999, 90.001]");
     missed(
         "kind = \"turn\"\ndisc = 1\nbetween_deg = [40, 50]",
-        "the white coin left at 30.0°, wanted 40 to 50°",
+        "the white coin left at 30.0°, required 40 to 50°",
     );
     missed(
         "kind = \"turn\"\ndisc = 2\nbetween_deg = [40, 50]",
@@ -71,7 +71,7 @@ fn three_quarters_of_the_energy_go_to_the_coin() {
     met("kind = \"energy\"\ndisc = 0\nbetween_percent = [24.999, 25.001]");
     missed(
         "kind = \"energy\"\ndisc = 0\nbetween_percent = [50, 60]",
-        "the striker took 25 % of the energy, wanted 50 to 60 %",
+        "the striker took 25 % of the energy, required 50 to 60 %",
     );
 }
 

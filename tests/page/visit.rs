@@ -290,10 +290,10 @@ impl Visit {
         } else {
             self.phone.type_into(0, "44");
         }
-        self.until("say it first");
+        self.until("predict it");
         self.look("level-said");
         for _ in 0..4 {
-            if self.phone.shows("say it first") {
+            if self.phone.shows("predict it") {
                 if self.has_keyboard {
                     self.keys("45<Enter>");
                 } else {

@@ -262,7 +262,7 @@ fn nothing_is_shown_or_saved_before_the_bookmark_is_known() {
         ] {
             assert_eq!(app.update(&Input::Key(key)), [], "{key}");
             let screen = drawn(&app);
-            assert!(screen.contains("Looking"), "{screen}");
+            assert!(screen.contains("Loading"), "{screen}");
             for wrong in ["done", "page 1", "0 of", "/5"] {
                 assert!(!screen.contains(wrong), "{wrong}\n{screen}");
             }

@@ -417,7 +417,7 @@ fn an_answer_out_of_range_or_of_the_wrong_kind_is_refused() {
     ] {
         let read = with(field, json(changed));
         let said = read.expect_err(changed);
-        assert!(said.contains("answer 1 cannot be"), "{changed}: {said}");
+        assert!(said.contains("answer 1 is impossible"), "{changed}: {said}");
     }
     // Numbers that JSON cannot have.
     let number = sound["credit"].to_string();

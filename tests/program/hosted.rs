@@ -438,7 +438,7 @@ fn removed_pupils_and_refused_newcomers_are_told_why() {
     bo.vote("rays 1 2").unwrap();
     teacher.press("w", "no vote yet");
     // The one who has not voted stands first.
-    teacher.press("x", "Take Ada off");
+    teacher.press("x", "Remove Ada");
     teacher.press("y", "1 in, 1 on the list");
     ada.hear().unwrap();
     assert_eq!(ada.why(), Some("kicked"));

@@ -194,7 +194,7 @@ fn campaign(
         let wish = StoreRequest::Recall(None);
         let answer = store.answer(&StoreCall { ticket: 0, wish });
         match (&answer.done, &answer.notice) {
-            (StoreReply::Recalled(Ok(_)), Some(notice)) if !notice.contains("is mended") => {
+            (StoreReply::Recalled(Ok(_)), Some(notice)) if !notice.contains("is repaired") => {
                 // Every page is sound, but a flipped bit has made an answer impossible.
                 assert!(notice.contains("left out"), "{notice}");
             }

@@ -549,7 +549,7 @@ fn a_round_that_cannot_be_saved_warns_that_it_will_be_lost() {
     fs::remove_file(folder.path().join("classes")).unwrap();
     game.press("<Down><Enter><Escape>");
     let screen = game.screen();
-    assert!(screen.contains("it is kept"), "{screen}");
+    assert!(screen.contains("Then it is saved"), "{screen}");
     assert_eq!(kept(folder.path()).len(), 1);
 }
 

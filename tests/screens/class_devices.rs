@@ -365,7 +365,7 @@ fn the_list_of_participants_is_live() {
 fn the_one_who_was_asked_about_is_removed_though_others_vote_meanwhile() {
     let (mut class, pupils) = gathering(&["Ada", "Bo", "Cy"]);
     press(&mut class, Who::Host, "<Enter><Enter>w", "no vote yet");
-    press(&mut class, Who::Host, "x", "Take Ada off");
+    press(&mut class, Who::Host, "x", "Remove Ada");
     press(
         &mut class,
         pupils[0],
