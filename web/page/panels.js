@@ -510,6 +510,7 @@ const panels = (() => {
     const hasPicture = under.sections.some(({ items }) => items.some(({ is }) => is === "picture"));
     mark(screen, "pictures", hasPicture);
     mark(screen, "two", under.sections.length === 2);
+    screen.dataset.title = under.title;
     const fresh = () => section();
     // Pictures on one side, words on the other; what has no picture is read from the top.
     const isPicture = ({ items }) => items.some(({ is }) => is === "picture" || is === "tab");
