@@ -201,6 +201,7 @@ fn axe_finds_nothing_on_any_screen() {
             ("level=dead-stop", "Enter"),
             ("progress", ""),
             ("settings", ""),
+            ("glossary", ""),
             ("plain", ""),
         ] {
             chromium.open("about:blank");
