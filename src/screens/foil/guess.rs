@@ -40,8 +40,8 @@ mod tests {
 
     #[test]
     fn the_nearest_answer_is_right_and_others_are_told_how_far_off() {
-        assert!(explain(0.7, 0.707).starts_with("You said so"));
-        assert!(explain(1e-5, 8.5e-6).starts_with("You said so"));
+        assert!(explain(0.7, 0.707).starts_with("Right"));
+        assert!(explain(1e-5, 8.5e-6).starts_with("Right"));
         assert!(explain(0.5, 8.5e-6).contains("59,000 times as many"));
         assert!(explain(0.5, 0.707).contains("about 1.4 times what you expected"));
     }
