@@ -12,6 +12,8 @@ pub struct Metal {
     pub name: &'static str,
     /// Charge number Z.
     pub charge: f64,
+    /// Mass number A, that of the standard atomic mass, rounded.
+    pub(crate) mass_number: f64,
     /// Atoms in a cubic metre.
     pub(crate) density: f64,
 }
@@ -19,17 +21,18 @@ pub struct Metal {
 /// Metals from heavy to light. Atoms in a cubic metre from mass density and atomic mass
 /// (CRC Handbook of Chemistry and Physics): gold 19.3 g/cm³ and 196.97 u, and so on.
 pub const METALS: [Metal; 5] = [
-    metal("gold", GOLD_CHARGE, GOLD_DENSITY),
-    metal("platinum", 78.0, 6.62e28),
-    metal("silver", 47.0, 5.86e28),
-    metal("copper", 29.0, 8.49e28),
-    metal("aluminium", 13.0, 6.02e28),
+    metal("gold", GOLD_CHARGE, 197.0, GOLD_DENSITY),
+    metal("platinum", 78.0, 195.0, 6.62e28),
+    metal("silver", 47.0, 108.0, 5.86e28),
+    metal("copper", 29.0, 64.0, 8.49e28),
+    metal("aluminium", 13.0, 27.0, 6.02e28),
 ];
 
-const fn metal(name: &'static str, charge: f64, density: f64) -> Metal {
+const fn metal(name: &'static str, charge: f64, mass_number: f64, density: f64) -> Metal {
     Metal {
         name,
         charge,
+        mass_number,
         density,
     }
 }

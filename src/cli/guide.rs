@@ -30,7 +30,7 @@ struct Guide {
 }
 
 /// In the order in which a teacher needs them.
-static GUIDES: [Guide; 10] = [
+static GUIDES: [Guide; 11] = [
     Guide {
         name: "start",
         about: "the first ten minutes",
@@ -75,6 +75,11 @@ static GUIDES: [Guide; 10] = [
         name: "concepts",
         about: "how to write questions in words",
         markdown: include_str!("../../docs/concepts.md"),
+    },
+    Guide {
+        name: "solve",
+        about: "the JSON of carrom solve",
+        markdown: include_str!("../../docs/solve.md"),
     },
     Guide {
         name: "accessibility",

@@ -24,8 +24,15 @@ pub const FM: f64 = 1e-15;
 /// Charge number of an α-particle.
 pub(crate) const ALPHA_CHARGE: f64 = 2.0;
 
+/// Mass number of an α-particle.
+pub(crate) const ALPHA_MASS_NUMBER: f64 = 4.0;
+
 /// Charge number of gold.
 pub const GOLD_CHARGE: f64 = 79.0;
+
+/// Radius of a nucleus of mass number 1 in metres, r₀ in R = r₀ A^⅓: about 1.2 fm, from the
+/// scattering of electrons (K. S. Krane, Introductory Nuclear Physics, 1988, section 3.1).
+const NUCLEAR_RADIUS: f64 = 1.2 * FM;
 
 /// Energy of the α-particles of radium C (²¹⁴Po) in joules: 7.69 MeV.
 pub const RADIUM_C_ENERGY: f64 = 7.69 * MEV;
@@ -101,6 +108,19 @@ impl Rutherford {
     ) -> Option<f64> {
         Some(self.differential_cross_section(angle)? * solid_angle * atoms_per_area)
     }
+}
+
+/// Distance of the centres at which an α-particle and a nucleus of this mass number touch,
+/// r₀ (A_α^⅓ + A^⅓), in metres. Closer than this, and a little beyond, the nuclear force acts.
+pub(crate) fn touching_distance(mass_number: f64) -> f64 {
+    NUCLEAR_RADIUS * (ALPHA_MASS_NUMBER.cbrt() + mass_number.cbrt())
+}
+
+/// How much larger the closest approach in a head-on shot is than for a fixed nucleus, as a share:
+/// only the energy E M/(m + M) in the centre-of-mass frame goes into the repulsion, so d is
+/// larger by the factor 1 + m/M.
+pub(crate) fn recoil_share(mass_number: f64) -> f64 {
+    ALPHA_MASS_NUMBER / mass_number
 }
 
 /// Θ/2, for an angle that scattering can have.

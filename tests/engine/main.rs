@@ -6,3 +6,4 @@ mod collisions;
 mod goals;
 mod packs;
 mod rare_laws;
+mod scenes;

@@ -98,6 +98,7 @@ fn the_fields_stand_in_their_order() {
         "separation_deg",
         "energy_before_j",
         "energy_after_j",
+        "assumed",
     ];
     let places: Vec<usize> = fields
         .iter()
@@ -163,6 +164,115 @@ fn discs_that_stick_share_a_velocity_and_turn() {
     close(&stuck["energy_rotation_j"], 0.00375);
     close(&stuck["energy_after_j"], 0.0225 + 0.00375);
     assert_eq!(answer(MARBLES).get("spin_rad_s"), None);
+}
+
+/// `spin_rad_s` counts clockwise; the other one agrees with the axes.
+#[test]
+fn the_anticlockwise_spin_gives_the_velocities_of_the_centres() {
+    for offset in [10.0, -10.0, 0.0] {
+        let problem = json!({"m1_g":10,"m2_g":30,"u1":[3,0],"offset_mm":offset,"r1_mm":10,"r2_mm":12,"stick":true});
+        let stuck = answer(&problem.to_string());
+        let spin = stuck["spin_ccw_rad_s"].as_f64().unwrap();
+        close(&stuck["spin_rad_s"], -spin);
+        assert!(spin * offset <= 0.0 && (spin != 0.0 || offset == 0.0));
+        // The relative velocity of the centres is ω × (their distance), which is the line of
+        // impact times r1 + r2: 22 mm, its component across the motion the offset.
+        let [along, across] = [(22.0_f64.powi(2) - offset * offset).sqrt(), -offset];
+        let part = |name: &str, i: usize| stuck[name][i].as_f64().unwrap();
+        for (i, expected) in [-spin * across * 1e-3, spin * along * 1e-3]
+            .into_iter()
+            .enumerate()
+        {
+            let relative = part("centre_v2", i) - part("centre_v1", i);
+            assert!(
+                (relative - expected).abs() < 1e-12,
+                "{relative} is not {expected}"
+            );
+        }
+    }
+}
+
+#[test]
+fn an_answer_lists_what_it_assumes_and_ignores() {
+    let given = r#""m1_g":15,"m2_g":15,"u1":[4,0]"#;
+    for (rest, expected) in [
+        (
+            r#""alpha_deg":30"#,
+            &["target at rest", "elastic, restitution 1", "smooth rims"][..],
+        ),
+        (
+            r#""alpha_deg":30,"u2":[0,1],"restitution":0.8,"r1_mm":9"#,
+            &[
+                "radii ignored, as alpha_deg gives the line of impact",
+                "smooth rims",
+            ],
+        ),
+        (
+            r#""offset_mm":3,"r1_mm":9,"r2_mm":9,"u2":[0,0],"restitution":1"#,
+            &["smooth rims"],
+        ),
+        (
+            r#""alpha_deg":30,"u2":[0,0],"stick":true"#,
+            &["radii 15.9 mm", "uniform solid discs"],
+        ),
+        (
+            r#""alpha_deg":30,"u2":[0,0],"stick":true,"r2_mm":9,"restitution":0.5"#,
+            &[
+                "restitution ignored, as discs that stick do not rebound",
+                "r1 = 15.9 mm",
+                "uniform solid discs",
+            ],
+        ),
+        (
+            r#""offset_mm":3,"r1_mm":9,"r2_mm":9,"stick":true"#,
+            &["target at rest", "uniform solid discs"],
+        ),
+    ] {
+        let answer = answer(&format!("{{{given},{rest}}}"));
+        assert_eq!(answer["assumed"], json!(expected), "{rest}");
+    }
+    // The radii that are assumed are those that are used.
+    let radii = r#""r1_mm":15.9,"r2_mm":15.9"#;
+    let stick = r#""alpha_deg":30,"u2":[0,0],"stick":true"#;
+    assert_eq!(
+        answer(&format!("{{{given},{stick}}}"))["spin_rad_s"],
+        answer(&format!("{{{given},{stick},{radii}}}"))["spin_rad_s"]
+    );
+}
+
+#[test]
+fn the_command_line_says_which_values_it_fills_in() {
+    let args = ["--alpha-deg", "30", "--stick", "--restitution", "0.5"];
+    let text = words(&printed(&args));
+    let said = "Assumed: m1 = 15 g; m2 = 15 g; speed 4 m/s; target at rest; restitution ignored, \
+                as discs that stick do not rebound; radii 15.9 mm; uniform solid discs.";
+    assert!(text.contains(said), "{text}");
+    let plain = words(&printed(&[&args[..], &["--plain"]].concat()));
+    assert!(plain.contains("Assumed: m1 = 15 g"), "{plain}");
+    let json = printed(&[&args[..], &["--json", "--m1-g", "15", "--u2", "0,0"]].concat());
+    let json: Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(json["assumed"][0], "m2 = 15 g");
+    assert_eq!(json["assumed"][1], "speed 4 m/s");
+}
+
+/// Help and guide name every field of an answer, and the way each sign counts.
+#[test]
+fn the_signs_are_documented() {
+    let help = words(&printed(&["--help"]));
+    for said in [
+        "theta1_deg is the angle from u1 to v1, positive anticlockwise",
+        "theta2_deg is the angle from u1 to v2, positive clockwise",
+        "spin_rad_s is the angular velocity, positive clockwise",
+        "spin_ccw_rad_s is the same, positive anticlockwise",
+        "[default: 15]",
+    ] {
+        assert!(help.contains(said), "{said}\n{help}");
+    }
+    let guide = include_str!("../../docs/solve.md");
+    let stick = r#"{"m1_g":15,"m2_g":15,"u1":[4,0],"alpha_deg":30,"stick":true}"#;
+    for field in answer(stick).as_object().unwrap().keys() {
+        assert!(guide.contains(&format!("`{field}`")), "{field}");
+    }
 }
 
 #[test]

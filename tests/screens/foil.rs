@@ -183,6 +183,51 @@ fn the_last_page_shows_what_was_counted_and_what_was_not() {
     }
 }
 
+/// Aluminium is too light and too small a nucleus for the law; gold is neither.
+#[test]
+fn a_light_nucleus_is_warned_about_on_both_pages() {
+    for (wide, high) in [(80, 24), (120, 40)] {
+        let mut game = Headless::new(App::new(Place::Foil, Settings::default(), 1), wide, high);
+        for page in ["<Down>", "<Tab>"] {
+            game.press(page);
+            assert!(
+                !panel(&mut game).contains("touching distance"),
+                "{wide}: {page}"
+            );
+        }
+        // Aluminium comes before gold.
+        game.press("<Shift+Tab><Left>");
+        for page in ["", "<Tab>"] {
+            game.press(page);
+            let text = panel(&mut game);
+            for said in [
+                "d = 4.9 fm is less than the touching distance of the two nuclei, about 5.5 fm",
+                "15 % larger (1 + 4/27 times): 5.6 fm",
+            ] {
+                assert!(text.contains(said), "{wide}: {said} is not in {text}");
+            }
+        }
+    }
+}
+
+/// All of the text in the panel, on one line; the panel is then scrolled back to its top.
+fn panel(game: &mut Headless) -> String {
+    let mut text = String::new();
+    for _ in 0..6 {
+        let screen = game.screen();
+        let rows = screen.lines().filter_map(|line| line.rsplit_once("||"));
+        for row in rows.map(|(_, side)| side.trim_matches(['|', ' '])) {
+            text += row;
+            text += " ";
+        }
+        game.key(Key::PageDown);
+    }
+    for _ in 0..6 {
+        game.key(Key::PageUp);
+    }
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 #[test]
 fn a_number_out_of_range_shows_the_range() {
     let mut game = foil(true, 1);

@@ -1,20 +1,26 @@
 //! The answers, one JSON object per line.
 
+use std::borrow::Cow;
+
 use glam::DVec2;
 use serde::Serialize;
 
+use super::problem::Solvable;
+use crate::physics::Bond;
 use crate::physics::units::deg_from_rad;
-use crate::physics::{Bond, Collision};
 
 /// Undefined values are `null`. Numbers have enough digits to read the same number back.
-#[derive(Debug, Clone, Copy, Serialize)]
+/// `docs/solve.md` describes every field; scripts rely on the names and the signs.
+#[derive(Debug, Clone, Serialize)]
 pub(super) struct SolveAnswer {
     hit: bool,
     v1: [f64; 2],
     v2: [f64; 2],
     speed1: f64,
     speed2: f64,
+    /// Positive anticlockwise.
     theta1_deg: Option<f64>,
+    /// Positive clockwise.
     theta2_deg: Option<f64>,
     separation_deg: Option<f64>,
     energy_before_j: f64,
@@ -22,13 +28,17 @@ pub(super) struct SolveAnswer {
     energy_after_j: f64,
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     turning: Option<Turning>,
+    assumed: Vec<Cow<'static, str>>,
 }
 
 /// Additional values for discs that stick together.
 #[derive(Debug, Clone, Copy, Serialize)]
 struct Turning {
     energy_rotation_j: f64,
+    /// Positive clockwise, unlike the axes: kept because scripts read it.
     spin_rad_s: f64,
+    /// Positive anticlockwise, like the axes.
+    spin_ccw_rad_s: f64,
     /// Velocities of the two centres right after the contact; `v1` and `v2` are that
     /// of the centre of mass.
     centre_v1: [f64; 2],
@@ -36,7 +46,8 @@ struct Turning {
 }
 
 impl SolveAnswer {
-    pub(super) fn of(collision: &Collision) -> Self {
+    pub(super) fn of(solvable: Solvable) -> Self {
+        let collision = &solvable.collision;
         let after = collision.outcome();
         let [centre_v1, centre_v2] = collision.centres_after().map(components);
         Self {
@@ -53,9 +64,12 @@ impl SolveAnswer {
             turning: (collision.bond == Bond::Stick).then_some(Turning {
                 energy_rotation_j: after.energy_rotation,
                 spin_rad_s: after.spin,
+                // A plain 0 for a negative one.
+                spin_ccw_rad_s: 0.0 - after.spin,
                 centre_v1,
                 centre_v2,
             }),
+            assumed: solvable.assumed,
         }
     }
 }

@@ -1,15 +1,28 @@
 //! The options of `carrom solve`.
 
-use super::problem::{Problem, number};
+use super::problem::{Problem, Solvable, number};
 use crate::cli::Failure;
-use crate::physics::Collision;
+
+/// The signs of what is given.
+const SIGNS: &str = "Angles are in degrees. The striker moves along +x. The impact angle is the angle \
+                     from the striker's velocity relative to the target to the line of centres, \
+                     positive if the target is on the right.";
+
+/// The signs of the answers. clap prints this instead of [`SIGNS`], so it repeats it.
+const SIGNS_OF_ANSWERS: &str = "Angles are in degrees. The striker moves along +x. The impact angle is the angle from the \
+     striker's velocity relative to the target to the line of centres, positive if the target is on \
+     the right.\n\n\
+     In JSON, +y is 90 degrees anticlockwise from +x. theta1_deg is the angle from u1 to v1, positive \
+     anticlockwise. theta2_deg is the angle from u1 to v2, positive clockwise. For discs that stick, \
+     spin_rad_s is the angular velocity, positive clockwise; spin_ccw_rad_s is the same, positive \
+     anticlockwise. \"assumed\" lists what was assumed because the problem does not give it, and \
+     what was ignored. `carrom guide solve` describes every field.";
 
 /// Solve one collision, or many with --batch
 #[derive(Debug, Clone, clap::Args)]
 #[command(
-    after_help = "Angles are in degrees. The striker moves along +x. The impact angle is the angle \
-                  from the striker's velocity relative to the target to the line of centres, positive \
-                  if the target is on the right."
+    after_help = SIGNS,
+    after_long_help = SIGNS_OF_ANSWERS
 )]
 pub(in crate::cli) struct Args {
     #[command(flatten)]
@@ -45,17 +58,22 @@ impl Args {
         self.problem.alpha_deg.is_some() || self.problem.offset_mm.is_some()
     }
 
-    /// The collision, and whether it was given by the offset.
-    pub(super) fn collision(&self) -> Result<(Collision, bool), Failure> {
+    /// The collision, with the usual masses and speed where they are not given.
+    pub(super) fn solvable(&self) -> Result<Solvable, Failure> {
         if !self.is_complete() {
             return Err(Failure::input(
                 "--alpha-deg: missing: expected this, or --offset-mm with --r1-mm and --r2-mm; \
                  --plain asks for it",
             ));
         }
-        let [speed, _] = self.problem.u1.unwrap_or_default();
-        let collision = number("speed", speed).and_then(|_| self.problem.collision());
-        collision.map_err(|fault| {
+        let (problem, assumed) = self.problem.with_usual();
+        let [speed, _] = problem.u1.unwrap_or_default();
+        let solvable = number("speed", speed).and_then(|_| problem.solvable());
+        let solvable = solvable.map(|solvable| Solvable {
+            assumed: assumed.into_iter().chain(solvable.assumed).collect(),
+            ..solvable
+        });
+        solvable.map_err(|fault| {
             let option = fault.field.replace('_', "-");
             Failure::input(format!("--{option}: {}", fault.message))
         })

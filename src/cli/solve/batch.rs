@@ -71,8 +71,7 @@ pub(super) fn run(input: impl Read, out: &mut impl Write) -> Result<ExitCode, Ba
 
 fn answer(text: &[u8]) -> Result<SolveAnswer, String> {
     let problem: Problem = serde_json::from_slice(text).map_err(said)?;
-    let (collision, _) = problem.collision().map_err(said)?;
-    Ok(SolveAnswer::of(&collision))
+    Ok(SolveAnswer::of(problem.solvable().map_err(said)?))
 }
 
 /// A short error message in plain words, without JSON's line number: it is always 1 here

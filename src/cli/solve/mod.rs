@@ -61,16 +61,19 @@ pub(super) fn plain(args: &Args) -> Result<(), Failure> {
 impl Args {
     /// The worked solution of the problem in the arguments.
     pub(super) fn steps(&self) -> Result<Vec<WorkedStep>, Failure> {
-        let (collision, by_offset) = self.collision()?;
-        Ok(worked::steps(&collision, by_offset))
+        let solvable = self.solvable()?;
+        let mut steps = worked::steps(&solvable.collision, solvable.by_offset);
+        if let Some(knowns) = steps.first_mut() {
+            knowns.why += &format!(" Assumed: {}.", solvable.assumed.join("; "));
+        }
+        Ok(steps)
     }
 
     /// The answer to the problem in the arguments.
     fn answer(&self, options: &GlobalOptions) -> Result<Vec<u8>, Failure> {
         if self.json {
-            let (collision, _) = self.collision()?;
             let mut line = Vec::new();
-            write_json(&mut line, &SolveAnswer::of(&collision))?;
+            write_json(&mut line, &SolveAnswer::of(self.solvable()?))?;
             return Ok(line);
         }
         Ok(text::render(&self.steps()?, options.printed()).into_bytes())

@@ -1,5 +1,6 @@
 //! A problem in the units of files, and the check that turns it into a collision.
 
+use std::borrow::Cow;
 use std::num::ParseFloatError;
 
 use clap::ArgAction;
@@ -25,6 +26,10 @@ const RANGES: [FieldRange; 10] = [
 /// The default radius in mm: a carrom piece. With an impact angle it matters only for the
 /// rotation of a pair that sticks together.
 const RADIUS_MM: f64 = 15.9;
+/// The default mass on the command line, in grams.
+const MASS_G: f64 = 15.0;
+/// The default speed on the command line, in m/s.
+const SPEED: f64 = 4.0;
 
 /// A field that is missing, out of range or out of place.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -39,18 +44,16 @@ pub(super) struct ProblemError {
 /// A collision to solve; `None` means not given.
 #[derive(Debug, Clone, Copy, Default, PartialEq, clap::Args)]
 pub(super) struct Problem {
-    /// Mass of the striker in grams
-    #[arg(long, value_name = "G", default_value = "15")]
-    #[arg(allow_negative_numbers = true)]
+    /// Mass of the striker in grams [default: 15]
+    #[arg(long, value_name = "G", allow_negative_numbers = true)]
     pub(super) m1_g: Option<f64>,
 
-    /// Mass of the target in grams
-    #[arg(long, value_name = "G", default_value = "15")]
-    #[arg(allow_negative_numbers = true)]
+    /// Mass of the target in grams [default: 15]
+    #[arg(long, value_name = "G", allow_negative_numbers = true)]
     pub(super) m2_g: Option<f64>,
 
-    /// Speed of the striker in m/s, along +x
-    #[arg(long = "speed", value_name = "M/S", default_value = "4")]
+    /// Speed of the striker in m/s, along +x [default: 4]
+    #[arg(long = "speed", value_name = "M/S")]
     #[arg(value_parser = along_x, allow_negative_numbers = true)]
     pub(super) u1: Option<[f64; 2]>,
 
@@ -64,22 +67,21 @@ pub(super) struct Problem {
     #[arg(conflicts_with = "alpha_deg", requires_all = ["r1_mm", "r2_mm"])]
     pub(super) offset_mm: Option<f64>,
 
-    /// Radius of the striker in mm
+    /// Radius of the striker in mm [default: 15.9, with --alpha-deg]
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     pub(super) r1_mm: Option<f64>,
 
-    /// Radius of the target in mm
+    /// Radius of the target in mm [default: 15.9, with --alpha-deg]
     #[arg(long, value_name = "MM", allow_negative_numbers = true)]
     pub(super) r2_mm: Option<f64>,
 
-    /// Velocity of the target in m/s, as X,Y
-    #[arg(long, value_name = "X,Y", default_value = "0,0")]
+    /// Velocity of the target in m/s, as X,Y [default: 0,0]
+    #[arg(long, value_name = "X,Y")]
     #[arg(value_parser = pair, allow_hyphen_values = true)]
     pub(super) u2: Option<[f64; 2]>,
 
-    /// Coefficient of restitution, 0 to 1
-    #[arg(long, value_name = "E", default_value = "1")]
-    #[arg(allow_negative_numbers = true)]
+    /// Coefficient of restitution, 0 to 1 [default: 1]
+    #[arg(long, value_name = "E", allow_negative_numbers = true)]
     pub(super) restitution: Option<f64>,
 
     /// The discs stick together and move on as one (perfectly inelastic)
@@ -87,9 +89,71 @@ pub(super) struct Problem {
     pub(super) stick: Option<bool>,
 }
 
+/// A checked problem.
+#[derive(Debug, Clone)]
+pub(super) struct Solvable {
+    pub(super) collision: Collision,
+    /// Whether it was given by the offset.
+    pub(super) by_offset: bool,
+    /// What was assumed because the problem does not give it, and what was ignored.
+    pub(super) assumed: Vec<Cow<'static, str>>,
+}
+
 impl Problem {
-    /// The collision, and whether it was given by the offset.
-    pub(super) fn collision(&self) -> Result<(Collision, bool), ProblemError> {
+    /// The problem with the usual masses and speed where they are not given, and which ones
+    /// these are. Lines of a batch must give them.
+    pub(super) fn with_usual(self) -> (Self, Vec<Cow<'static, str>>) {
+        let mut assumed = Vec::new();
+        for (mass, name) in [(self.m1_g, "m1"), (self.m2_g, "m2")] {
+            if mass.is_none() {
+                assumed.push(format!("{name} = {MASS_G} g").into());
+            }
+        }
+        if self.u1.is_none() {
+            assumed.push(format!("speed {SPEED} m/s").into());
+        }
+        let usual = Self {
+            m1_g: self.m1_g.or(Some(MASS_G)),
+            m2_g: self.m2_g.or(Some(MASS_G)),
+            u1: self.u1.or(Some([SPEED, 0.0])),
+            ..self
+        };
+        (usual, assumed)
+    }
+
+    /// What the solution assumes or ignores, of all that can change its answer.
+    fn assumed(&self) -> Vec<Cow<'static, str>> {
+        let mut assumed: Vec<Cow<'static, str>> = Vec::new();
+        if self.u2.is_none() {
+            assumed.push("target at rest".into());
+        }
+        let by_offset = self.offset_mm.is_some();
+        if !self.stick.unwrap_or(false) {
+            if self.restitution.is_none() {
+                assumed.push("elastic, restitution 1".into());
+            }
+            if !by_offset && (self.r1_mm.is_some() || self.r2_mm.is_some()) {
+                assumed.push("radii ignored, as alpha_deg gives the line of impact".into());
+            }
+            assumed.push("smooth rims".into());
+            return assumed;
+        }
+        if self.restitution.is_some() {
+            assumed.push("restitution ignored, as discs that stick do not rebound".into());
+        }
+        match (self.r1_mm, self.r2_mm) {
+            _ if by_offset => {}
+            (None, None) => assumed.push(format!("radii {RADIUS_MM} mm").into()),
+            (None, Some(_)) => assumed.push(format!("r1 = {RADIUS_MM} mm").into()),
+            (Some(_), None) => assumed.push(format!("r2 = {RADIUS_MM} mm").into()),
+            (Some(_), Some(_)) => {}
+        }
+        assumed.push("uniform solid discs".into());
+        assumed
+    }
+
+    /// The collision with what it assumes.
+    pub(super) fn solvable(&self) -> Result<Solvable, ProblemError> {
         if self.alpha_deg.is_some() && self.offset_mm.is_some() {
             return Err(fault(
                 "alpha_deg",
@@ -128,7 +192,11 @@ impl Problem {
             u2: velocity("u2", self.u2.unwrap_or_default())?,
             ..spec.collision()
         };
-        Ok((collision, spec.is_by_offset()))
+        Ok(Solvable {
+            collision,
+            by_offset: spec.is_by_offset(),
+            assumed: self.assumed(),
+        })
     }
 }
 

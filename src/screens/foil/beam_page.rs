@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use ratatui::layout::Rect;
 
 use super::setup::{FoilSetup, Obstacle};
-use super::{FoilAction, FoilScreen, guess, words};
+use super::{FoilAction, FoilScreen, cautions, guess, words};
 use crate::beams::{BIN_WIDTH, BINS, BeamTarget, CountedFor, Counts, ScatteringLaw};
 use crate::physics::beam::Beam;
 use crate::physics::rutherford::FM;
@@ -157,6 +157,7 @@ pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Conte
             ],
         });
         panel.gap();
+        cautions::write(&foil.setup, panel);
         panel.paragraph(about(&foil.setup), Role::Text);
         return;
     };
@@ -184,6 +185,7 @@ pub(super) fn write(foil: &FoilScreen, panel: &mut Panel<FoilAction>, cx: &Conte
     }
     panel.paragraph(reason(&run.law, share), Role::Text);
     panel.gap();
+    cautions::write(&foil.setup, panel);
     // The standard deviation of a count with this share, √(n p (1 − p)).
     let chance = (run.thrown() as f64 * share * (1.0 - share)).sqrt();
     panel.paragraph(

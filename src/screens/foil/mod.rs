@@ -1,6 +1,7 @@
 //! The foil: one particle past a target, a beam of millions, and the counts of 1913.
 
 mod beam_page;
+mod cautions;
 mod field;
 mod guess;
 mod measured_page;

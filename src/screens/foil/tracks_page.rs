@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use glam::{DVec2, dvec2};
 use ratatui::layout::Rect;
 
+use super::cautions;
 use super::setup::{FoilSetup, Obstacle};
 use super::words::{count, rounded};
 use crate::beams::{BeamTarget, ScatteringLaw};
@@ -207,6 +208,7 @@ fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
     panel.fact("closest r_min", format!("{r_min:.1} fm"));
     panel.fact("head-on d", format!("{d:.1} fm"));
     panel.gap();
+    cautions::write(setup, panel);
     let twice = 2.0 * setup.offset_fm.abs();
     let text = if twice < 0.1 {
         "Straight on: the α-particle is slowed, stops for an instant at d, where all its energy \
@@ -214,8 +216,8 @@ fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
             .into()
     } else {
         format!(
-            "Both are positive, so they never touch: the α-particle is slowed, deflected and sped \
-             up again, on a hyperbola. tan(Θ/2) = d/2b, here {d:.1}/{twice:.1}."
+            "Both are positive, so they repel: the α-particle is slowed, deflected and sped up \
+             again, on a hyperbola. tan(Θ/2) = d/2b, here {d:.1}/{twice:.1}."
         )
     };
     panel.paragraph(text, Role::Text);
