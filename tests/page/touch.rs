@@ -364,7 +364,7 @@ fn a_level_is_played_by_touch_alone() {
     let page = page();
     let mut phone = Phone::open(&page, "levels");
     phone.choose("Dead stop");
-    phone.until("Say where", Phone::go_on);
+    phone.until("Predict both paths", Phone::go_on);
     assert!(phone.shows("45.0"));
     // A little beside the coin's middle, so that it is hit, but not head-on.
     phone.drag([0.5, 0.6], [0.65, 0.395]);

@@ -283,7 +283,7 @@ impl Visit {
     /// A level, said and watched.
     fn level(&mut self) {
         self.phone.go_to(&page(), "level=dead-stop");
-        self.until("Say where");
+        self.until("Predict both paths");
         self.look("level");
         if self.has_keyboard {
             self.keys("<Right>");
