@@ -39,10 +39,11 @@ const PLAY: &str = "
         }
         lines.push(line);
       }
-      window.carrom.show(reply.painted.sheets);
+      // None are told where they are as on the last screen, or where there are none.
+      if (reply.painted.sheets) window.carrom.show(reply.painted.sheets);
       screens.push({
         cells: lines.join('\\n'),
-        sheets: reply.painted.sheets,
+        sheets: reply.painted.sheets || [],
         elements: shown.map(words).join(' '),
       });
     }
