@@ -244,15 +244,15 @@ fn an_answer_lists_what_it_assumes_and_ignores() {
 fn the_command_line_says_which_values_it_fills_in() {
     let args = ["--alpha-deg", "30", "--stick", "--restitution", "0.5"];
     let text = words(&printed(&args));
-    let said = "Assumed: m1 = 15 g; m2 = 15 g; speed 4 m/s; target at rest; restitution ignored, \
+    let said = "Assumed: m1 = 15 g; m2 = 15 g; u1 = 4 m/s; target at rest; restitution ignored, \
                 as discs that stick do not rebound; radii 15.9 mm; uniform solid discs.";
     assert!(text.contains(said), "{text}");
     let plain = words(&printed(&[&args[..], &["--plain"]].concat()));
-    assert!(plain.contains("Assumed: m1 = 15 g"), "{plain}");
+    assert!(plain.contains("Assumed: m1 equals 15 grams"), "{plain}");
     let json = printed(&[&args[..], &["--json", "--m1-g", "15", "--u2", "0,0"]].concat());
     let json: Value = serde_json::from_str(&json).unwrap();
     assert_eq!(json["assumed"][0], "m2 = 15 g");
-    assert_eq!(json["assumed"][1], "speed 4 m/s");
+    assert_eq!(json["assumed"][1], "u1 = 4 m/s");
 }
 
 /// Help and guide name every field of an answer, and the way each sign counts.

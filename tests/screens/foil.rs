@@ -202,7 +202,7 @@ fn a_light_nucleus_is_warned_about_on_both_pages() {
             let text = panel(&mut game);
             for said in [
                 "d = 4.9 fm is less than the touching distance of the two nuclei, about 5.5 fm",
-                "15 % larger (1 + 4/27 times): 5.6 fm",
+                "15 % larger (by the factor 1 + 4/27): 5.6 fm",
             ] {
                 assert!(text.contains(said), "{wide}: {said} is not in {text}");
             }

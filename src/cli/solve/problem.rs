@@ -110,7 +110,7 @@ impl Problem {
             }
         }
         if self.u1.is_none() {
-            assumed.push(format!("speed {SPEED} m/s").into());
+            assumed.push(format!("u1 = {SPEED} m/s").into());
         }
         let usual = Self {
             m1_g: self.m1_g.or(Some(MASS_G)),

@@ -28,14 +28,15 @@ fn cautions(setup: &FoilSetup) -> Vec<String> {
     if d < touching {
         cautions.push(format!(
             "d = {d:.1} fm is less than the touching distance of the two nuclei, about \
-             {touching:.1} fm: the nuclear force would act. carrom leaves it out."
+             {touching:.1} fm. The nuclear force, which reaches about 1 fm further, would act; carrom \
+             leaves it out."
         ));
     }
     let recoil = recoil_share(mass_number);
     if recoil >= REPORTED {
         cautions.push(format!(
             "carrom holds the nucleus still. A nucleus of mass number {mass_number} recoils, so d \
-             should be {:.0} % larger (1 + {ALPHA_MASS_NUMBER}/{mass_number} times): {:.1} fm.",
+             should be {:.0} % larger (by the factor 1 + {ALPHA_MASS_NUMBER}/{mass_number}): {:.1} fm.",
             100.0 * recoil,
             d * (1.0 + recoil)
         ));
@@ -64,7 +65,7 @@ mod tests {
         for part in [
             "d = 4.9 fm is less than the touching distance",
             "about 5.5 fm",
-            "15 % larger (1 + 4/27 times): 5.6 fm",
+            "15 % larger (by the factor 1 + 4/27): 5.6 fm",
         ] {
             assert!(said.contains(part), "{part}: {said}");
         }
