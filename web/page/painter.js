@@ -10,7 +10,7 @@ const painter = (() => {
   // Columns of the panel's cells, which nobody sees, and rows: enough that no block is dropped.
   const PANEL = 62, ROWS = 100;
   // Picture and panel side by side, and the space around both.
-  const BESIDE = matchMedia("(min-width: 44.5rem) and (min-aspect-ratio: 5/6)");
+  const BESIDE = matchMedia("(min-width: 44.5rem) and (min-aspect-ratio: 5/6), (min-width: 40rem) and (max-height: 26rem)");
   const AIR = 16;
   let pen = null;
   // A cell in pixels of the device, the font that fits it, and the baseline of its letters.
