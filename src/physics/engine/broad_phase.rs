@@ -213,7 +213,7 @@ pub(super) struct Seeker {
 }
 
 impl Seeker {
-    /// A disc as a seeker of contacts between `now` and `until`.
+    /// The search for contacts of a disc between `now` and `until`.
     #[inline]
     pub(super) fn new(body: &Body, now: f64, until: f64) -> Self {
         Self {

@@ -24,7 +24,7 @@ pub(crate) struct Panel<A> {
     pub title: String,
     /// The number of its subject: a new number resets its scroll position.
     pub subject: usize,
-    /// Whether it starts at its top, rather than follow its chosen item.
+    /// Whether it starts at its top, rather than following its chosen item.
     pub(crate) from_top: bool,
     /// Whether no frame stands around it.
     pub(crate) open: bool,

@@ -29,7 +29,7 @@ const CHROME: u16 = 2;
 pub(crate) enum Beside {
     /// None.
     Nothing,
-    /// One without which the words can be understood.
+    /// A picture that the words do not depend on.
     Helps,
     /// A picture that shows more than the words.
     Needed,

@@ -274,7 +274,7 @@ impl LiveFigure {
             FigureState::Hits(hits) => match hits.as_slice() {
                 [] => keys,
                 [hit] => keys.with(watched(hit), FigureAction::Watch),
-                // Each is always in its own frame.
+                // The frame of each hit is fixed.
                 [hit, ..] => {
                     let watched = watched(hit).without_keys(&[Key::Char('f')]);
                     alpha.with(watched, FigureAction::Watch)
