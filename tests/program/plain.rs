@@ -308,7 +308,14 @@ fn a_solution_is_asked_for_or_given() {
         asked.contains("Mass of the striker in grams? Proposed: 15."),
         "{asked}"
     );
-    assert!(asked.ends_with(&given), "{asked}");
+    // What was not asked for is reported as assumed.
+    let (before, rest) = given.split_once(" Assumed: ").unwrap();
+    let (assumed, after) = rest.split_once('\n').unwrap();
+    assert_eq!(
+        assumed,
+        "target at rest; elastic, restitution 1; smooth rims."
+    );
+    assert!(asked.ends_with(&format!("{before}\n{after}")), "{asked}");
 }
 
 #[test]
