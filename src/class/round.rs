@@ -165,7 +165,7 @@ impl ClassRound {
         self.door.as_ref().map(|door| door.code)
     }
 
-    /// The address where pupils' devices last found the round, and look for it.
+    /// The address where pupils' devices last found the round and will look for it again.
     pub fn address(&self) -> Option<SocketAddrV4> {
         self.door.as_ref()?.address
     }

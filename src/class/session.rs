@@ -123,12 +123,12 @@ impl Session {
         }
     }
 
-    /// The round as it stands.
+    /// The current state of the round.
     pub fn round(&self) -> &ClassRound {
         &self.round
     }
 
-    /// The same, shared for saving.
+    /// The round, shared for saving.
     pub fn shared_round(&self) -> Arc<ClassRound> {
         Arc::clone(&self.round)
     }
@@ -452,7 +452,7 @@ impl Session {
             let times = device.times;
             match self.read_hand_in(times, file) {
                 Ok(mut hand_in) => {
-                    // Under the name in the class, whatever the file contains.
+                    // The name in the class replaces the one in the file.
                     self.round.name_of(person).clone_into(&mut hand_in.name);
                     if !self.round.class().is_empty() {
                         self.round.class().clone_into(&mut hand_in.class);

@@ -49,7 +49,7 @@ impl Source<'_> {
         self.finish(made)
     }
 
-    /// As [`Self::document`], with errors noted in the source.
+    /// Like [`Self::document`], but errors are recorded in the source.
     pub(crate) fn tables<T>(
         &self,
         what: &str,

@@ -3,7 +3,7 @@
 use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthChar;
 
-/// The most zero-width marks, such as accents, on one letter of a name.
+/// The largest number of zero-width marks, such as accents, on one letter of a name.
 const MOST_UPON: usize = 2;
 
 /// Whether a character is not a letter but a control or nothing at all: control characters, marks

@@ -7,7 +7,7 @@ use super::{FileError, FileErrors};
 /// U+FEFF in UTF-8.
 pub(crate) const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// The most errors that are sought in a file, because finding the line of each takes time.
+/// The maximum number of errors collected per file, because finding the line of each takes time.
 const MOST_NOTED: usize = 200;
 
 /// A file's text, and all errors found while it is read.
@@ -26,7 +26,7 @@ pub(crate) struct Source<'a> {
 pub(super) enum Rank {
     /// An unknown field: often a required one misspelt.
     UnknownField,
-    /// Text that is not TOML. Its consequences on the same line are not reported.
+    /// Text that is not TOML. Further errors that it causes on the same line are not reported.
     Syntax,
     /// Anything else.
     Value,

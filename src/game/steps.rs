@@ -47,7 +47,7 @@ impl BaseLines<'_> {
     /// `None` if there is none at all.
     pub(crate) fn next_on_steps(&self, from: DVec2, metres: f64) -> Option<DVec2> {
         let (here, sense) = (self.along(from), metres.signum());
-        // Between two steps the nearer one counts.
+        // A distance between two steps is rounded to the nearer one.
         let least = here + metres - sense * PLACE_STEP / 2.0;
         let ahead: Vec<f64> = Self::steps()
             .filter(|along| (along - here) * sense > SLACK)

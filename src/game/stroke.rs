@@ -36,7 +36,7 @@ pub enum StrokeError {
     /// The striker was pocketed more than once, or is on the board as a coin.
     #[error("there is only one striker, and it is lifted after the stroke")]
     Striker,
-    /// A coin fell although the striker touched none.
+    /// A coin was pocketed although the striker touched no coin.
     #[error("a coin cannot fall when the striker touched none")]
     Untouched,
     /// A coin is off the board.

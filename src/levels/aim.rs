@@ -28,7 +28,7 @@ impl Dial {
         Self::Restitution,
     ];
 
-    /// Its name in a file, its step, and its range.
+    /// The dial's name in a file, its step and its range.
     const fn facts(self) -> (&'static str, f64, &'static NumberSpec) {
         match self {
             Self::Direction => ("direction_deg", 0.5, &q::DIRECTION),
@@ -39,7 +39,7 @@ impl Dial {
         }
     }
 
-    /// Its name in a file.
+    /// The dial's name in a file.
     pub const fn field(self) -> &'static str {
         self.facts().0
     }

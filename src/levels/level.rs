@@ -14,12 +14,12 @@ pub(crate) const FORMAT: u32 = 1;
 /// The most goals a level may have.
 const MOST_GOALS: usize = 8;
 
-/// The contents of a file.
+/// The tables and fields of a level file.
 const FIELDS: [&str; 8] = [
     "format", "level", "board", "disc", "shot", "adjust", "goal", "solution",
 ];
 
-/// The table `[level]` of a file.
+/// The fields of the `[level]` table.
 const ABOUT: [&str; 6] = [
     "id",
     "title",

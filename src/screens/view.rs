@@ -90,7 +90,7 @@ impl<'s, A> View<'s, A> {
             .laid_out(|room| SplitLayout::open(room.area, Rect::default()))
     }
 
-    /// A panel, and one beside it that tells more.
+    /// A panel, and one beside it with details.
     pub(super) fn panels(first: Panel<A>, second: Panel<A>) -> Self {
         Self::new(SplitLayout::new, Part::Panel(first), second)
     }

@@ -60,7 +60,7 @@ impl Headless {
         headless
     }
 
-    /// The app as it stands.
+    /// The current state of the app.
     pub fn app(&self) -> &App {
         &self.app
     }

@@ -73,7 +73,7 @@ impl Disk {
     }
 
     /// The names of all plain files that end as ours do: opening a pipe would wait
-    /// for whoever writes to it.
+    /// for a writer.
     fn names(&self) -> io::Result<Vec<String>> {
         let entries = match fs::read_dir(&self.folder) {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),

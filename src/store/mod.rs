@@ -152,8 +152,8 @@ impl Store {
         self
     }
 
-    /// The same store, which changes no file that it looks something up in, not even to mend
-    /// it: for whoever only prints.
+    /// The same store, except that looking something up changes no file, not even to repair it.
+    /// For commands that only print.
     pub fn only_looking(mut self) -> Self {
         self.progress.only_look();
         self

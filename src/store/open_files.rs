@@ -7,8 +7,7 @@ use crate::files::FileErrors;
 use crate::messages::Kept;
 use crate::progress::Calendar;
 
-/// Things of one kind that are saved again and again, each known by the
-/// ticket of whoever works on it.
+/// Items of one kind that are saved repeatedly, each identified by a ticket.
 pub(super) struct OpenFiles<T> {
     texts: Box<dyn TextStore>,
     /// What names begin with.

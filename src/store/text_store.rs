@@ -26,7 +26,7 @@ pub(super) trait TextStore: Send {
     fn replace(&mut self, name: &str, old: &str, text: &str) -> Result<bool, String>;
 
     /// Puts a text behind another; says `false`, and does nothing, if that is not what stands
-    /// there. Whoever is killed in the midst of it may leave a part of what was added.
+    /// there. If carrom is killed meanwhile, part of the added text may remain.
     fn append(&mut self, name: &str, old: &str, added: &str) -> Result<bool, String>;
 
     /// Removes what stands under a name.

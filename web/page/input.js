@@ -134,7 +134,7 @@ const input = (() => {
     key(name || letter);
   }
 
-  // Mouse movements are reported over a picture; a finger drags there.
+  // Mouse movements over a picture are reported; a finger on it drags.
   let hand = null;
 
   function tell(kind, canvas, event) {

@@ -29,7 +29,8 @@ const HEADING: &str = "Glancing collisions";
 pub struct Worksheet<'a> {
     pub(crate) round: &'a Round,
     pub(crate) title: String,
-    /// The letter of the version, where there are several; A is what the code opens on a screen.
+    /// The letter of the version, if there are several; A has the questions that the code opens
+    /// on a screen.
     pub(crate) version: Option<char>,
     /// The folders of own questions that it takes to open it on a screen, as a shell takes them.
     pub(crate) concepts: Vec<String>,

@@ -97,8 +97,8 @@ fn letters(text: &str) -> usize {
     text.chars().count()
 }
 
-/// How many questions are won by whoever always takes the longest or the shortest choice,
-/// against blind guessing.
+/// How many questions are answered correctly by always choosing the longest or the shortest
+/// choice, compared with blind guessing.
 fn lengths(concepts: &[Concept]) -> Vec<String> {
     let count = concepts.len() as f64;
     let choices = concepts.iter().map(|it| it.choices().len() as f64);

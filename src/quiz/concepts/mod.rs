@@ -67,9 +67,9 @@ pub struct Concept {
 pub struct Wrong {
     /// The choice.
     pub choice: String,
-    /// The misconception that it follows, where it follows one.
+    /// The misconception that leads to it, if there is one.
     pub misconception: Option<Misconception>,
-    /// What to say to whoever chose it; begins from what this choice says.
+    /// The feedback for this choice; begins from what the choice says.
     pub says: String,
 }
 

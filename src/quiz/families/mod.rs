@@ -30,7 +30,7 @@ pub(super) mod where_to;
 /// without any clear question. A test checks that none needs a twentieth of it.
 const DRAWS: usize = 20_000;
 
-/// One draw, clear or not; `None` if the numbers drawn make no question.
+/// One draw, whether or not its answers are distinct; `None` if the numbers are unsuitable.
 type Draw = fn(Difficulty, &mut Dice) -> Option<Question>;
 
 /// Each family's name as shown and its generator, in the order of [`Family`].

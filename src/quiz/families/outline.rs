@@ -125,8 +125,8 @@ impl Outline {
         self
     }
 
-    /// The [`option`](Self::options) that a misconception leads to; `None` as the misconception
-    /// for a wrong option without a known one. If several lead to the same option, the first
+    /// The [`option`](Self::options) that a misconception leads to; the misconception is `None`
+    /// if no known one leads to a wrong option. If several lead to the same option, the first
     /// counts.
     pub(super) fn chooses(
         mut self,

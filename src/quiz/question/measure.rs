@@ -118,8 +118,8 @@ impl Measure {
     }
 
     /// How far apart two numbers are, in units of the largest tolerance: never more than
-    /// [`distance`](Self::distance). Questions are chosen by it so that the answers lie apart; it
-    /// is therefore part of the format of a round's code and may not change.
+    /// [`distance`](Self::distance). Questions are chosen by it so that their answers differ
+    /// clearly, so it is part of the format of a round's code and must not change.
     pub(crate) fn spacing(&self, a: f64, b: f64) -> f64 {
         match self {
             Self::Angle => apart_deg(a, b) / RIGHT_DEG,

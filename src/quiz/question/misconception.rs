@@ -10,7 +10,7 @@ use strum::{EnumString, IntoStaticStr, VariantArray};
 pub enum Misconception {
     /// The scattering angle is taken to be the impact angle.
     CopiedAngle,
-    /// The right angle of equal masses is taken to hold for all masses.
+    /// The 90° rule for equal masses is applied to all masses.
     AlwaysSquare,
     /// The two discs are taken to leave at 45° each.
     HalfAndHalf,

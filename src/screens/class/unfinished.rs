@@ -22,7 +22,7 @@ pub(super) struct Unfinished {
     /// The round that begins otherwise, and the name of its class.
     code: Option<Code>,
     name: String,
-    /// The interrupted round; `None` while it is sought.
+    /// The interrupted round; `None` while it is being loaded.
     stopped: Option<Kept<ClassRound>>,
     list: ListView,
     /// The ticket for loading it.

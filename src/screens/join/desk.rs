@@ -18,7 +18,7 @@ use crate::widgets::{AnswerInput, Asking, AskingAction, Outcome};
 pub(super) struct Desk {
     /// The latest state from the host.
     pub(super) state: PupilState,
-    /// The present question; with the true answer once that is revealed.
+    /// The current question, with the true answer once it is revealed.
     pub(super) question: Option<Question>,
     pub(super) doing: Doing,
 }

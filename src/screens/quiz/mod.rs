@@ -73,7 +73,7 @@ pub(crate) struct Quiz {
     /// The same as they are kept.
     attempts: Vec<Attempt>,
     phase: QuizPhase,
-    /// The layers that the player wants on top of a collision.
+    /// The overlays that the player has switched on.
     layers: Overlays,
 }
 
@@ -199,7 +199,7 @@ impl Quiz {
         attempt
     }
 
-    /// Takes an answer, and shows what happens, or asks the next question.
+    /// Records an answer, then shows the collision or asks the next question.
     fn answer(&mut self, question: Question, answer: Answer, cx: &mut Context) {
         let attempt = self.note(&question, answer, cx);
         // Saved before the explanation is shown.

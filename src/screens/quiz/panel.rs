@@ -112,7 +112,7 @@ fn answers(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>) {
             let names = ["striker", target].map(Some);
             said_and_true(watch.collision(), said, names, true, panel);
         }
-        // Without a visible collision, rays have no sides to count from.
+        // Without a collision to define the coin's side, rays are written in words.
         (_, _, said) => {
             panel.marked("you    ", lettered(form, said), Role::Predicted);
             panel.marked("truth  ", lettered(form, &form.truth()), Role::Good);

@@ -29,7 +29,7 @@ pub(super) struct SavedGames {
     /// For the page to go back to.
     pub(super) options: Options,
     pub(super) files: KeptFiles<(SavedGame, Game)>,
-    /// The ticket of a game that is to be watched from its beginning.
+    /// The ticket of a game that will be replayed from its beginning.
     watch: Option<u64>,
 }
 
@@ -190,7 +190,7 @@ fn about(saved: &SavedGame, game: &Game) -> String {
         GameStage::MatchOver(team) => format!(" {}.", options.wins(team, "match")),
     };
     let whose = match saved.player.as_str() {
-        // Whoever said no name has none to show.
+        // A player without a name has none to show.
         "player" => String::new(),
         name => format!("{name}'s game. "),
     };

@@ -40,7 +40,7 @@ impl From<io::Error> for Leave {
 }
 
 impl<'a> Talk<'a> {
-    /// A talk with whoever is at the other end of these two.
+    /// A conversation over this input and output.
     pub fn new(input: &'a mut dyn BufRead, output: &'a mut dyn Write) -> Self {
         Self { input, output }
     }

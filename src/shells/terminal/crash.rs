@@ -55,7 +55,7 @@ fn what(info: &PanicHookInfo) -> String {
     )
 }
 
-/// The fault with all details.
+/// The crash report, with all details.
 fn report(info: &PanicHookInfo) -> String {
     let version = env!("CARGO_PKG_VERSION");
     let thread = thread::current();

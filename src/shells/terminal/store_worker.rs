@@ -42,7 +42,7 @@ impl StoreWorker {
         let keep = move || {
             for job in asked {
                 tell(store.answer(&job.request), &sender);
-                // It may have become too late for whoever waited.
+                // The caller may have stopped waiting.
                 let _ = job.done.send(());
             }
             if let Err(lost) = store.pay_at_last() {
@@ -131,7 +131,7 @@ mod tests {
     use crate::progress::Attempt;
     use crate::quiz::Figures;
 
-    /// Whoever holds the database holds up neither the keys nor the picture for long.
+    /// A locked database delays neither the keys nor the picture for long.
     #[test]
     fn nobody_waits_long_for_an_answer_to_be_kept() {
         let folder = env::temp_dir().join(format!("carrom-store-worker-{}", process::id()));

@@ -151,8 +151,8 @@ impl SalvagedTable {
         Ok(is_whole)
     }
 
-    /// Puts a row into the new table, as it is: what it means is a matter of whoever reads it.
-    /// Says how many rows that makes: none if it cannot be one, or is there already.
+    /// Puts a row into the new table unchanged: interpreting it is up to the reader.
+    /// Returns how many rows were added: none if the row is invalid or already there.
     fn insert(
         &self,
         id: Option<i64>,

@@ -78,7 +78,7 @@ impl Asking {
         self.sure.is_some() || self.input.keys().exact(Key::Escape).is_none()
     }
 
-    /// Carries out an action; done with the answer and the confidence.
+    /// Carries out an action; `Done` with the answer and the confidence once both are given.
     pub(crate) fn act(&mut self, action: AskingAction) -> Outcome<(Response, Confidence)> {
         let chosen = match (action, self.sure) {
             (AskingAction::Answer(action), None) => {

@@ -15,7 +15,7 @@ const LONGEST_ROOTED: f64 = 2.9;
 /// Longest component along n from a centre, as a share of the distance between the centres, where
 /// the other disc's component begins.
 const LONGEST_ALONG: f64 = 0.96;
-/// How far beside its disc the arrow of a disc ahead of the other is drawn, in the same radii.
+/// How far to the side of its disc the leading disc's arrow is drawn, in the same radii.
 const BESIDE: f64 = 0.4;
 /// Room for the head of an arrow, in the same radii.
 const HEAD: f64 = 0.3;

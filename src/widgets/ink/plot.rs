@@ -72,7 +72,7 @@ impl Picture {
     }
 }
 
-/// Draws marks of whole cells.
+/// Draws marks that fill whole cells.
 struct Cells<'a> {
     canvas: &'a Canvas,
     picture: &'a Picture,

@@ -61,7 +61,7 @@ pub(crate) enum FieldValue {
         /// The unit of the range, as text stands after a number: " mm", "°", or nothing.
         unit: &'static str,
     },
-    /// One of several, counted from 0; the last is followed by the first.
+    /// One of several options, counted from 0; the last is followed by the first.
     Choice {
         /// The present one.
         at: usize,
@@ -101,7 +101,7 @@ impl FieldValue {
                     true => (value / size + by + 1e-3).floor(),
                     false => (value / size + by - 1e-3).ceil(),
                 };
-                // Without the rounding error of a sum of tenths, and without a −0.
+                // Avoids the rounding error of a sum of tenths, and −0.
                 (onto * size * 1e6).round() / 1e6 + 0.0
             }
         }

@@ -49,7 +49,7 @@ struct Fixed<'p> {
     rows: u16,
 }
 
-/// A block, whatever its actions are.
+/// A block, without the type of its actions.
 struct PlacedBlock<'p> {
     content: &'p Content,
     worth: Option<u8>,
@@ -290,7 +290,7 @@ impl<'p> Placed<'p> {
         self.chosen.as_ref().map(|rows| rows.start)
     }
 
-    /// Whether one of a list is chosen.
+    /// Whether the chosen item belongs to a list.
     pub(crate) fn is_list(&self) -> bool {
         self.is_list
     }

@@ -26,7 +26,7 @@ pub(crate) struct Panel<A> {
     pub subject: usize,
     /// Whether it starts at its top, rather than following its chosen item.
     pub(crate) from_top: bool,
-    /// Whether no frame stands around it.
+    /// Whether it has no frame.
     pub(crate) open: bool,
     blocks: Vec<Block<A>>,
     /// How many of the first blocks stay visible when it is scrolled.
@@ -566,7 +566,7 @@ impl<A> Panel<A> {
         });
     }
 
-    /// A share of a whole, from 0 to 1, and how it reads.
+    /// A share of a whole, from 0 to 1, as a bar with its value.
     pub(crate) fn meter(&mut self, name: &str, share: f64, value: impl Into<String>) {
         self.push(Content::Meter {
             name: name.into(),
@@ -575,8 +575,8 @@ impl<A> Panel<A> {
         });
     }
 
-    /// A share of a whole, from 0 to 1, how it reads, and from where to where it is meant to be,
-    /// by a name.
+    /// A share of a whole, from 0 to 1, as a bar with its value, and the named range in which it
+    /// should be.
     pub(crate) fn gauge(
         &mut self,
         (share, value, role): (f64, impl Into<String>, Role),

@@ -252,7 +252,7 @@ impl<'a> Lines<'a> {
         };
         self.record(|charset| Words::large(&charset.text(first), role));
         let width = self.area.width.saturating_sub(1);
-        // Only what is shorter is worth a second line.
+        // Only the shorter alternatives may use a second line in a small window.
         let rows = |at: usize| LARGE[usize::from(at > 0 || self.whole >= LARGER_FROM)];
         let fit = |(at, text): (usize, &String)| Big::fit(text, width, rows(at), self.look.charset);
         let big = texts.iter().enumerate().find_map(fit);

@@ -6,8 +6,8 @@
 //! Design", 2008), which all kinds of colour vision tell apart, and never carry a
 //! meaning alone: a letter, a dash or a weight always says the same.
 //!
-//! The eye should find the collision first, so contrast falls from the two discs and their final
-//! velocities, over the line of impact and the arcs, to board and frames.
+//! The eye should find the collision first, so contrast decreases from the two discs and their final
+//! velocities, through the line of impact and the arcs, to the board and the frames.
 
 mod colour;
 mod role;

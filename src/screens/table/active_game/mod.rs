@@ -200,7 +200,7 @@ impl ActiveGame {
         }
     }
 
-    /// Plays a stroke, to be watched; `None` if it cannot be played.
+    /// Plays a stroke and starts its replay; `None` if it cannot be played.
     fn play(&mut self, stroke: Move, cx: &Context) -> Option<GamePhase> {
         let number = self.history.len();
         let shot = self.make(stroke)?;
@@ -211,7 +211,7 @@ impl ActiveGame {
         Some(GamePhase::Watch(Box::new(replay)))
     }
 
-    /// A stroke that was made, to be watched at its end or from its beginning.
+    /// The replay of an earlier stroke, at its end or from its beginning.
     fn look_at(&mut self, stroke: Option<usize>, at_end: bool, cx: &Context) -> Option<GamePhase> {
         let Some(number) = stroke else {
             self.notice = Some("There is no stroke to look at yet.".into());
@@ -222,13 +222,13 @@ impl ActiveGame {
         Some(GamePhase::Watch(Box::new(replay)))
     }
 
-    /// The last stroke, to be looked into.
+    /// The replay of the last stroke, at its end.
     fn look_back(&mut self, cx: &Context) -> Option<GamePhase> {
         let last = self.history.stroke_before(self.history.len());
         self.look_at(last, true, cx)
     }
 
-    /// The first stroke, to be watched with all that came after it.
+    /// The replay of the game from its first stroke.
     fn watch_all(&mut self, cx: &Context) -> Option<GamePhase> {
         let first = self.history.stroke_from(0);
         self.look_at(first, cx.settings.reduced_motion, cx)

@@ -69,7 +69,7 @@ impl ActiveGame {
         }
     }
 
-    /// Writes who won what, and what follows.
+    /// Writes the result of the board, and what can be done next.
     pub(super) fn write_end(&self, panel: &mut Panel<TableAction>) {
         let game = self.game();
         let tale = BoardTale::of(&self.history);

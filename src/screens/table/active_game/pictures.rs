@@ -25,7 +25,7 @@ const SHADES: usize = 4;
 const LONGEST_RAY: f64 = 0.16;
 /// Length of the arrow that shows the aim where the whole line is not drawn.
 const STUB: f64 = 0.09;
-/// Length of the arrow that shows the strength, in metres for each m/s.
+/// Length of the arrow that shows the strength, in metres per m/s.
 const ARROW: f64 = 0.03;
 
 /// The board with the striker, its aim and what helps to aim.

@@ -34,7 +34,7 @@ impl From<ActiveGame> for Playing {
 }
 
 impl Playing {
-    /// Watches a game that was kept from its beginning.
+    /// Replays a saved game from its beginning.
     pub(in crate::screens::table) fn watch_all(&mut self, cx: &mut Context) {
         let first = self.game.watch_all(cx);
         self.follow(first.into(), cx);
@@ -183,7 +183,7 @@ impl Playing {
         }
     }
 
-    /// Goes on as something that was done asks for, and has the game kept.
+    /// Continues as the result of an action requires, and saves the game.
     fn follow(&mut self, after: After, cx: &mut Context) -> Next {
         let next = match after {
             After::Ignored => Next::Ignored,

@@ -162,8 +162,8 @@ impl ShownStroke {
     }
 }
 
-/// How long a stroke is seen of which so many parts are there. Whoever calls strokes is
-/// left the time to do so; whoever watches them fast sees this faster too.
+/// How long a stroke is shown when this many of its parts are visible. Players who predict strokes
+/// get time to do so; a faster replay speed makes this faster too.
 fn part_lasts(parts: usize, options: &Options, cx: &Context) -> Option<Duration> {
     let waits = options.call && options.count(Player::Person) > 0;
     if waits && parts == PARTS.len() {
@@ -195,7 +195,7 @@ impl ActiveGame {
         GamePhase::Aim
     }
 
-    /// The computer's stroke, to be seen before it is struck.
+    /// Shows the computer's stroke before it is played.
     pub(super) fn think(&mut self, cx: &Context) -> GamePhase {
         let strength = self.options.strength(self.seat());
         match opponent::think(self.game(), strength, self.next_seed()) {

@@ -74,7 +74,7 @@ pub enum StrokeAction {
 }
 
 impl StrokeReplay {
-    /// A stroke that was made, with what was called of its first impact; from its
+    /// The replay of a stroke, with the prediction for its first impact; from its
     /// beginning, or `at_end`.
     pub(super) fn new(
         number: usize,
