@@ -136,8 +136,8 @@ fn ask(store: &mut Store, wish: StoreRequest) -> StoreReply {
     answer.done
 }
 
-/// The reports in one file. Pictures of Markdown reports go into a folder beside it, named
-/// after it; several reports have one subfolder each.
+/// The reports in one file. Pictures of Markdown reports go into a folder beside that
+/// file, with its name; if there are several reports, each has its own subfolder.
 fn documents(reports: &[Report], file: &NamedFile) -> Vec<Document> {
     let path = &file.path;
     if !file.is_second {

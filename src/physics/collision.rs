@@ -106,7 +106,7 @@ impl CollisionOutcome {
 }
 
 impl Collision {
-    /// A smooth, perfectly elastic collision at impact angle `alpha` radians on a target at rest.
+    /// A smooth, perfectly elastic collision at impact angle `alpha` radians with a target at rest.
     /// For any other collision set the fields that differ; the angle stays the same whatever the
     /// velocities, the masses and the restitution.
     pub fn at_angle(striker: Disc, target: Disc, u1: DVec2, alpha: f64) -> Self {

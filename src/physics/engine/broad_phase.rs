@@ -213,7 +213,7 @@ pub(super) struct Seeker {
 }
 
 impl Seeker {
-    /// The search for contacts of a disc between `now` and `until`.
+    /// The search for a disc's contacts between `now` and `until`.
     #[inline]
     pub(super) fn new(body: &Body, now: f64, until: f64) -> Self {
         Self {

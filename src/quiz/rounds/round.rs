@@ -26,7 +26,7 @@ pub struct Round {
 /// course of its own. Families that are added later follow them.
 const MIXED: &[Family] = Family::ALL.split_at(17).0.split_at(1).1;
 
-/// How often a question that has been asked before is redrawn before it is accepted.
+/// How many times a repeated question is redrawn before it is accepted.
 const REDRAWS: usize = 50;
 
 /// How many questions of any family are searched for one that can show a misconception; then those

@@ -118,7 +118,7 @@ fn refuse(line: &Line, status: u16, words: &str) -> io::Result<()> {
     send(line, head.as_bytes(), format!("{words}\n").as_bytes())
 }
 
-/// Sends a whole answer, as long as it makes progress.
+/// Sends a whole response, as long as the transfer makes progress.
 fn send(line: &Line, head: &[u8], body: &[u8]) -> io::Result<()> {
     let end = Instant::now() + PAGE_TIME;
     (&line.stream).write_all(head)?;

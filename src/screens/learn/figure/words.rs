@@ -11,8 +11,8 @@ use crate::physics::{
     Bond, Collision, CollisionOutcome, CollisionSpec, Disc, Frame, Meeting, worked,
 };
 
-/// The figure of a page in sentences; before the page's question is `answered`, or if a later page
-/// asks for the outcome, only the set-up.
+/// The figure of a page in sentences. Only the set-up is described until the page's question is
+/// `answered`, or if a later page asks for the outcome.
 pub(in crate::screens::learn) fn describe(
     chapter: &Chapter,
     at: usize,

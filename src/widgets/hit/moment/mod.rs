@@ -30,7 +30,7 @@ impl Moment<'_> {
         self.watch.frame.velocity(&self.stage.collision)
     }
 
-    /// The position of a disc at a time of the shot, in the frame.
+    /// The position of a disc at a given time in the shot, in the chosen frame.
     fn place(&self, body: usize, time: f64) -> DVec2 {
         let position = match &self.watch.shot {
             Some(shot) => shot.at(body, time).position,
