@@ -516,7 +516,7 @@ fn allowed_settings_are_accepted() {
         ),
         (
             "screens/home/view.rs",
-            "use super::super::Place; use crate::screens::Context;",
+            "use super::super::Route; use crate::screens::Context;",
         ),
         (
             "shells/tape/mod.rs",

@@ -204,7 +204,7 @@ fn database(chance: &mut Pcg64Mcg, folder: &Path) -> Result<(), Fault> {
             stars: 1,
         },
     );
-    let ask = |store: &mut Store, wish| store.answer(&StoreCall { ticket: 0, wish });
+    let ask = |store: &mut Store, request| store.answer(&StoreCall { ticket: 0, request });
     let mut store = Store::in_folder(&folder).timeless();
     ask(&mut store, star.clone());
     for attempt in attempts("7") {
@@ -218,13 +218,13 @@ fn database(chance: &mut Pcg64Mcg, folder: &Path) -> Result<(), Fault> {
     fs::write(&path, &bytes).map_err(said)?;
     watched(|| {
         let mut store = Store::in_folder(&folder).timeless();
-        for wish in [
+        for request in [
             StoreRequest::Recall(None),
             StoreRequest::Stars("Ada".into()),
             StoreRequest::Marks("Ada".into()),
             star,
         ] {
-            if let StoreReply::Recalled(Ok(history)) = ask(&mut store, wish).done {
+            if let StoreReply::Recalled(Ok(history)) = ask(&mut store, request).done {
                 let attempts = &history.attempts;
                 assert!(attempts.iter().all(|it| it.fault().is_none()));
                 csv(attempts)?;

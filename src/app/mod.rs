@@ -22,7 +22,7 @@ use crate::messages::{
 };
 use crate::quiz::concepts::Library;
 use crate::screens::{
-    AnyScreen, Confirmation, Context, Hosted, KeptSettings, Next, Place, Screen, Settings,
+    AnyScreen, Confirmation, Context, Hosted, KeptSettings, Next, Route, Screen, Settings,
     SharedAction,
     class::Class,
     foil::FoilScreen,
@@ -92,22 +92,22 @@ pub struct App {
     /// The tickets of slow saves in progress.
     saving: BTreeSet<u64>,
     /// How many things could not be saved so far.
-    owed: usize,
+    unsaved: usize,
     /// The time since the last retry, and whether one is in progress.
     retry: Retry,
     /// Whether the player has been notified that earlier answers could not be loaded, or that
     /// settings cannot be saved: one notice is enough.
-    told_of_store: bool,
+    reported_store: bool,
 }
 
 impl App {
-    /// An app that starts at `place`, with Home below it.
-    pub fn new(place: Place, settings: Settings, seed: u64) -> Self {
-        Self::with_data(Data::default(), place, settings, seed)
+    /// An app that starts at `route`, with Home below it.
+    pub fn new(route: Route, settings: Settings, seed: u64) -> Self {
+        Self::with_data(Data::default(), route, settings, seed)
     }
 
     /// An app with more contents than those of the program.
-    pub fn with_data(data: Data, place: Place, settings: Settings, seed: u64) -> Self {
+    pub fn with_data(data: Data, route: Route, settings: Settings, seed: u64) -> Self {
         let mut context = Context::new(settings, seed);
         context.shelf = data.shelf;
         context.book = data.book;
@@ -119,18 +119,18 @@ impl App {
             size: Rect::default(),
             layers: Vec::new(),
             saving: BTreeSet::new(),
-            owed: 0,
+            unsaved: 0,
             retry: Retry::default(),
-            told_of_store: false,
+            reported_store: false,
         };
-        match place {
-            Place::Level { .. } => app.open(Place::Levels),
-            Place::Chapter { .. } => app.open(Place::Learn),
+        match route {
+            Route::Level { .. } => app.open(Route::Levels),
+            Route::Chapter { .. } => app.open(Route::Learn),
             _ => {}
         }
-        match place {
-            Place::Home => app.resume(),
-            _ => app.open(place),
+        match route {
+            Route::Home => app.resume(),
+            _ => app.open(route),
         }
         app
     }
@@ -152,17 +152,17 @@ impl App {
 
     /// An app on a screen of the caller's own, with Home below it.
     pub fn on(screen: Box<dyn AnyScreen>, settings: Settings, seed: u64) -> Self {
-        let mut app = Self::new(Place::Home, settings, seed);
+        let mut app = Self::new(Route::Home, settings, seed);
         app.stack.push(screen);
         app
     }
 
     /// The address of the current screen, and how many screens are open, including the first.
-    /// [`Data::place`] finds the same screen from the address.
+    /// [`Data::route`] finds the same screen from the address.
     pub fn address(&self) -> (String, usize) {
         let cx = &self.context;
-        let top = self.stack.last().map(|screen| screen.place(cx));
-        let address = top.map_or_else(String::new, |place| route::address(&place, cx));
+        let top = self.stack.last().map(|screen| screen.route(cx));
+        let address = top.map_or_else(String::new, |route| route::address(&route, cx));
         (address, self.stack.len())
     }
 
@@ -249,7 +249,7 @@ impl App {
     fn note(&mut self, answer: &StoreAnswer) {
         self.saving.remove(&answer.ticket);
         if let Some(notice) = &answer.notice {
-            self.tell(notice.clone());
+            self.notify(notice.clone());
         }
         if let StoreReply::Stars(Ok(stars)) = &answer.done {
             for starred in stars {
@@ -264,33 +264,33 @@ impl App {
             self.retry.ticket = None;
             self.retry.failures += 1;
         }
-        if answer.owed == 0 {
+        if answer.unsaved == 0 {
             self.retry.failures = 0;
         }
-        let was_owed = std::mem::replace(&mut self.owed, answer.owed);
-        if answer.owed == 0 {
+        let was_unsaved = std::mem::replace(&mut self.unsaved, answer.unsaved);
+        if answer.unsaved == 0 {
             self.layers
                 .retain(|layer| !matches!(layer, AppLayer::Leave(_)));
         }
         match &answer.done {
-            StoreReply::Noted(Err(reason)) if was_owed == 0 && answer.owed > 0 => {
+            StoreReply::Noted(Err(reason)) if was_unsaved == 0 && answer.unsaved > 0 => {
                 self.retry.waited = Duration::ZERO;
-                self.tell(format!(
+                self.notify(format!(
                     "What you do cannot be saved for now: {reason}. You can still go on: carrom \
                      saves it as soon as possible."
                 ));
             }
             StoreReply::Noted(Err(reason))
-                if answer.owed == 0 && !std::mem::replace(&mut self.told_of_store, true) =>
+                if answer.unsaved == 0 && !std::mem::replace(&mut self.reported_store, true) =>
             {
-                self.tell(format!(
+                self.notify(format!(
                     "Your settings cannot be saved: {reason}. You can still go on."
                 ));
             }
             StoreReply::Stars(Err(reason)) | StoreReply::Marks(Err(reason))
-                if !std::mem::replace(&mut self.told_of_store, true) =>
+                if !std::mem::replace(&mut self.reported_store, true) =>
             {
-                self.tell(format!(
+                self.notify(format!(
                     "Your earlier answers cannot be loaded: {reason}. You can still go on."
                 ));
             }
@@ -302,12 +302,12 @@ impl App {
     /// is not questioned.
     fn leave(&mut self) -> Vec<Effect> {
         let is_asked = |layer: &AppLayer| matches!(layer, AppLayer::Leave(_));
-        if self.owed == 0 || self.layers.iter().any(is_asked) {
+        if self.unsaved == 0 || self.layers.iter().any(is_asked) {
             return vec![Effect::Quit];
         }
-        let things = match self.owed {
+        let things = match self.unsaved {
             1 => "One thing that you did is not saved yet and will be".to_owned(),
-            owed => format!("{owed} things that you did are not saved yet and will be"),
+            unsaved => format!("{unsaved} things that you did are not saved yet and will be"),
         };
         let question = format!("{things} lost if carrom cannot save at the last moment. Leave?");
         let question = Confirmation::new(question, "leave", "stay");
@@ -317,7 +317,7 @@ impl App {
 
     /// When the next retry of a failed save is due.
     fn retry_in(&self) -> Option<Duration> {
-        let waits = self.owed > 0 && self.retry.ticket.is_none();
+        let waits = self.unsaved > 0 && self.retry.ticket.is_none();
         waits.then(|| self.retry.pause().saturating_sub(self.retry.waited))
     }
 
@@ -334,16 +334,16 @@ impl App {
             ticket: Some(ticket),
             ..self.retry
         };
-        let wish = StoreRequest::Retry;
-        Some(Effect::Keep(StoreCall { ticket, wish }))
+        let request = StoreRequest::Retry;
+        Some(Effect::Keep(StoreCall { ticket, request }))
     }
 
     /// The status of saving while it fails; empty otherwise.
     fn keeping(&self) -> String {
-        match self.owed {
+        match self.unsaved {
             _ if !self.saving.is_empty() => "saving ..".into(),
             0 => String::new(),
-            owed => format!("not saved: {owed}"),
+            unsaved => format!("not saved: {unsaved}"),
         }
     }
 
@@ -430,7 +430,7 @@ impl App {
     }
 
     /// Shows a notice over the screen until a key is pressed.
-    pub fn tell(&mut self, words: String) {
+    pub fn notify(&mut self, words: String) {
         self.layers
             .retain(|layer| !matches!(layer, AppLayer::Notice(_)));
         self.layers.push(AppLayer::Notice(words));
@@ -460,9 +460,9 @@ impl App {
 
     /// Opens the glossary over the screen, unless it is open.
     fn look_up(&mut self) -> Vec<Effect> {
-        self.with_screen(|screen, cx| match screen.place(cx) {
-            Place::Glossary => Next::Stay,
-            _ => Next::Open(Place::Glossary),
+        self.with_screen(|screen, cx| match screen.route(cx) {
+            Route::Glossary => Next::Stay,
+            _ => Next::Open(Route::Glossary),
         })
     }
 
@@ -501,8 +501,8 @@ impl App {
         };
         let next = act(screen.as_mut(), &mut self.context);
         let mut effects = self.follow(next);
-        if let Some(told) = self.context.take_told() {
-            self.tell(told);
+        if let Some(reported) = self.context.take_notice() {
+            self.notify(reported);
         }
         effects.extend(self.context.take_asked());
         effects
@@ -527,15 +527,15 @@ impl App {
     fn follow(&mut self, next: Next) -> Vec<Effect> {
         match next {
             Next::Ignored | Next::Stay => {}
-            Next::Open(place) => self.open(place),
-            Next::Replace(place) => {
+            Next::Open(route) => self.open(route),
+            Next::Replace(route) => {
                 self.stack.pop();
-                self.open(place);
+                self.open(route);
             }
             Next::Back => {
                 self.stack.pop();
                 if self.stack.is_empty() {
-                    self.open(Place::Home);
+                    self.open(Route::Home);
                     return self.leave();
                 }
                 self.resume();
@@ -554,48 +554,48 @@ impl App {
         }
     }
 
-    fn open(&mut self, place: Place) {
+    fn open(&mut self, route: Route) {
         let cx = &mut self.context;
-        self.stack.push(match place {
-            Place::Home => hosted(Home::ask(cx)),
-            Place::Lab => hosted(Lab::resume(cx)),
-            Place::LabOf { setup } => hosted(Lab::of(setup)),
-            Place::Learn => hosted(Contents::new(cx)),
-            Place::Glossary => hosted(Glossary::default()),
-            Place::Chapter { number } => match Reading::new(number, cx) {
+        self.stack.push(match route {
+            Route::Home => hosted(Home::ask(cx)),
+            Route::Lab => hosted(Lab::resume(cx)),
+            Route::LabOf { setup } => hosted(Lab::of(setup)),
+            Route::Learn => hosted(Contents::new(cx)),
+            Route::Glossary => hosted(Glossary::default()),
+            Route::Chapter { number } => match Reading::new(number, cx) {
                 Some(reading) => hosted(reading),
                 None => return,
             },
-            Place::Page { number, page } => match Reading::visit(number, page, cx) {
+            Route::Page { number, page } => match Reading::visit(number, page, cx) {
                 Some(reading) => hosted(reading),
                 None => return,
             },
-            Place::Quiz { code: Some(code) } => hosted(Quiz::new(code)),
-            Place::Quiz { code: None } => hosted(Choosing::ask(cx)),
-            Place::OpenRound {
+            Route::Quiz { code: Some(code) } => hosted(Quiz::new(code)),
+            Route::Quiz { code: None } => hosted(Choosing::ask(cx)),
+            Route::OpenRound {
                 code,
                 answers,
                 is_explained,
             } => hosted(Quiz::left_at(code, &answers, is_explained, cx)),
-            Place::Levels => hosted(Levels::new(cx)),
-            Place::Level { number } => match LevelPlay::new(number, cx) {
+            Route::Levels => hosted(Levels::new(cx)),
+            Route::Level { number } => match LevelPlay::new(number, cx) {
                 Some(play) => hosted(play),
                 None => return,
             },
-            Place::Class { code, teams, name } => {
+            Route::Class { code, teams, name } => {
                 hosted(Class::new(code.as_ref(), &teams, &name, cx))
             }
-            Place::Host { code, name } => hosted(Class::with_devices(code.as_ref(), &name, cx)),
-            Place::Join {
+            Route::Host { code, name } => hosted(Class::with_devices(code.as_ref(), &name, cx)),
+            Route::Join {
                 address,
                 code,
                 again,
             } => hosted(Join::new(address.as_deref(), code, again, cx)),
-            Place::Foil => hosted(FoilScreen::default()),
-            Place::FoilAt { page } => hosted(FoilScreen::at(page)),
-            Place::Table => hosted(Table::default()),
-            Place::Progress => hosted(Progress::ask(cx)),
-            Place::Settings => hosted(SettingsScreen::default()),
+            Route::Foil => hosted(FoilScreen::default()),
+            Route::FoilAt { page } => hosted(FoilScreen::at(page)),
+            Route::Table => hosted(Table::default()),
+            Route::Progress => hosted(Progress::ask(cx)),
+            Route::Settings => hosted(SettingsScreen::default()),
         });
     }
 }

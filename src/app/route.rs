@@ -3,7 +3,7 @@
 use super::Data;
 use crate::physics::CollisionSpec;
 use crate::quiz::{Answer, Code, CourseKind};
-use crate::screens::{Context, FoilPage, Place};
+use crate::screens::{Context, FoilPage, Route};
 
 impl Data {
     /// The route of this name. `value` selects a chapter, a level or the code of a round; it may be
@@ -11,10 +11,10 @@ impl Data {
     ///
     /// # Errors
     /// What was expected instead, in words.
-    pub fn place(&self, name: &str, value: &str) -> Result<Place, String> {
+    pub fn route(&self, name: &str, value: &str) -> Result<Route, String> {
         Ok(match name {
-            "home" => Place::Home,
-            "learn" | "lesson" if value.is_empty() => Place::Learn,
+            "home" => Route::Home,
+            "learn" | "lesson" if value.is_empty() => Route::Learn,
             "learn" | "lesson" => {
                 let expected =
                     "the number or the name of a chapter, such as 2 or the-line-of-impact";
@@ -22,19 +22,19 @@ impl Data {
                 let number = self.book.library().find(name).ok_or(expected)?;
                 let pages = self.book.chapter(number).map_or(0, |it| it.pages.len());
                 match page.parse() {
-                    _ if page.is_empty() => Place::Chapter { number },
-                    Ok(page) if (1..=pages).contains(&page) => Place::Page {
+                    _ if page.is_empty() => Route::Chapter { number },
+                    Ok(page) if (1..=pages).contains(&page) => Route::Page {
                         number,
                         page: page - 1,
                     },
                     _ => return Err(format!("a page of that chapter, 1 to {pages}")),
                 }
             }
-            "lab" if value.is_empty() => Place::Lab,
-            "lab" => Place::LabOf {
+            "lab" if value.is_empty() => Route::Lab,
+            "lab" => Route::LabOf {
                 setup: CollisionSpec::from_link(value)?,
             },
-            "foil" if value.is_empty() => Place::Foil,
+            "foil" if value.is_empty() => Route::Foil,
             "foil" => {
                 let page = value
                     .parse()
@@ -42,32 +42,32 @@ impl Data {
                     .and_then(|page: usize| page.checked_sub(1));
                 let page = page.and_then(|page| FoilPage::ALL.get(page));
                 let page = *page.ok_or("a page of the foil, 1 to 3")?;
-                Place::FoilAt { page }
+                Route::FoilAt { page }
             }
-            "glossary" => Place::Glossary,
-            "table" => Place::Table,
-            "quiz" => Place::Quiz {
+            "glossary" => Route::Glossary,
+            "table" => Route::Table,
+            "quiz" => Route::Quiz {
                 code: self.round(value)?,
             },
-            "class" => Place::Class {
+            "class" => Route::Class {
                 code: self.round(value)?,
                 teams: Vec::new(),
                 name: String::new(),
             },
-            "join" => Place::Join {
+            "join" => Route::Join {
                 address: None,
                 code: None,
                 again: false,
             },
-            "levels" | "level" if value.is_empty() => Place::Levels,
+            "levels" | "level" if value.is_empty() => Route::Levels,
             "levels" | "level" => {
                 let number = self.shelf.find(value);
-                Place::Level {
+                Route::Level {
                     number: number.ok_or("the id of a level, such as dead-stop")?,
                 }
             }
-            "progress" => Place::Progress,
-            "settings" => Place::Settings,
+            "progress" => Route::Progress,
+            "settings" => Route::Settings,
             _ => return Err("a screen, such as quiz".into()),
         })
     }
@@ -86,9 +86,9 @@ impl Data {
 /// Separates the address of a round from the answers given in it.
 const ANSWERS: &str = "&said=";
 
-/// The address of a route, which [`Data::place`] reads. Answers given in a round follow after
+/// The address of a route, which [`Data::route`] reads. Answers given in a round follow after
 /// [`ANSWERS`].
-pub(super) fn address(place: &Place, cx: &Context) -> String {
+pub(super) fn address(route: &Route, cx: &Context) -> String {
     let named = |name: &str, value: &str| match value {
         "" => name.to_owned(),
         value => format!("{name}={value}"),
@@ -99,17 +99,17 @@ pub(super) fn address(place: &Place, cx: &Context) -> String {
         _ => named(name, &code.to_string()),
     };
     let chapter = |number: usize| cx.book.chapter(number).map_or("", |it| &it.id);
-    match place {
-        Place::Home => String::new(),
-        Place::Lab => "lab".into(),
-        Place::LabOf { setup } => named("lab", &setup.to_link()),
-        Place::Learn => "learn".into(),
-        Place::Glossary => "glossary".into(),
-        Place::Chapter { number } => named("lesson", chapter(*number)),
-        Place::Page { number, page } => format!("lesson={}:{}", chapter(*number), page + 1),
-        Place::Quiz { code: None } => "quiz".into(),
-        Place::Quiz { code: Some(code) } => round("quiz", code),
-        Place::OpenRound {
+    match route {
+        Route::Home => String::new(),
+        Route::Lab => "lab".into(),
+        Route::LabOf { setup } => named("lab", &setup.to_link()),
+        Route::Learn => "learn".into(),
+        Route::Glossary => "glossary".into(),
+        Route::Chapter { number } => named("lesson", chapter(*number)),
+        Route::Page { number, page } => format!("lesson={}:{}", chapter(*number), page + 1),
+        Route::Quiz { code: None } => "quiz".into(),
+        Route::Quiz { code: Some(code) } => round("quiz", code),
+        Route::OpenRound {
             code,
             answers,
             is_explained,
@@ -123,27 +123,27 @@ pub(super) fn address(place: &Place, cx: &Context) -> String {
             let explained = if *is_explained { ";" } else { "" };
             format!("{address}{ANSWERS}{said}{explained}")
         }
-        Place::Class { code: None, .. } | Place::Host { code: None, .. } => "class".into(),
-        Place::Class {
+        Route::Class { code: None, .. } | Route::Host { code: None, .. } => "class".into(),
+        Route::Class {
             code: Some(code), ..
         }
-        | Place::Host {
+        | Route::Host {
             code: Some(code), ..
         } => round("class", code),
-        Place::Join { code: None, .. } => "join".into(),
-        Place::Join {
+        Route::Join { code: None, .. } => "join".into(),
+        Route::Join {
             code: Some(code), ..
         } => format!("code={code}"),
-        Place::Foil => "foil".into(),
-        Place::FoilAt { page } => match page {
+        Route::Foil => "foil".into(),
+        Route::FoilAt { page } => match page {
             FoilPage::Tracks => "foil".into(),
             page => format!("foil={}", *page as usize + 1),
         },
-        Place::Table => "table".into(),
-        Place::Progress => "progress".into(),
-        Place::Settings => "settings".into(),
-        Place::Levels => "levels".into(),
-        Place::Level { number } => {
+        Route::Table => "table".into(),
+        Route::Progress => "progress".into(),
+        Route::Settings => "settings".into(),
+        Route::Levels => "levels".into(),
+        Route::Level { number } => {
             let level = cx.shelf.get(*number);
             level.map_or("levels".into(), |(pack, level)| {
                 format!("level={}/{}", pack.name, level.id)
@@ -152,7 +152,7 @@ pub(super) fn address(place: &Place, cx: &Context) -> String {
     }
 }
 
-impl Place {
+impl Route {
     /// A round with the answers in its address.
     ///
     /// # Errors
@@ -179,18 +179,18 @@ mod tests {
     use crate::messages::{Input, Key};
     use crate::screens::Settings;
 
-    fn opened(place: Place) -> App {
-        App::new(place, Settings::default(), 1)
+    fn opened(route: Route) -> App {
+        App::new(route, Settings::default(), 1)
     }
 
     /// What a link of this address opens.
     fn linked(address: &str) -> App {
         let (address, said) = address.split_once(ANSWERS).unwrap_or((address, ""));
         let (name, value) = address.split_once('=').unwrap_or((address, ""));
-        let place = Data::default().place(name, value).expect(address);
+        let route = Data::default().route(name, value).expect(address);
         opened(match said {
-            "" => place,
-            said => place.with_answers(&said.replace('+', " ")).expect(said),
+            "" => route,
+            said => route.with_answers(&said.replace('+', " ")).expect(said),
         })
     }
 
@@ -259,7 +259,7 @@ mod tests {
     #[test]
     fn a_page_that_a_chapter_does_not_have_is_refused() {
         for value in ["2:0", "2:99", "2:-1", "2:x"] {
-            let refused = Data::default().place("lesson", value);
+            let refused = Data::default().route("lesson", value);
             let message = refused.expect_err(value);
             assert!(
                 message.starts_with("a page of that chapter, 1 to "),
@@ -272,8 +272,8 @@ mod tests {
     fn answers_that_do_not_fit_are_left_out() {
         let address = "quiz=mixed-7&said=choice+99+sure;choice+1+sure";
         assert_eq!(linked(address).address().0, "quiz=mixed-7");
-        let round = || Data::default().place("quiz", "mixed-7").expect("a round");
+        let round = || Data::default().route("quiz", "mixed-7").expect("a round");
         assert!(round().with_answers("rays nan still sure").is_err());
-        assert!(Place::Lab.with_answers("choice 1 sure").is_err());
+        assert!(Route::Lab.with_answers("choice 1 sure").is_err());
     }
 }

@@ -252,7 +252,7 @@ fn hit_of_angles([theta1, theta2]: [f64; 2], radii: [f64; 2], along: DVec2) -> O
 
 /// The right answer, once it is revealed, and its explanation in words for this pupil.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ToldTruth {
+pub struct RevealedTruth {
     /// The right answer, as [`Said::to_text`] writes it.
     truth: String,
     /// The explanation, and the feedback on their answer.
@@ -271,7 +271,7 @@ struct TrueHit {
     sticks: bool,
 }
 
-impl ToldTruth {
+impl RevealedTruth {
     /// The right answer to a question, its explanation, and the points for an answer.
     pub fn new(question: &Question, why: String, points: Option<f64>) -> Self {
         Self {
@@ -288,7 +288,7 @@ impl ToldTruth {
 
     /// The question with its right answer and its real collision; `None` if this belongs to another
     /// question.
-    pub fn told(&self, mut asked: Question) -> Option<Question> {
+    pub fn revealed(&self, mut asked: Question) -> Option<Question> {
         let true_answer = Said::parse(&self.truth)?.response;
         if !asked.form.accepts(&true_answer) {
             return None;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::ballot::{Said, Vote};
-use super::door::SeatToken;
+use super::join_code::SeatToken;
 use super::round::ClassRound;
 
 /// A change in a round. Questions, people and choices are counted from 0.

@@ -6,13 +6,13 @@ use super::ballot::Vote;
 use super::protocol::HandedIn;
 
 /// The unique number of a connection.
-pub type LineId = u64;
+pub type ConnectionId = u64;
 
 /// The device of a participant, while this carrom serves the class.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Device {
     /// Its connection; `None` while it is disconnected.
-    pub(super) line: Option<LineId>,
+    pub(super) line: Option<ConnectionId>,
     /// Where its connection comes from, or came from.
     pub(super) address: Option<IpAddr>,
     /// The number of the last vote that was handled.

@@ -6,9 +6,9 @@ use std::time::Duration;
 use serde_json::Value;
 
 use super::ballot::Vote;
-use super::device::LineId;
-use super::door::{DoorCode, SeatToken};
-use super::protocol::{PupilState, Refusal, Saying};
+use super::device::ConnectionId;
+use super::join_code::{JoinCode, SeatToken};
+use super::protocol::{ClientMessage, PupilState, Refusal};
 
 /// A request of the teacher's carrom to the server of its class.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,14 +16,14 @@ pub enum HostCall {
     /// Let pupils join.
     Open {
         /// The code to use; `None` for a new one.
-        code: Option<DoorCode>,
+        code: Option<JoinCode>,
         /// The address where their devices look for it, if they joined before.
         address: Option<SocketAddrV4>,
     },
     /// Send pupils their states.
-    Tell(Vec<(LineId, PupilState)>),
+    Tell(Vec<(ConnectionId, PupilState)>),
     /// Tell a pupil why they are refused or removed, and disconnect.
-    Refuse(LineId, Refusal),
+    Refuse(ConnectionId, Refusal),
     /// Let nobody join any more, and disconnect everyone.
     Close,
 }
@@ -32,11 +32,11 @@ pub enum HostCall {
 #[derive(Debug, Clone, PartialEq)]
 pub enum HostNews {
     /// Pupils can join, or the reason why they cannot.
-    Opened(Result<OpenDoor, String>),
+    Opened(Result<JoinDetails, String>),
     /// A pupil with the right code asks to join.
     Came {
         /// The connection.
-        line: LineId,
+        line: ConnectionId,
         /// The name as it was typed.
         name: String,
         /// Their seat token, if they were here before.
@@ -51,7 +51,7 @@ pub enum HostNews {
     /// A pupil votes.
     Voted {
         /// The connection.
-        line: LineId,
+        line: ConnectionId,
         /// The question, counted from 0.
         question: usize,
         /// Which vote.
@@ -64,39 +64,39 @@ pub enum HostNews {
     /// A pupil hands in answers given alone.
     HandedIn {
         /// The connection.
-        line: LineId,
+        line: ConnectionId,
         /// The number of the hand-in.
         n: u64,
         /// The file, as it was sent.
         file: Value,
     },
     /// A pupil has left, or cannot be reached.
-    Gone(LineId),
+    Gone(ConnectionId),
 }
 
 impl HostNews {
     /// A message of a pupil who has joined; `None` for a second request to join.
-    pub(crate) fn said(line: LineId, saying: Saying) -> Option<Self> {
+    pub(crate) fn said(line: ConnectionId, saying: ClientMessage) -> Option<Self> {
         Some(match saying {
-            Saying::Vote { q, vote, said, n } => Self::Voted {
+            ClientMessage::Vote { q, vote, said, n } => Self::Voted {
                 line,
                 question: q,
                 vote,
                 said,
                 n,
             },
-            Saying::HandIn { n, file } => Self::HandedIn { line, n, file },
-            Saying::Leave => Self::Gone(line),
-            Saying::Join { .. } => return None,
+            ClientMessage::HandIn { n, file } => Self::HandedIn { line, n, file },
+            ClientMessage::Leave => Self::Gone(line),
+            ClientMessage::Join { .. } => return None,
         })
     }
 }
 
 /// Where pupils join.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct OpenDoor {
+pub struct JoinDetails {
     /// The code for joining.
-    pub code: DoorCode,
+    pub code: JoinCode,
     /// The addresses where it listens, the best first.
     pub addresses: Vec<SocketAddrV4>,
     /// Whether the page is served there, or the reason why not: then only other carroms can join.

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::net::IpAddr;
 use std::time::Duration;
 
-use super::door::DoorCode;
+use super::join_code::JoinCode;
 
 /// New seats for one address: a class of 40 behind one router joins at once, and some of them twice.
 const NEW_SEATS: Allowance = Allowance {
@@ -140,7 +140,7 @@ impl NewSeats {
 /// The code of a class, and the limits on guessing it.
 #[derive(Debug)]
 pub struct GuardedCode {
-    code: DoorCode,
+    code: JoinCode,
     addresses: Addresses,
     firsts: Addresses,
     all: Bucket,
@@ -159,7 +159,7 @@ pub enum Verdict {
 
 impl GuardedCode {
     /// A code that nobody has tried to guess.
-    pub const fn new(code: DoorCode) -> Self {
+    pub const fn new(code: JoinCode) -> Self {
         Self {
             code,
             addresses: Addresses::new(WRONG_CODES),
@@ -213,11 +213,11 @@ mod tests {
     /// How many codes were looked at in a lesson in which each of these addresses says as many as it
     /// can; connections do not count, so that neither many at once nor new ones help.
     fn looked_at(addresses: u8) -> u32 {
-        let mut code = GuardedCode::new(DoorCode::of(63_999_999));
+        let mut code = GuardedCode::new(JoinCode::of(63_999_999));
         let mut looked_at = 0;
         for guess in 0..GUESSES_PER_S * LESSON.as_secs() as u32 {
             let now = Duration::from_secs(1) * guess / GUESSES_PER_S;
-            let typed = DoorCode::of(u64::from(guess)).to_string();
+            let typed = JoinCode::of(u64::from(guess)).to_string();
             let from = address((guess % u32::from(addresses)) as u8);
             match code.judge(&typed, from, now) {
                 Verdict::Wrong(_) => looked_at += 1,
@@ -246,9 +246,9 @@ mod tests {
     /// Forty behind one router come within a minute, and every one of them mistypes the code first.
     #[test]
     fn a_class_behind_one_router_mistypes_and_still_gets_in() {
-        let mut code = GuardedCode::new(DoorCode::of(7));
+        let mut code = GuardedCode::new(JoinCode::of(7));
         let mut seats = NewSeats::default();
-        let right = DoorCode::of(7).to_string().to_lowercase();
+        let right = JoinCode::of(7).to_string().to_lowercase();
         for pupil in 0..40 {
             let now = Duration::from_millis(1500) * pupil;
             let wrong = code.judge("BBBBBB", address(1), now);
@@ -266,7 +266,7 @@ mod tests {
     /// mistypes and gets in all the same.
     #[test]
     fn guessing_by_many_addresses_keeps_nobody_else_out() {
-        let mut code = GuardedCode::new(DoorCode::of(7));
+        let mut code = GuardedCode::new(JoinCode::of(7));
         let mut said = 0;
         for second in 0..=600 {
             let now = Duration::from_secs(second);
@@ -281,7 +281,7 @@ mod tests {
             code.judge("BBBBBC", address(250), now),
             Verdict::Wrong(_)
         ));
-        let right = DoorCode::of(7).to_string();
+        let right = JoinCode::of(7).to_string();
         assert_eq!(code.judge(&right, address(250), now), Verdict::Right);
         assert_eq!(code.judge(&right, address(0), now), Verdict::Unseen);
     }

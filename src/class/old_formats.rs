@@ -75,7 +75,7 @@ fn read_people(fields: &Fields, round: &mut ClassRound) -> Option<()> {
         Ok(_) => return fields.refuse("teams", "expected names of 1 to 24 visible letters"),
         Err(error) => return fields.refuse("teams", error.to_string()),
     }
-    let Some(door) = &mut round.door else {
+    let Some(joining) = &mut round.joining else {
         names
             .into_iter()
             .for_each(|name| round.seat_new(name, None));
@@ -85,7 +85,7 @@ fn read_people(fields: &Fields, round: &mut ClassRound) -> Option<()> {
     let Some(removed) = removed.into_iter().map(removed_of).collect() else {
         return fields.refuse("removed", "expected a hyphen or a seat, and a name");
     };
-    door.removed = removed;
+    joining.removed = removed;
     let seats = fields.or("seats", Vec::new(), |name| fields.any_texts(name))?;
     if seats.len() != names.len() {
         return fields.refuse("seats", format!("expected {} texts", names.len()));

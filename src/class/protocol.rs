@@ -21,9 +21,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use strum::IntoStaticStr;
 
-use super::asked::{AskedQuestion, ToldTruth};
+use super::asked::{AskedQuestion, RevealedTruth};
 use super::ballot::Vote;
-use super::door::SeatToken;
+use super::join_code::SeatToken;
 use super::step::ClassStep;
 
 /// The version of the protocol.
@@ -38,7 +38,7 @@ pub const LARGEST_HAND_IN: usize = 1 << 20;
 /// A message of a pupil's device.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "t", rename_all = "kebab-case")]
-pub enum Saying {
+pub enum ClientMessage {
     /// A request to join, which comes first.
     Join {
         /// The version it speaks.
@@ -74,7 +74,7 @@ pub enum Saying {
     Leave,
 }
 
-impl Saying {
+impl ClientMessage {
     /// Reads a message.
     ///
     /// # Errors
@@ -165,7 +165,7 @@ impl Refusal {
 /// A message of the host.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "t", rename_all = "kebab-case")]
-pub enum HostSaying {
+pub enum HostMessage {
     /// The state of this pupil.
     State(Box<PupilState>),
     /// The pupil is refused or removed.
@@ -175,7 +175,7 @@ pub enum HostSaying {
     },
 }
 
-impl HostSaying {
+impl HostMessage {
     /// Reads a message; `None` if it is not one.
     pub fn read(text: &str) -> Option<Self> {
         serde_json::from_str(text).ok()
@@ -223,8 +223,8 @@ pub struct PupilState {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub spread: Vec<u32>,
     /// The right answer, once it is revealed.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub told: Option<ToldTruth>,
+    #[serde(rename = "told", default, skip_serializing_if = "Option::is_none")]
+    pub revealed: Option<RevealedTruth>,
     /// The pupil's points so far and rank, once there are any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub score: Option<(f64, usize)>,
@@ -298,13 +298,16 @@ mod tests {
     #[test]
     fn messages_read_back_as_written() {
         let join = r#"{"t":"join","v":1,"code":"bcdfgh","name":"Ada"}"#;
-        let saying = Saying::read(join).unwrap();
+        let saying = ClientMessage::read(join).unwrap();
         assert_eq!(saying.to_text(), join);
         let vote = r#"{"t":"vote","q":3,"vote":"first","said":"rays 60 still","n":17}"#;
-        assert_eq!(Saying::read(vote).unwrap().to_text(), vote);
-        assert_eq!(Saying::read(r#"{"t":"leave"}"#), Ok(Saying::Leave));
+        assert_eq!(ClientMessage::read(vote).unwrap().to_text(), vote);
+        assert_eq!(
+            ClientMessage::read(r#"{"t":"leave"}"#),
+            Ok(ClientMessage::Leave)
+        );
         let handed = r#"{"t":"hand-in","n":1,"file":{"carrom":"hand-in"}}"#;
-        assert_eq!(Saying::read(handed).unwrap().to_text(), handed);
+        assert_eq!(ClientMessage::read(handed).unwrap().to_text(), handed);
     }
 
     #[test]
@@ -312,13 +315,13 @@ mod tests {
         let hand_in = |bytes: usize| {
             let text = r#"{"t":"hand-in","n":1,"file":""}"#;
             let filling = "x".repeat(bytes - text.len());
-            Saying::read(&text.replace("\"\"}", &format!("\"{filling}\"}}")))
+            ClientMessage::read(&text.replace("\"\"}", &format!("\"{filling}\"}}")))
         };
         assert!(hand_in(LARGEST_SAYING + 1).is_ok() && hand_in(LARGEST_HAND_IN).is_ok());
         assert_eq!(hand_in(LARGEST_HAND_IN + 1), Err(Refusal::Format));
         let said = "x".repeat(LARGEST_SAYING);
         let vote = format!(r#"{{"t":"vote","q":3,"vote":"first","said":"{said}","n":17}}"#);
-        assert_eq!(Saying::read(&vote), Err(Refusal::Format));
+        assert_eq!(ClientMessage::read(&vote), Err(Refusal::Format));
     }
 
     #[test]
@@ -331,16 +334,16 @@ mod tests {
             r#"{"t":"x"}"#,
             r#"{"t":"vote","q":-1}"#,
         ] {
-            assert_eq!(Saying::read(text), Err(Refusal::Format), "{text}");
+            assert_eq!(ClientMessage::read(text), Err(Refusal::Format), "{text}");
         }
         let newer = r#"{"t":"join","v":2,"code":"BCDFGH","name":"Ada"}"#;
-        assert_eq!(Saying::read(newer), Err(Refusal::Version));
+        assert_eq!(ClientMessage::read(newer), Err(Refusal::Version));
         let long = format!(
             r#"{{"t":"join","v":1,"code":"{}","name":""}}"#,
             "B".repeat(2000)
         );
-        assert_eq!(Saying::read(&long), Err(Refusal::Format));
+        assert_eq!(ClientMessage::read(&long), Err(Refusal::Format));
         let deep = "[".repeat(1000);
-        assert_eq!(Saying::read(&deep), Err(Refusal::Format));
+        assert_eq!(ClientMessage::read(&deep), Err(Refusal::Format));
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::ballot::{Ballot, Said, Vote, unsure};
 use super::device::Device;
-use super::door::{DoorCode, SeatToken};
+use super::join_code::{JoinCode, SeatToken};
 use super::names::{folded, free_name, tidy};
 use super::step::ClassPlace;
 use super::way::WayOfVoting;
@@ -61,7 +61,7 @@ pub struct ClassRound {
     /// For each question the counts of both votes, one per choice; empty if nothing was counted.
     pub(super) tallies: Vec<[Vec<u32>; 2]>,
     /// How pupils join on devices of their own, as long as they may return.
-    pub(super) door: Option<Door>,
+    pub(super) joining: Option<Joining>,
     place: ClassPlace,
     /// The name of the class; may be empty.
     class: String,
@@ -71,9 +71,9 @@ pub struct ClassRound {
 
 /// How pupils join.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Door {
+pub(super) struct Joining {
     /// The code for joining.
-    pub(super) code: DoorCode,
+    pub(super) code: JoinCode,
     /// The address where their devices last found it.
     pub(super) address: Option<SocketAddrV4>,
     /// The participants who were removed and have not been let in again.
@@ -116,7 +116,7 @@ impl ClassRound {
             round: Arc::new(round),
             way,
             participants: Vec::new(),
-            door: None,
+            joining: None,
             place: ClassPlace::default(),
             class: String::new(),
             dropped: 0,
@@ -161,28 +161,28 @@ impl ClassRound {
     }
 
     /// The code for joining on devices, while joining is possible.
-    pub fn door(&self) -> Option<DoorCode> {
-        self.door.as_ref().map(|door| door.code)
+    pub fn join_code(&self) -> Option<JoinCode> {
+        self.joining.as_ref().map(|joining| joining.code)
     }
 
     /// The address where pupils' devices last found the round and will look for it again.
     pub fn address(&self) -> Option<SocketAddrV4> {
-        self.door.as_ref()?.address
+        self.joining.as_ref()?.address
     }
 
     /// Makes joining possible, with this code and at this address. An existing code stays.
-    pub fn open(&mut self, code: DoorCode, address: Option<SocketAddrV4>) {
-        let door = self.door.get_or_insert(Door {
+    pub fn open(&mut self, code: JoinCode, address: Option<SocketAddrV4>) {
+        let joining = self.joining.get_or_insert(Joining {
             code,
             address,
             removed: Vec::new(),
         });
-        door.address = address;
+        joining.address = address;
     }
 
     /// Ends joining and forgets all seat tokens; names and votes stay.
     pub fn close(&mut self) {
-        self.door = None;
+        self.joining = None;
         self.participants.iter_mut().for_each(|it| it.seat = None);
     }
 
@@ -194,14 +194,14 @@ impl ClassRound {
 
     /// The names of those who were removed and have not been let in again.
     pub fn removed(&self) -> impl Iterator<Item = &str> {
-        let removed = self.door.iter().flat_map(|door| &door.removed);
+        let removed = self.joining.iter().flat_map(|joining| &joining.removed);
         removed.map(|it| it.name.as_str())
     }
 
     /// Whether a participant with this token or name was removed and has not been let in again.
     pub fn is_removed(&self, token: Option<SeatToken>, name: &str) -> bool {
         let name = folded(&tidy(name));
-        let mut removed = self.door.iter().flat_map(|door| &door.removed);
+        let mut removed = self.joining.iter().flat_map(|joining| &joining.removed);
         removed.any(|it| {
             let is_same_device = token.is_some() && it.seat == token;
             is_same_device || folded(&it.name) == name
@@ -238,7 +238,7 @@ impl ClassRound {
         if self.name_for(name).as_deref() != Some(name) {
             return Err(format!("expected a name that nobody has, found {name:?}"));
         }
-        if self.door.is_none() && seat.is_some() {
+        if self.joining.is_none() && seat.is_some() {
             return Err("expected somebody to join where there is a door".into());
         }
         self.seat_new(name.to_owned(), seat);
@@ -258,17 +258,17 @@ impl ClassRound {
     pub(super) fn remove(&mut self, person: usize) -> Result<(), String> {
         let Participant { seat, name, .. } = self.participant(person)?.clone();
         self.vacate(person)?;
-        if let Some(door) = &mut self.door {
-            door.removed.push(Removed { seat, name });
-            let surplus = door.removed.len().saturating_sub(self.way.most());
-            door.removed.drain(..surplus);
+        if let Some(joining) = &mut self.joining {
+            joining.removed.push(Removed { seat, name });
+            let surplus = joining.removed.len().saturating_sub(self.way.most());
+            joining.removed.drain(..surplus);
         }
         Ok(())
     }
 
     /// Lets a removed participant join again.
     pub(super) fn readmit(&mut self, removed: usize) -> Result<(), String> {
-        let all = self.door.as_mut().map(|door| &mut door.removed);
+        let all = self.joining.as_mut().map(|joining| &mut joining.removed);
         match all.filter(|all| removed < all.len()) {
             Some(all) => {
                 all.remove(removed);

@@ -82,7 +82,7 @@ impl ClassRound {
             number: self.place().question + 1,
             step: self.place().step.into(),
             asked: self.own_ids(),
-            door: self.door().map(String::from),
+            door: self.join_code().map(String::from),
             address: self.address().map(|address| address.to_string()),
             then: self.changes().iter().map(Then::from).collect(),
         };
@@ -95,7 +95,7 @@ impl ClassRound {
             let name = name.to_owned();
             ClassChange::Join { seat, name }
         };
-        let removed = self.door.iter().flat_map(|door| &door.removed);
+        let removed = self.joining.iter().flat_map(|joining| &joining.removed);
         let mut changes: Vec<_> = removed
             .flat_map(|it| [join(&it.name, it.seat), ClassChange::Remove { person: 0 }])
             .collect();

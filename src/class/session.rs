@@ -13,14 +13,14 @@ use serde_json::Value;
 
 use super::ballot::{Said, Vote};
 use super::change::ClassChange;
-use super::device::LineId;
-use super::door::SeatToken;
-use super::host::{HostCall, HostNews, OpenDoor};
+use super::device::ConnectionId;
+use super::host::{HostCall, HostNews, JoinDetails};
+use super::join_code::SeatToken;
 use super::limits::NewSeats;
 use super::protocol::{HandedIn, NotTaken, PupilStep, Refusal};
+use super::pupil_view::PupilView;
 use super::round::{ClassRound, Participant};
 use super::step::{ClassPlace, ClassStep};
-use super::told::Told;
 use super::way::WayOfVoting;
 use crate::gradebook::HandIn;
 
@@ -39,7 +39,7 @@ pub struct Session {
     over: bool,
     /// Whether the class still gathers.
     gathers: bool,
-    door: DoorState,
+    hosting: HostingState,
     /// Whether the round is closed to newcomers.
     shut: bool,
     /// Whether the round has a file: a round that nobody has joined needs none.
@@ -56,11 +56,11 @@ pub struct Session {
 
 /// Whether pupils can come in.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum DoorState {
+pub enum HostingState {
     /// The server is starting, if one is needed.
     Opening,
     /// They can.
-    Open(OpenDoor),
+    Open(JoinDetails),
     /// They cannot: why.
     Failed(String),
 }
@@ -70,10 +70,10 @@ pub enum DoorState {
 struct Keeping {
     /// Changes without a request to save them yet, and the connections they came from.
     changes: Vec<ClassChange>,
-    later: BTreeSet<LineId>,
+    later: BTreeSet<ConnectionId>,
     /// The number of requests in progress, and the connections to notify when they are done.
     asked: usize,
-    waiting: BTreeSet<LineId>,
+    waiting: BTreeSet<ConnectionId>,
 }
 
 /// A request of a session.
@@ -94,7 +94,7 @@ pub enum SessionEffect {
 /// A hand-in that is being saved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct HandInOnItsWay {
-    line: LineId,
+    line: ConnectionId,
     n: u64,
     answers: usize,
 }
@@ -104,15 +104,15 @@ impl Session {
     pub fn new(round: ClassRound) -> Self {
         let is_hosted = round.way() == WayOfVoting::Devices;
         let open = is_hosted.then(|| HostCall::Open {
-            code: round.door(),
+            code: round.join_code(),
             address: round.address(),
         });
         Self {
             over: false,
             gathers: is_hosted,
-            door: DoorState::Opening,
+            hosting: HostingState::Opening,
             shut: false,
-            has_file: round.door().is_some(),
+            has_file: round.join_code().is_some(),
             keeping: Keeping::default(),
             handed_bytes: 0,
             handed_in_where: None,
@@ -146,7 +146,7 @@ impl Session {
         self.effects.push(SessionEffect::Host(call));
     }
 
-    fn refuse(&mut self, line: Option<LineId>, why: Refusal) {
+    fn refuse(&mut self, line: Option<ConnectionId>, why: Refusal) {
         if let Some(line) = line {
             self.host(HostCall::Refuse(line, why));
         }
@@ -168,8 +168,8 @@ impl Session {
     }
 
     /// Whether pupils can come in.
-    pub fn door(&self) -> &DoorState {
-        &self.door
+    pub fn hosting(&self) -> &HostingState {
+        &self.hosting
     }
 
     /// Whether the round is closed to newcomers.
@@ -294,8 +294,10 @@ impl Session {
     pub fn take_news(&mut self, news: &[HostNews]) {
         for it in news {
             match it {
-                HostNews::Opened(Ok(door)) => self.opened(door),
-                HostNews::Opened(Err(reason)) => self.door = DoorState::Failed(reason.clone()),
+                HostNews::Opened(Ok(details)) => self.opened(details),
+                HostNews::Opened(Err(reason)) => {
+                    self.hosting = HostingState::Failed(reason.clone());
+                }
                 HostNews::Came {
                     line,
                     name,
@@ -325,8 +327,8 @@ impl Session {
         self.go_on();
     }
 
-    fn opened(&mut self, door: &OpenDoor) {
-        let address = door.addresses.first().copied();
+    fn opened(&mut self, hosting: &JoinDetails) {
+        let address = hosting.addresses.first().copied();
         let before = self.round.address().filter(|it| Some(*it) != address);
         if let (Some(before), Some(now)) = (before, address) {
             self.effects.push(SessionEffect::Tell(format!(
@@ -334,13 +336,13 @@ impl Session {
                  themselves: ask your pupils to open the new address."
             )));
         }
-        self.round_mut().open(door.code, address);
-        self.door = DoorState::Open(door.clone());
+        self.round_mut().open(hosting.code, address);
+        self.hosting = HostingState::Open(hosting.clone());
         self.save();
     }
 
     /// The participant of a connection.
-    fn person(&self, line: LineId) -> Option<usize> {
+    fn person(&self, line: ConnectionId) -> Option<usize> {
         let mut all = self.round.participants().iter();
         all.position(|it| it.device.line == Some(line))
     }
@@ -382,7 +384,7 @@ impl Session {
     }
 
     /// Connects a device to a seat and disconnects the one that was there.
-    fn seat(&mut self, person: usize, line: LineId, address: IpAddr, is_new: bool) {
+    fn seat(&mut self, person: usize, line: ConnectionId, address: IpAddr, is_new: bool) {
         let device = &mut self.participant(person).device;
         device.rev = 0;
         device.address = Some(address);
@@ -415,7 +417,7 @@ impl Session {
     }
 
     /// Handles a vote. One that does not fit the question changes nothing and is not saved.
-    fn voted(&mut self, line: LineId, (question, vote): (usize, Vote), text: &str, n: u64) {
+    fn voted(&mut self, line: ConnectionId, (question, vote): (usize, Vote), text: &str, n: u64) {
         let Some(person) = self.person(line) else {
             return;
         };
@@ -442,7 +444,7 @@ impl Session {
     }
 
     /// Handles a hand-in: reads it as untrusted input, and saves it before it is confirmed.
-    fn hand_in(&mut self, line: LineId, n: u64, file: &Value) {
+    fn hand_in(&mut self, line: ConnectionId, n: u64, file: &Value) {
         let Some(person) = self.person(line) else {
             return;
         };
@@ -566,7 +568,7 @@ impl Session {
     }
 
     /// Sends pupils their states.
-    fn tell(&mut self, lines: &BTreeSet<LineId>) {
+    fn tell(&mut self, lines: &BTreeSet<ConnectionId>) {
         if lines.is_empty() {
             return;
         }
@@ -574,11 +576,11 @@ impl Session {
             let is_told = it.device.line.is_some_and(|line| lines.contains(&line));
             it.device.rev += u64::from(is_told);
         }
-        let told = Told::new(&self.round, self.step(), self.with_points());
+        let revealed = PupilView::new(&self.round, self.step(), self.with_points());
         let people = self.round.participants().iter().enumerate();
         let states = people.filter_map(|(person, it)| {
             let line = it.device.line.filter(|line| lines.contains(line))?;
-            Some((line, told.state(person, it)?))
+            Some((line, revealed.state(person, it)?))
         });
         let states = states.collect();
         self.host(HostCall::Tell(states));
@@ -638,7 +640,7 @@ impl Session {
 
     /// Whether joining is possible and nobody has joined yet.
     fn waits(&self) -> bool {
-        matches!(self.door, DoorState::Open(_)) && self.round.participants().is_empty()
+        matches!(self.hosting, HostingState::Open(_)) && self.round.participants().is_empty()
     }
 
     /// Whether nobody has joined for so long that something may be wrong.
@@ -649,14 +651,14 @@ impl Session {
 
 impl Keeping {
     /// A connection to notify once everything requested so far is saved.
-    fn wait(&mut self, line: LineId) {
+    fn wait(&mut self, line: ConnectionId) {
         if !self.later.contains(&line) {
             self.waiting.insert(line);
         }
     }
 
     /// A connection to notify once the latest change is saved.
-    fn wait_for_changes(&mut self, line: LineId) {
+    fn wait_for_changes(&mut self, line: ConnectionId) {
         self.waiting.remove(&line);
         self.later.insert(line);
     }

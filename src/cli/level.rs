@@ -77,7 +77,7 @@ fn check(pack: &str, level: &Level, verbose: bool, out: &mut String) -> Result<b
         for (goal, finding) in level.goals.iter().zip(findings) {
             let sign = if finding.met { '+' } else { '-' };
             let goal = goal.describe(&level.scene);
-            writeln!(out, "  {sign} {goal} ({})", finding.told)?;
+            writeln!(out, "  {sign} {goal} ({})", finding.text)?;
         }
         let share = 100.0 * winning_share(level, TRIES);
         writeln!(out, "  {share:.2} % of {TRIES} aims win")?;
@@ -87,10 +87,10 @@ fn check(pack: &str, level: &Level, verbose: bool, out: &mut String) -> Result<b
 
 /// What happened, unmet goals first.
 fn summary(findings: &[Finding]) -> String {
-    let told = |met| {
+    let text = |met| {
         let findings = findings.iter().filter(move |finding| finding.met == met);
-        findings.map(|finding| finding.told.as_str())
+        findings.map(|finding| finding.text.as_str())
     };
-    let all: Vec<_> = told(false).chain(told(true)).collect();
+    let all: Vec<_> = text(false).chain(text(true)).collect();
     all.join("; ")
 }

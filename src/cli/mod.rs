@@ -41,12 +41,12 @@ pub(crate) use failure::Failure;
 pub(crate) use options::GlobalOptions;
 
 use crate::app::{App, Data};
-use crate::class::{DoorCode, team_names};
+use crate::class::{JoinCode, team_names};
 use crate::files::{
     Document, LONGEST_QUOTE, escape_control, escape_control_lines, quoted, write_json,
 };
 use crate::quiz::{Code, concepts};
-use crate::screens::{KeptSettings, Place, code_of, host_of};
+use crate::screens::{KeptSettings, Route, code_of, host_of};
 use crate::shells::host::HostOptions;
 use options::Auto;
 
@@ -188,7 +188,7 @@ enum OpenCommand {
         address: Option<String>,
         /// The code of the class, as shown on the board: BCDFGH
         #[arg(long, value_name = "CODE")]
-        code: Option<DoorCode>,
+        code: Option<JoinCode>,
     },
     /// Open the table: carrom itself, the whole board
     Table,
@@ -231,11 +231,11 @@ impl OpenCommand {
     ///
     /// # Errors
     /// If there is no level or chapter of that name, or no question for a code.
-    fn place(&self, data: &Data, options: &GlobalOptions) -> Result<Place, String> {
+    fn route(&self, data: &Data, options: &GlobalOptions) -> Result<Route, String> {
         Ok(match self {
             Self::Learn { chapter } => named(data, "learn", chapter.as_deref())?,
-            Self::Lab => Place::Lab,
-            Self::Quiz { code } => Place::Quiz {
+            Self::Lab => Route::Lab,
+            Self::Quiz { code } => Route::Quiz {
                 code: round(code.as_ref(), options, &data.own)?,
             },
             Self::Class {
@@ -250,19 +250,19 @@ impl OpenCommand {
                 let code = code.map(Code::same_for_all).transpose()?;
                 let teams = teams.clone().unwrap_or_default();
                 match host {
-                    true => Place::Host { name, code },
-                    false => Place::Class { name, code, teams },
+                    true => Route::Host { name, code },
+                    false => Route::Class { name, code, teams },
                 }
             }
-            Self::Join { address, code } => Place::Join {
+            Self::Join { address, code } => Route::Join {
                 code: code.or_else(|| code_of(address.as_deref()?)),
                 address: Some(address.as_deref().and_then(host_of).unwrap_or_default()),
                 again: false,
             },
-            Self::Foil => Place::Foil,
-            Self::Table => Place::Table,
-            Self::Progress(_) => Place::Progress,
-            Self::Settings => Place::Settings,
+            Self::Foil => Route::Foil,
+            Self::Table => Route::Table,
+            Self::Progress(_) => Route::Progress,
+            Self::Settings => Route::Settings,
             Self::Levels { name } => named(data, "levels", name.as_deref())?,
         })
     }
@@ -292,10 +292,10 @@ fn filled(code: Option<&Code>, own: &Arc<concepts::Library>) -> Result<Option<Co
 ///
 /// # Errors
 /// If there is no such value.
-fn named(data: &Data, name: &str, value: Option<&str>) -> Result<Place, String> {
+fn named(data: &Data, name: &str, value: Option<&str>) -> Result<Route, String> {
     let value = value.unwrap_or_default();
-    let place = data.place(name, value);
-    place.map_err(|expected| format!("expected {expected}, found {}", quoted(value)))
+    let route = data.route(name, value);
+    route.map_err(|expected| format!("expected {expected}, found {}", quoted(value)))
 }
 
 /// The app with these options, at a screen (`None`: the home screen).
@@ -315,24 +315,24 @@ fn app(
         own: options.own(),
         folder: folder.map(|folder| folder.display().to_string()),
     };
-    let place = screen.map_or(Ok(Place::Home), |screen| screen.place(&data, options))?;
+    let route = screen.map_or(Ok(Route::Home), |screen| screen.route(&data, options))?;
     let kept = folder.map(|folder| settings::read(&folder.join(KeptSettings::FILE)));
     let (kept, unread) = match kept.unwrap_or_else(|| Ok(KeptSettings::default())) {
         Ok(kept) => (Some(kept), None),
         Err(errors) => (None, Some(errors)),
     };
     let set = options.settings(auto, &kept.clone().unwrap_or_default());
-    let mut app = App::with_data(data, place, set, seed);
+    let mut app = App::with_data(data, route, set, seed);
     app.set_kept(kept);
     if let Some(errors) = unread {
-        app.tell(format!(
+        app.notify(format!(
             "carrom uses the default settings and does not save your changes; the file is unchanged. {errors}"
         ));
     }
     match folder.map(|folder| keys::read(&folder.join(keys::FILE))) {
         None => {}
         Some(Ok(rebound)) => app.settings_mut().keys = rebound,
-        Some(Err(errors)) => app.tell(format!("carrom uses the default keys. {errors}")),
+        Some(Err(errors)) => app.notify(format!("carrom uses the default keys. {errors}")),
     }
     Ok(app)
 }

@@ -128,8 +128,8 @@ fn reports(
 }
 
 /// Asks the store, and prints its notice if there is one.
-fn ask(store: &mut Store, wish: StoreRequest) -> StoreReply {
-    let answer = store.answer(&StoreCall { ticket: 0, wish });
+fn ask(store: &mut Store, request: StoreRequest) -> StoreReply {
+    let answer = store.answer(&StoreCall { ticket: 0, request });
     if let Some(notice) = answer.notice {
         eprintln!("carrom: {}", escape_control_lines(&notice));
     }

@@ -43,7 +43,7 @@ mod tests {
 
     #[test]
     fn serde_messages_become_plain_words() {
-        for (said, told) in [
+        for (said, shown) in [
             (
                 "invalid type: floating point `NaN`, expected usize",
                 "expected a whole number, not below 0, found NaN",
@@ -62,7 +62,7 @@ mod tests {
             ),
             ("missing field `mass_g`", "missing field `mass_g`"),
         ] {
-            assert_eq!(expectation(said), told);
+            assert_eq!(expectation(said), shown);
         }
     }
 }

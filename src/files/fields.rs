@@ -580,7 +580,7 @@ mod tests {
     use super::*;
 
     /// What is wrong with a document of this line.
-    fn told(line: &str) -> String {
+    fn shown(line: &str) -> String {
         let text = format!("format = 1\n{line}\n");
         let source = Source::of_bytes("a.toml", text.as_bytes(), 1000).unwrap();
         let read = source.document("a thing", 1..=1, &["format", "hit", "ask"], |_| Some(()));
@@ -596,8 +596,8 @@ mod tests {
             ("hit = { m = 15 g, a = 35 }", "write 15 alone"),
             ("ask = “How far?”", "use straight quotes"),
         ] {
-            let told = told(line);
-            assert!(told.contains(hint), "{line}: {told}");
+            let shown = shown(line);
+            assert!(shown.contains(hint), "{line}: {shown}");
         }
     }
 }

@@ -151,8 +151,8 @@ impl Checkpoint {
         meaning: &Meaning,
     ) -> Option<Self> {
         let rule = inside.iter().position(|(_, text)| text.trim() == "---");
-        let (asking, telling) = inside.split_at(rule.unwrap_or(inside.len()));
-        let telling = telling.get(1..).unwrap_or_default();
+        let (asking, answered) = inside.split_at(rule.unwrap_or(inside.len()));
+        let answered = answered.get(1..).unwrap_or_default();
         let rule = asking
             .iter()
             .position(|(_, text)| text.trim() == "--- hint");
@@ -182,7 +182,7 @@ impl Checkpoint {
         }
         let question = block::read(source, question, meaning);
         let hint = block::read(source, hint, meaning);
-        let after = block::read(source, telling, meaning);
+        let after = block::read(source, answered, meaning);
         if rule.is_some() && hint.as_ref().is_some_and(Vec::is_empty) {
             source.refuse::<()>(line, "expected a hint after --- hint, found none");
         }
@@ -284,13 +284,13 @@ fn read_choices(
             .take_while(|(_, text)| text.starts_with("  "))
             .count();
         let (why, after) = rest.split_at(length);
-        let told: Vec<_> = why.iter().map(|(_, text)| text.trim()).collect();
-        if told.is_empty() {
+        let shown: Vec<_> = why.iter().map(|(_, text)| text.trim()).collect();
+        if shown.is_empty() {
             let message = "expected indented lines of feedback for this choice";
             source.refuse::<()>(*number, message);
         }
         let text = inline::read(source, *number, text, meaning);
-        let why = inline::read(source, number + 1, &told.join("\n"), meaning);
+        let why = inline::read(source, number + 1, &shown.join("\n"), meaning);
         let right = right.is_some();
         right_ones += usize::from(right);
         let choice = text.zip(why);

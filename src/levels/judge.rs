@@ -24,7 +24,7 @@ pub struct Finding {
     /// Whether it is met.
     pub met: bool,
     /// What happened, in words with numbers.
-    pub told: String,
+    pub text: String,
 }
 
 impl Judgement {
@@ -47,8 +47,8 @@ pub fn judge(level: &Level, shot: &Shot) -> Judgement {
     }
 }
 
-fn found(met: bool, told: String) -> Finding {
-    Finding { met, told }
+fn found(met: bool, text: String) -> Finding {
+    Finding { met, text }
 }
 
 impl Goal {
@@ -79,8 +79,8 @@ impl Goal {
                 Some(_) if *least == 0 => found(true, hit(by, disc)),
                 Some(before) => {
                     let met = cushions(*by, before);
-                    let told = format!("{} off {}", hit(by, disc), in_cushions(met));
-                    found(met >= *least, told)
+                    let text = format!("{} off {}", hit(by, disc), in_cushions(met));
+                    found(met >= *least, text)
                 }
             },
             Self::Rest { disc, circle } => {
@@ -114,11 +114,11 @@ impl Goal {
                     }
                     Some((at, _)) => {
                         let met = cushions(*disc, &shot.events()[..at]);
-                        let told = match met {
+                        let text = match met {
                             0 => format!("{name} met {target_name} without a cushion"),
                             _ => format!("{name} met {target_name} off {}", in_cushions(met)),
                         };
-                        found(met >= *least, told)
+                        found(met >= *least, text)
                     }
                 }
             }
@@ -136,9 +136,9 @@ impl Goal {
                 let hit = FirstImpact::of(shot).ok_or(Missing::Part);
                 let number = match hit.and_then(|hit| hit.shows(*measure, shot)) {
                     Ok(number) => number,
-                    Err(missing) => return found(false, missing.told(&name)),
+                    Err(missing) => return found(false, missing.text(&name)),
                 };
-                let told = match measure {
+                let text = match measure {
                     HitMeasure::Speed(_) => format!("{name} left the hit at {} m/s", tidy(number)),
                     HitMeasure::Turn(_) => format!("{name} left at {}", degrees(number)),
                     HitMeasure::Separation => format!("the paths were {} apart", degrees(number)),
@@ -147,10 +147,10 @@ impl Goal {
                     }
                 };
                 match range.holds(number) {
-                    true => found(true, told),
+                    true => found(true, text),
                     false => found(
                         false,
-                        format!("{told}, required {}", measure.between(range)),
+                        format!("{text}, required {}", measure.between(range)),
                     ),
                 }
             }
@@ -186,7 +186,7 @@ enum Missing {
 
 impl Missing {
     /// In words; a measure of both discs has no `name`.
-    fn told(&self, name: &str) -> String {
+    fn text(&self, name: &str) -> String {
         match (self, name) {
             (Self::Direction, "") => "one of the two stopped, so there is no angle".into(),
             (Self::Direction, _) => format!("{name} stopped, so it has no direction"),
@@ -257,7 +257,7 @@ fn pocketed(discs: &[usize], shot: &Shot, scene: &Scene) -> Finding {
     if let Some(&disc) = discs.iter().find(stayed) {
         let pockets = shot.board().pockets();
         let near = pockets.map(|hole| nearest_on_path(shot, disc, hole).distance(hole));
-        let told = match near.min_by(f64::total_cmp) {
+        let text = match near.min_by(f64::total_cmp) {
             Some(near) => {
                 let short = mm_from_m(near - 0.5 * scene.board.pocket_diameter).max(0.0);
                 let name = scene.name(disc);
@@ -265,7 +265,7 @@ fn pocketed(discs: &[usize], shot: &Shot, scene: &Scene) -> Finding {
             }
             None => "there are no pockets".into(),
         };
-        return found(false, told);
+        return found(false, text);
     }
     let order: Vec<_> = shot.fallen().filter(|disc| discs.contains(disc)).collect();
     let names: Vec<_> = order.iter().map(|disc| scene.name(*disc)).collect();

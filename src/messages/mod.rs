@@ -10,7 +10,7 @@ mod input;
 mod key;
 mod store;
 
-pub use crate::class::{HostCall, HostNews, LineId, OpenDoor};
+pub use crate::class::{ConnectionId, HostCall, HostNews, JoinDetails};
 pub use class::{JoinCall, JoinNews};
 pub use effect::Effect;
 pub use input::{Input, Mouse, MouseKind};

@@ -19,7 +19,7 @@ pub struct StoreCall {
     /// A number chosen by the app, which identifies the answer.
     pub ticket: u64,
     /// The request.
-    pub wish: StoreRequest,
+    pub request: StoreRequest,
 }
 
 /// What a [`StoreCall`] asks the store to do.
@@ -94,7 +94,7 @@ pub struct StoreAnswer {
     pub done: StoreReply,
     /// The number of answers, stars and bookmarks that could not be saved so far. They will
     /// be saved in order as soon as possible.
-    pub owed: usize,
+    pub unsaved: usize,
     /// Something else that the player should know.
     pub notice: Option<String>,
 }
@@ -161,7 +161,7 @@ impl StoreCall {
         let reason = reason.to_owned();
         StoreAnswer {
             ticket: self.ticket,
-            done: match self.wish {
+            done: match self.request {
                 Save(_) | SaveClass(_) | NoteClass { .. } => StoreReply::Saved(Err(reason)),
                 List => StoreReply::Listed(Err(reason)),
                 Load(_) => StoreReply::Loaded(Err(reason)),
@@ -177,7 +177,7 @@ impl StoreCall {
                     StoreReply::Noted(Err(reason))
                 }
             },
-            owed: 0,
+            unsaved: 0,
             notice: None,
         }
     }

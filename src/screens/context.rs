@@ -7,7 +7,7 @@ use rand_pcg::rand_core::SeedableRng;
 use ratatui::layout::Rect;
 
 use super::lab::LabSettings;
-use super::place::Place;
+use super::route::Route;
 use super::settings::{KeptSettings, Settings};
 use crate::lessons::{Book, Bookmark, Forget};
 use crate::levels::{Shelf, Win};
@@ -32,7 +32,7 @@ pub struct Context {
     /// Written questions of a teacher's own.
     pub own: Arc<Library>,
     /// The class that was left, to come back to.
-    pub(in crate::screens) class: Option<Place>,
+    pub(in crate::screens) class: Option<Route>,
     /// The settings with which the lab was left.
     pub(in crate::screens) lab: Option<LabSettings>,
     /// The folder where all is kept, in words; `None` where nothing is.
@@ -43,7 +43,7 @@ pub struct Context {
     rounds: u64,
     tickets: u64,
     asked: Vec<Effect>,
-    told: Option<String>,
+    reported: Option<String>,
 }
 
 impl Context {
@@ -64,7 +64,7 @@ impl Context {
             rounds: 0,
             tickets: 0,
             asked: Vec::new(),
-            told: None,
+            reported: None,
         }
     }
 
@@ -78,14 +78,14 @@ impl Context {
 
     /// Sends a request to the store. The [`StoreAnswer`](crate::messages::StoreAnswer) will bear
     /// the ticket, which for a game that is saved again and again is always the same.
-    pub fn keep(&mut self, ticket: u64, wish: StoreRequest) {
-        self.asked.push(Effect::Keep(StoreCall { ticket, wish }));
+    pub fn keep(&mut self, ticket: u64, request: StoreRequest) {
+        self.asked.push(Effect::Keep(StoreCall { ticket, request }));
     }
 
     /// The same with a new ticket, which it returns.
-    pub fn ask(&mut self, wish: StoreRequest) -> u64 {
+    pub fn ask(&mut self, request: StoreRequest) -> u64 {
         let ticket = self.ticket();
-        self.keep(ticket, wish);
+        self.keep(ticket, request);
         ticket
     }
 
@@ -110,7 +110,7 @@ impl Context {
     pub fn change_player(&mut self, name: String) {
         if name != self.settings.player {
             self.settings.player = name;
-            self.settings.foretold = 0;
+            self.settings.predicted = 0;
             self.book.close();
             self.shelf.forget();
         }
@@ -166,21 +166,21 @@ impl Context {
     }
 
     /// Shows a notice over the screen until a key is pressed.
-    pub fn tell(&mut self, words: String) {
-        self.told = Some(words);
+    pub fn notify(&mut self, words: String) {
+        self.reported = Some(words);
     }
 
     /// Notifies the player where an export is, or why there is none; `what` is its name.
-    pub fn tell_of_export(&mut self, what: &str, exported: &Result<String, String>) {
-        self.tell(match exported {
+    pub fn notify_of_export(&mut self, what: &str, exported: &Result<String, String>) {
+        self.notify(match exported {
             Ok(place) => format!("The {what} is in {place}"),
             Err(reason) => format!("The {what} could not be written: {reason}"),
         });
     }
 
     /// The pending notice.
-    pub fn take_told(&mut self) -> Option<String> {
-        self.told.take()
+    pub fn take_notice(&mut self) -> Option<String> {
+        self.reported.take()
     }
 
     /// The screens' requests to the shell since the last call.

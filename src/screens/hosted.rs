@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::view::{Part, View};
-use super::{Context, Next, Place, Screen};
+use super::{Context, Next, Route, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::{Panel, Placed, Writing};
@@ -66,7 +66,7 @@ pub trait AnyScreen {
     /// See [`Screen::title`].
     fn title(&self) -> String;
     /// See [`Screen::place`].
-    fn place(&self, cx: &Context) -> Place;
+    fn route(&self, cx: &Context) -> Route;
     /// See [`Screen::status`].
     fn status(&self, cx: &Context) -> String;
     /// The keys that mean something just now, as the player has them: the screen's own,
@@ -351,8 +351,8 @@ impl<S: Screen> AnyScreen for Hosted<S> {
         self.screen.title()
     }
 
-    fn place(&self, cx: &Context) -> Place {
-        self.screen.place(cx)
+    fn route(&self, cx: &Context) -> Route {
+        self.screen.route(cx)
     }
 
     fn status(&self, cx: &Context) -> String {

@@ -1,6 +1,6 @@
 //! The page that explains a wrong answer, named and opened.
 
-use super::{Context, Next, Place};
+use super::{Context, Next, Route};
 use crate::lessons::Book;
 use crate::quiz::Passage;
 use crate::widgets::panel::Panel;
@@ -9,7 +9,7 @@ use crate::widgets::panel::Panel;
 pub(in crate::screens) fn open(passage: Option<Passage>, cx: &Context) -> Next {
     let found = passage.and_then(|passage| cx.book.find(passage));
     found.map_or(Next::Stay, |(number, page)| {
-        Next::Open(Place::Page { number, page })
+        Next::Open(Route::Page { number, page })
     })
 }
 

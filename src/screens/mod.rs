@@ -4,8 +4,8 @@ mod context;
 mod hosted;
 mod kept_files;
 mod leads;
-mod place;
 mod recall;
+mod route;
 mod view;
 
 pub(crate) mod class;
@@ -29,7 +29,7 @@ pub use context::Context;
 pub use hosted::{AnyScreen, Hosted, SharedAction};
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use join::{code_of, host_of};
-pub use place::{FoilPage, Place};
+pub use route::{FoilPage, Route};
 pub use settings::{KeptSettings, Settings};
 pub use view::View;
 
@@ -50,8 +50,8 @@ pub trait Screen {
     fn title(&self) -> String;
 
     /// The route that leads back to what the screen shows now.
-    fn place(&self, _cx: &Context) -> Place {
-        Place::Home
+    fn route(&self, _cx: &Context) -> Route {
+        Route::Home
     }
 
     /// The rest of the title line: a summary of the settings.
@@ -127,9 +127,9 @@ pub enum Next {
     /// Stay on this screen.
     Stay,
     /// Open another screen on top.
-    Open(Place),
+    Open(Route),
     /// Open another screen instead of this one.
-    Replace(Place),
+    Replace(Route),
     /// Return to the screen below.
     Back,
     /// Ask the player first; if they agree, the same is done by [`Screen::confirmed`].

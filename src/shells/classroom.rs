@@ -5,9 +5,9 @@ use std::net::{Ipv4Addr, SocketAddrV4};
 use std::time::Duration;
 
 use crate::app::App;
-use crate::class::protocol::{HostSaying, Refusal, Saying};
-use crate::class::{DoorCode, SeatToken};
-use crate::messages::{HostCall, HostNews, Input, JoinCall, JoinNews, LineId, OpenDoor};
+use crate::class::protocol::{ClientMessage, HostMessage, Refusal};
+use crate::class::{JoinCode, SeatToken};
+use crate::messages::{ConnectionId, HostCall, HostNews, Input, JoinCall, JoinDetails, JoinNews};
 use crate::shells::Headless;
 
 /// The address of the class for all pupils.
@@ -17,9 +17,9 @@ const ADDRESS: SocketAddrV4 = SocketAddrV4::new(Ipv4Addr::new(192, 168, 43, 117)
 pub struct Classroom {
     host: Headless,
     pupils: Vec<PupilDevice>,
-    code: Option<DoorCode>,
+    code: Option<JoinCode>,
     /// How many connections there have been.
-    lines: LineId,
+    lines: ConnectionId,
     /// How much time has passed.
     passed: Duration,
 }
@@ -28,7 +28,7 @@ struct PupilDevice {
     name: String,
     game: Headless,
     /// The connection, while there is one.
-    line: Option<LineId>,
+    line: Option<ConnectionId>,
     /// Whether the host can be reached.
     reaches: bool,
     /// The seat token and the name.
@@ -100,7 +100,7 @@ impl Classroom {
     }
 
     /// The code for joining, once joining is possible.
-    pub fn code(&self) -> Option<DoorCode> {
+    pub fn code(&self) -> Option<JoinCode> {
         self.code
     }
 
@@ -156,9 +156,9 @@ impl Classroom {
     fn host_calls(&mut self, call: &HostCall) {
         match call {
             HostCall::Open { code, .. } => {
-                let code = code.unwrap_or(DoorCode::of(123_456_789));
+                let code = code.unwrap_or(JoinCode::of(123_456_789));
                 self.code = Some(code);
-                let door = OpenDoor {
+                let door = JoinDetails {
                     code,
                     addresses: vec![ADDRESS],
                     page: Ok(()),
@@ -167,12 +167,12 @@ impl Classroom {
             }
             HostCall::Tell(states) => {
                 for (line, state) in states {
-                    let saying = HostSaying::State(Box::new(state.clone()));
+                    let saying = HostMessage::State(Box::new(state.clone()));
                     self.tell(*line, &saying);
                 }
             }
             HostCall::Refuse(line, why) => {
-                self.tell(*line, &HostSaying::No { why: *why });
+                self.tell(*line, &HostMessage::No { why: *why });
                 if let Some(pupil) = self.at(*line) {
                     pupil.line = None;
                 }
@@ -192,17 +192,17 @@ impl Classroom {
         self.host.input(&Input::Hosted(vec![news]));
     }
 
-    fn at(&mut self, line: LineId) -> Option<&mut PupilDevice> {
+    fn at(&mut self, line: ConnectionId) -> Option<&mut PupilDevice> {
         self.pupils.iter_mut().find(|it| it.line == Some(line))
     }
 
     /// The address of a pupil's device: each has one of its own.
-    fn address_of(&self, line: LineId) -> Ipv4Addr {
+    fn address_of(&self, line: ConnectionId) -> Ipv4Addr {
         let at = self.pupils.iter().position(|it| it.line == Some(line));
         Ipv4Addr::from(at.map_or(0, |at| at as u32 + 1) | 10 << 24)
     }
 
-    fn tell(&mut self, line: LineId, saying: &HostSaying) {
+    fn tell(&mut self, line: ConnectionId, saying: &HostMessage) {
         if let Some(pupil) = self.at(line) {
             pupil.hears(JoinNews::Heard(saying.to_text()));
         }
@@ -248,10 +248,10 @@ impl Classroom {
     }
 
     /// Passes a message to the host, as its server would.
-    fn hear(&mut self, line: LineId, text: &str) {
-        let no = |why| HostSaying::No { why };
-        let news = match Saying::read(text) {
-            Ok(Saying::Join {
+    fn hear(&mut self, line: ConnectionId, text: &str) {
+        let no = |why| HostMessage::No { why };
+        let news = match ClientMessage::read(text) {
+            Ok(ClientMessage::Join {
                 code, name, seat, ..
             }) => {
                 if code.parse().ok() != self.code {

@@ -19,10 +19,10 @@ use crate::widgets::cells::text;
 ///
 /// ```
 /// use carrom::app::App;
-/// use carrom::screens::{Place, Settings};
+/// use carrom::screens::{Route, Settings};
 /// use carrom::shells::Headless;
 ///
-/// let mut game = Headless::new(App::new(Place::Home, Settings::default(), 1), 80, 24);
+/// let mut game = Headless::new(App::new(Route::Home, Settings::default(), 1), 80, 24);
 /// assert!(game.screen().contains("carrom : home"));
 /// game.press("<Down><Up>q");
 /// assert!(game.has_quit());
@@ -82,8 +82,8 @@ impl Headless {
 
     /// The stored answers, in order; none if they cannot be read.
     pub fn attempts(&mut self) -> Vec<Attempt> {
-        let wish = StoreRequest::Recall(None);
-        match self.store.answer(&StoreCall { ticket: 0, wish }).done {
+        let request = StoreRequest::Recall(None);
+        match self.store.answer(&StoreCall { ticket: 0, request }).done {
             StoreReply::Recalled(Ok(history)) => history.attempts,
             _ => Vec::new(),
         }
@@ -231,7 +231,7 @@ impl From<App> for Headless {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::screens::{Context, Hosted, Next, Place, Screen, Settings, View};
+    use crate::screens::{Context, Hosted, Next, Route, Screen, Settings, View};
     use crate::widgets::input::KeyTable;
     use crate::widgets::{Charset, Depth};
 
@@ -310,7 +310,7 @@ mod tests {
 
     #[test]
     fn nothing_reaches_an_app_that_has_quit() {
-        let mut game = Headless::new(App::new(Place::Home, Settings::default(), 1), 80, 24);
+        let mut game = Headless::new(App::new(Route::Home, Settings::default(), 1), 80, 24);
         let before = game.screen();
         game.press("q<Down>");
         assert!(game.has_quit());
@@ -325,7 +325,7 @@ mod tests {
             depth: Depth::None,
             ..Settings::default()
         };
-        let app = App::new(Place::Class { code, teams, name }, settings, 1);
+        let app = App::new(Route::Class { code, teams, name }, settings, 1);
         let mut game = Headless::new(app, 80, 24);
         game.press("a<Backspace>");
         let before = game.screen();

@@ -101,14 +101,14 @@ impl Disk {
     }
 
     /// What comes of something done in the folder.
-    fn told<T>(&self, act: impl FnOnce() -> io::Result<T>) -> Result<T, String> {
+    fn reported<T>(&self, act: impl FnOnce() -> io::Result<T>) -> Result<T, String> {
         act().map_err(|error| format!("{}: {error}", self.folder.display()))
     }
 }
 
 impl TextStore for Disk {
     fn names(&self) -> Result<Vec<String>, String> {
-        let mut names = self.told(|| self.names())?;
+        let mut names = self.reported(|| self.names())?;
         names.sort_by_cached_key(|name| (self.saved(name), number(name), name.clone()));
         names.reverse();
         Ok(names)
@@ -127,7 +127,7 @@ impl TextStore for Disk {
     }
 
     fn add(&mut self, kind: &str, text: &str) -> Result<String, String> {
-        self.told(|| {
+        self.reported(|| {
             let turn = self.turn()?;
             if turn.is_certain() {
                 self.clear_up();
@@ -147,7 +147,7 @@ impl TextStore for Disk {
     }
 
     fn replace(&mut self, name: &str, old: &str, text: &str) -> Result<bool, String> {
-        self.told(|| {
+        self.reported(|| {
             let _turn = self.turn()?;
             let path = self.path(name);
             if !holds(&path, old)? {
@@ -160,7 +160,7 @@ impl TextStore for Disk {
     }
 
     fn append(&mut self, name: &str, old: &str, added: &str) -> Result<bool, String> {
-        self.told(|| {
+        self.reported(|| {
             let _turn = self.turn()?;
             let path = self.path(name);
             if !holds(&path, old)? {
@@ -179,7 +179,7 @@ impl TextStore for Disk {
     }
 
     fn remove(&mut self, name: &str) -> Result<(), String> {
-        self.told(|| {
+        self.reported(|| {
             let _turn = self.turn()?;
             match fs::remove_file(self.path(name)) {
                 Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),

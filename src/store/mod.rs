@@ -55,9 +55,9 @@ const HAND_IN: &str = ".json";
 const TABLE: &str = ".csv";
 
 /// Whether this is something done that is kept in its order.
-fn is_note(wish: &StoreRequest) -> bool {
+fn is_note(request: &StoreRequest) -> bool {
     matches!(
-        wish,
+        request,
         StoreRequest::Record(_)
             | StoreRequest::Star(..)
             | StoreRequest::Mark { .. }
@@ -82,7 +82,7 @@ pub struct Store {
     /// The file of the settings; `None` where they are gone with the process.
     settings: Option<PathBuf>,
     /// What could not be written to the database so far, the oldest first.
-    owed: VecDeque<StoreRequest>,
+    unsaved: VecDeque<StoreRequest>,
     clock: Clock,
     closed: bool,
 }
@@ -198,7 +198,7 @@ impl Store {
             aside: Vec::new(),
             notice: None,
             settings: None,
-            owed: VecDeque::new(),
+            unsaved: VecDeque::new(),
             clock: Clock::Computer,
             closed: false,
         }
@@ -207,14 +207,14 @@ impl Store {
     /// Does what is asked.
     pub fn answer(&mut self, request: &StoreCall) -> StoreAnswer {
         let ticket = request.ticket;
-        if self.closed && !is_note(&request.wish) {
+        if self.closed && !is_note(&request.request) {
             return StoreAnswer {
-                owed: self.owed.len(),
+                unsaved: self.unsaved.len(),
                 ..request.refused(NOWHERE)
             };
         }
         self.progress.on_day(self.calendar().today());
-        let done = match &request.wish {
+        let done = match &request.request {
             StoreRequest::Save(game) => StoreReply::Saved(self.save(ticket, game)),
             StoreRequest::List => StoreReply::Listed(self.games.list(self.ages().as_ref())),
             StoreRequest::Load(name) => {
@@ -242,13 +242,13 @@ impl Store {
             StoreRequest::Stars(player) => StoreReply::Stars(self.progress.stars(player)),
             StoreRequest::Marks(player) => StoreReply::Marks(self.progress.marks(player)),
             StoreRequest::KeepSettings(text) => StoreReply::Noted(self.keep_settings(text)),
-            StoreRequest::Retry => StoreReply::Noted(self.pay()),
+            StoreRequest::Retry => StoreReply::Noted(self.flush()),
             note => StoreReply::Noted(self.note(note)),
         };
         StoreAnswer {
             ticket,
             done,
-            owed: self.owed.len(),
+            unsaved: self.unsaved.len(),
             notice: (self.notice.take())
                 .or_else(|| self.progress.take_notice())
                 .or_else(|| self.games.take_notice())
@@ -337,13 +337,13 @@ impl Store {
         if let StoreRequest::Record(attempt) = &mut note {
             attempt.time_s = self.calendar().now_s;
         }
-        self.owed.push_back(note);
-        self.pay()
+        self.unsaved.push_back(note);
+        self.flush()
     }
 
     /// Writes what is still to be kept, in its order, until something cannot be.
-    fn pay(&mut self) -> Result<(), String> {
-        while let Some(oldest) = self.owed.front() {
+    fn flush(&mut self) -> Result<(), String> {
+        while let Some(oldest) = self.unsaved.front() {
             if self.closed {
                 return Err(NOWHERE.into());
             }
@@ -359,7 +359,7 @@ impl Store {
                 StoreRequest::Forget(player, what) => progress.forget(player, what),
                 _ => Ok(()),
             }?;
-            self.owed.pop_front();
+            self.unsaved.pop_front();
         }
         Ok(())
     }
@@ -368,23 +368,23 @@ impl Store {
     ///
     /// # Errors
     /// How much is lost, and why.
-    pub(crate) fn pay_at_last(&mut self) -> Result<(), String> {
-        self.pay().map_err(|reason| {
-            let owed = self.owed.len();
-            let things = if owed == 1 { "thing" } else { "things" };
-            format!("{owed} {things} that you did could not be saved: {reason}")
+    pub(crate) fn flush_at_end(&mut self) -> Result<(), String> {
+        self.flush().map_err(|reason| {
+            let unsaved = self.unsaved.len();
+            let things = if unsaved == 1 { "thing" } else { "things" };
+            format!("{unsaved} {things} that you did could not be saved: {reason}")
         })
     }
 
     fn recall(&mut self, player: Option<&str>) -> Result<Box<History>, String> {
         let mut attempts = self.progress.attempts(player)?;
         // What is still to be kept was answered all the same.
-        let owed = self.owed.iter().filter_map(|note| match note {
+        let unsaved = self.unsaved.iter().filter_map(|note| match note {
             StoreRequest::Record(attempt) => Some(attempt.as_ref()),
             _ => None,
         });
         let of_player = |it: &&Attempt| player.is_none_or(|player| player == it.player);
-        attempts.extend(owed.filter(of_player).cloned());
+        attempts.extend(unsaved.filter(of_player).cloned());
         Ok(Box::new(History {
             attempts,
             calendar: self.calendar(),

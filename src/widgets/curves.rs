@@ -102,7 +102,7 @@ pub(crate) fn curves_and_hit(
     let [room, hit] = rooms(area);
     // Only what can be seen in a small picture.
     let layers = Overlays::default().without([Lines, Angles, Triangle, Trails]);
-    let watch = Watch::told(*collision).with_layers(layers);
+    let watch = Watch::revealed(*collision).with_layers(layers);
     let hit = watch.picture(hit.inner(Margin::new(1, 0)));
     [curves_picture(kind, collision, room, look), hit]
 }

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use carrom::app::App;
 use carrom::class::ClassRound;
 use carrom::messages::{HostNews, Input};
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::shells::host::{Host, HostOptions, ServedPage};
 use carrom::store::Store;
@@ -49,7 +49,7 @@ impl Teacher {
         let (path, shown) = (folder.path().to_owned(), Arc::clone(&screen));
         let thread = thread::spawn(move || {
             let name = "10b".to_owned();
-            let app = App::new(Place::Host { code, name }, Settings::default(), 7);
+            let app = App::new(Route::Host { code, name }, Settings::default(), 7);
             let store = Store::in_folder(&path);
             let game = Headless::keeping(app, 80, 24, store);
             teach(game, page, &pressed, &told, &shown);

@@ -2,7 +2,7 @@
 
 use carrom::app::App;
 use carrom::quiz::Code;
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::classroom::Who;
 use carrom::shells::{Classroom, Headless};
 
@@ -250,33 +250,33 @@ impl TourStop {
             _ => {}
         }
         let place = match place {
-            "learn" => Place::Learn,
-            "chapter" => Place::Chapter { number: number() },
-            "lab" => Place::Lab,
-            "foil" => Place::Foil,
-            "quiz" => Place::Quiz {
+            "learn" => Route::Learn,
+            "chapter" => Route::Chapter { number: number() },
+            "lab" => Route::Lab,
+            "foil" => Route::Foil,
+            "quiz" => Route::Quiz {
                 code: Code::parse(rest),
             },
             "class" => {
                 let mut words = rest.split_whitespace();
-                Place::Class {
+                Route::Class {
                     code: words.next().and_then(Code::parse),
                     teams: words.map(str::to_owned).collect(),
                     name: String::new(),
                 }
             }
-            "join" => Place::Join {
+            "join" => Route::Join {
                 address: Some(String::new()),
                 code: None,
                 again: false,
             },
-            "glossary" => Place::Glossary,
-            "levels" => Place::Levels,
-            "level" => Place::Level { number: number() },
-            "table" => Place::Table,
-            "progress" => Place::Progress,
-            "settings" => Place::Settings,
-            _ => Place::Home,
+            "glossary" => Route::Glossary,
+            "levels" => Route::Levels,
+            "level" => Route::Level { number: number() },
+            "table" => Route::Table,
+            "progress" => Route::Progress,
+            "settings" => Route::Settings,
+            _ => Route::Home,
         };
         let mut game = Headless::new(App::new(place, settings, 7), 80, 24);
         game.press(self.keys);
@@ -301,9 +301,9 @@ fn devices(
     };
     let code = Code::parse(code);
     let name = String::new();
-    let mut class = Classroom::new(opened(Place::Host { code, name }, "teacher").into());
+    let mut class = Classroom::new(opened(Route::Host { code, name }, "teacher").into());
     let [ada, _] = ["Ada", "Bo"].map(|name| {
-        let place = Place::Join {
+        let place = Route::Join {
             address: None,
             code: class.code(),
             again: false,

@@ -41,13 +41,13 @@ fn judged(goal: &str, direction_deg: f64) -> Finding {
 
 fn met(goal: &str) {
     let finding = judged(goal, 0.0);
-    assert!(finding.met, "{goal}: {}", finding.told);
+    assert!(finding.met, "{goal}: {}", finding.text);
 }
 
 fn missed(goal: &str, told: &str) {
     let finding = judged(goal, 0.0);
-    assert!(!finding.met, "{goal}: {}", finding.told);
-    assert_eq!(finding.told, told);
+    assert!(!finding.met, "{goal}: {}", finding.text);
+    assert_eq!(finding.text, told);
 }
 
 #[test]
@@ -155,10 +155,10 @@ fn cushions_are_counted() {
     let bank = "kind = \"bank\"\ndisc = 0\ntarget = 1";
     let once = judged(bank, 180.0);
     assert!(once.met);
-    assert_eq!(once.told, "the striker met the white coin off 1 cushion");
+    assert_eq!(once.text, "the striker met the white coin off 1 cushion");
     let twice = judged(&format!("{bank}\nleast = 2"), 180.0);
     assert!(!twice.met);
-    assert_eq!(twice.told, once.told);
+    assert_eq!(twice.text, once.text);
     let hit = "kind = \"hit\"\ndisc = 1\nby = 0\nleast = 1";
     assert!(judged(hit, 180.0).met);
     missed(hit, "the striker hit the white coin off no cushion");
@@ -180,7 +180,7 @@ fn nothing_is_measured_where_nothing_is_hit() {
         "kind = \"bank\"\ndisc = 0\ntarget = 1",
     ] {
         let finding = judged(goal, 135.0);
-        assert!(!finding.met, "{goal}: {}", finding.told);
+        assert!(!finding.met, "{goal}: {}", finding.text);
     }
 }
 
@@ -204,11 +204,11 @@ fn a_pocketed_disc_counts_in_its_order() {
     };
     let right = judged("discs = [1, 0]");
     assert!(right.met);
-    assert_eq!(right.told, "the white coin, then the striker fell");
+    assert_eq!(right.text, "the white coin, then the striker fell");
     let wrong = judged("discs = [0, 1]");
     assert!(!wrong.met);
     assert_eq!(
-        wrong.told,
+        wrong.text,
         "the white coin, then the striker fell: the wrong order"
     );
 }

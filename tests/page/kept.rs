@@ -26,8 +26,8 @@ fn answers(bytes: &[u8]) -> Vec<Attempt> {
     fs::create_dir_all(&folder).unwrap();
     fs::write(folder.join("progress.db"), bytes).unwrap();
     let mut store = Store::in_folder(&folder);
-    let wish = StoreRequest::Recall(None);
-    let StoreReply::Recalled(Ok(history)) = store.answer(&StoreCall { ticket: 0, wish }).done
+    let request = StoreRequest::Recall(None);
+    let StoreReply::Recalled(Ok(history)) = store.answer(&StoreCall { ticket: 0, request }).done
     else {
         panic!("the program cannot read what the page has kept");
     };

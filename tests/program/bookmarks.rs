@@ -9,7 +9,7 @@ use carrom::app::{App, Data};
 use carrom::files::FileLibrary;
 use carrom::lessons::{Book, ChapterLibrary};
 use carrom::messages::{Effect, Input, Key, StoreCall, StoreReply, StoreRequest};
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use rand::{RngExt, SeedableRng};
@@ -30,7 +30,7 @@ fn settings(player: &str) -> Settings {
 
 /// The contents, or a chapter, by its number from 1, as a player opens it.
 fn open(folder: &Path, player: &str, chapter: Option<usize>) -> Headless {
-    let place = chapter.map_or(Place::Learn, |number| Place::Chapter { number: number - 1 });
+    let place = chapter.map_or(Route::Learn, |number| Route::Chapter { number: number - 1 });
     let app = App::new(place, settings(player), 1);
     Headless::keeping(app, 80, 24, Store::in_folder(folder))
 }
@@ -177,7 +177,7 @@ fn own(folder: &Path, pages: &str) -> Headless {
     let mut library = ChapterLibrary::default();
     library.add_file(&file);
     assert_eq!(library.problems, []);
-    let place = Place::Chapter { number: 0 };
+    let place = Route::Chapter { number: 0 };
     let book = Book::new(library);
     let data = Data {
         book,
@@ -246,13 +246,13 @@ fn nothing_is_shown_or_saved_before_the_bookmark_is_known() {
     let folder = Folder::new("bookmarks-waiting");
     open(folder.path(), "Ada", Some(2)).press("2<Enter>nn");
     let mut store = Store::in_folder(folder.path());
-    for place in [Place::Learn, Place::Chapter { number: 1 }] {
+    for place in [Route::Learn, Route::Chapter { number: 1 }] {
         let mut app = App::new(place, settings("Ada"), 1);
         let asked = app.update(&Input::Resize(80, 24));
         let [Effect::Keep(request)] = &asked[..] else {
             panic!("{asked:?}");
         };
-        assert_eq!(request.wish, StoreRequest::Marks("Ada".into()));
+        assert_eq!(request.request, StoreRequest::Marks("Ada".into()));
         for key in [
             Key::Char('n'),
             Key::Down,
@@ -283,7 +283,7 @@ fn without_storage_data_is_kept_in_memory() {
     let file = folder.path().join("file");
     fs::write(&file, "").unwrap();
     for store in [Store::in_folder(&file), Store::nowhere()] {
-        let app = App::new(Place::Chapter { number: 1 }, settings("Ada"), 1);
+        let app = App::new(Route::Chapter { number: 1 }, settings("Ada"), 1);
         let mut game = Headless::keeping(app, 80, 24, store);
         shows(&mut game, "What you do cannot be saved");
         game.press("x");
@@ -333,7 +333,7 @@ fn marks(
 ) -> std::collections::BTreeMap<String, carrom::lessons::Bookmark> {
     let request = StoreCall {
         ticket: 0,
-        wish: StoreRequest::Marks(player.into()),
+        request: StoreRequest::Marks(player.into()),
     };
     let answer = Store::in_folder(folder).answer(&request);
     assert_eq!(answer.notice, None);

@@ -93,12 +93,12 @@ fn first_screen(folder: &Folder, name: &str, bytes: &[u8]) -> Refusal {
 }
 
 /// What a store says of what is asked of the file of this name in its folder for data.
-fn kept(folder: &Folder, name: &str, bytes: &[u8], wish: StoreRequest) -> Refusal {
+fn kept(folder: &Folder, name: &str, bytes: &[u8], request: StoreRequest) -> Refusal {
     let path = folder.path().join(name);
     fs::create_dir_all(path.parent().unwrap()).unwrap();
     fs::write(&path, bytes).unwrap();
     let mut store = Store::in_folder(folder.path()).timeless();
-    match store.answer(&StoreCall { ticket: 0, wish }).done {
+    match store.answer(&StoreCall { ticket: 0, request }).done {
         StoreReply::Loaded(loaded) => loaded.err(),
         StoreReply::Class(loaded) => loaded.err(),
         StoreReply::Recalled(recalled) => recalled.err(),
@@ -132,8 +132,8 @@ fn kinds() -> Vec<Kind> {
                 .collect(),
             open: |folder, bytes| {
                 let replayed = check(folder, &["replay"], "game.toml", bytes);
-                let wish = StoreRequest::Load("game-1".into());
-                let loaded = kept(folder, "games/game-1.toml", bytes, wish);
+                let request = StoreRequest::Load("game-1".into());
+                let loaded = kept(folder, "games/game-1.toml", bytes, request);
                 loaded.or(replayed)
             },
         },
@@ -141,8 +141,8 @@ fn kinds() -> Vec<Kind> {
             name: "rounds of classes",
             models: files("tests/saves", ".toml", "class"),
             open: |folder, bytes| {
-                let wish = StoreRequest::LoadClass("class-1".into());
-                kept(folder, "classes/class-1.toml", bytes, wish)
+                let request = StoreRequest::LoadClass("class-1".into());
+                kept(folder, "classes/class-1.toml", bytes, request)
             },
         },
         Kind {
@@ -203,8 +203,8 @@ fn database() -> Vec<u8> {
     let folder = Folder::new("damaged-database");
     let mut store = Store::in_folder(folder.path()).timeless();
     for attempt in hand_in(1, "Ada", 10, 7).attempts {
-        let wish = StoreRequest::Record(Box::new(attempt));
-        store.answer(&StoreCall { ticket: 0, wish });
+        let request = StoreRequest::Record(Box::new(attempt));
+        store.answer(&StoreCall { ticket: 0, request });
     }
     drop(store);
     fs::read(folder.path().join("progress.db")).unwrap()

@@ -58,8 +58,8 @@ fn fill(disk: &Path, free: u64) {
     filler.set_len(length.saturating_sub(free)).unwrap();
 }
 
-fn ask(store: &mut Store, wish: StoreRequest) -> StoreAnswer {
-    store.answer(&StoreCall { ticket: 0, wish })
+fn ask(store: &mut Store, request: StoreRequest) -> StoreAnswer {
+    store.answer(&StoreCall { ticket: 0, request })
 }
 
 fn star(store: &mut Store, level: &str) -> Result<(), String> {

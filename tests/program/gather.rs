@@ -182,8 +182,8 @@ fn a_hand_in_is_read_back() {
     let data = folder.path().join("data");
     let mut store = Store::in_folder(&data);
     for attempt in hand_in(1, "Ada", 3, 2).attempts {
-        let wish = StoreRequest::Record(Box::new(attempt));
-        let noted = store.answer(&StoreCall { ticket: 0, wish }).done;
+        let request = StoreRequest::Record(Box::new(attempt));
+        let noted = store.answer(&StoreCall { ticket: 0, request }).done;
         assert!(matches!(noted, StoreReply::Noted(Ok(()))), "{noted:?}");
     }
     let out = folder.path().join("ada.json");

@@ -190,7 +190,7 @@ fn nobody_gets_in_without_the_code() {
             let port = teacher.port;
             thread::spawn(move || {
                 let start = Instant::now();
-                let code = carrom::class::DoorCode::of(i).to_string();
+                let code = carrom::class::JoinCode::of(i).to_string();
                 let pupil = Pupil::join(port, &code, "x", None).unwrap();
                 (pupil.why().map(str::to_owned), start.elapsed())
             })
@@ -232,7 +232,7 @@ fn codes_are_guessed_slowly_however_many_connections_try() {
         let guesses: Vec<_> = (0..60)
             .map(|number| {
                 scope.spawn(move || {
-                    let codes = [2 * number, 2 * number + 1].map(carrom::class::DoorCode::of);
+                    let codes = [2 * number, 2 * number + 1].map(carrom::class::JoinCode::of);
                     codes.map(|code| guess(1, &code.to_string()))
                 })
             })

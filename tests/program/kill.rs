@@ -11,7 +11,7 @@ use carrom::class::ClassRound;
 use carrom::game::SavedGame;
 use carrom::messages::{StoreCall, StoreReply, StoreRequest};
 use carrom::quiz::{Form, Response};
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use rand::{RngExt, SeedableRng};
@@ -36,7 +36,7 @@ fn start(folder: &Path, seed: u64, keys: &str) -> Player {
 fn games(folder: &Path) -> BTreeMap<String, SavedGame> {
     let request = StoreCall {
         ticket: 0,
-        wish: StoreRequest::List,
+        request: StoreRequest::List,
     };
     let StoreReply::Listed(Ok(games)) = Store::in_folder(folder).answer(&request).done else {
         panic!("the games cannot be listed");
@@ -70,7 +70,7 @@ fn child_plays() {
         reduced_motion: true,
         ..Settings::default()
     };
-    let app = App::new(Place::Table, settings, seed);
+    let app = App::new(Route::Table, settings, seed);
     let store = Store::in_folder(&folder);
     let mut game = Headless::keeping(app, 80, 24, store);
     game.press(&words[1]);
@@ -200,7 +200,7 @@ fn the_real_game_in_a_terminal_is_killed_and_goes_on() {
 fn first_votes(folder: &Path) -> Vec<Option<u32>> {
     let request = StoreCall {
         ticket: 0,
-        wish: StoreRequest::ListClasses,
+        request: StoreRequest::ListClasses,
     };
     let StoreReply::Classes(Ok(rounds)) = Store::in_folder(folder).answer(&request).done else {
         panic!("the rounds cannot be listed");

@@ -24,8 +24,6 @@ mod memory;
 #[cfg(target_os = "linux")]
 mod noise;
 mod old_files;
-#[cfg(target_os = "linux")]
-mod owed;
 mod page;
 mod plain;
 mod plain_all;
@@ -42,6 +40,8 @@ mod solve;
 mod start;
 #[cfg(unix)]
 mod terminal;
+#[cfg(target_os = "linux")]
+mod unsaved;
 mod worksheet;
 mod written;
 

@@ -10,7 +10,7 @@ use carrom::levels::Starred;
 use carrom::messages::{StoreCall, StoreReply, StoreRequest};
 use carrom::progress::{Attempt, Calendar, Due};
 use carrom::quiz::{Code, Course, Round};
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use rand::{RngExt, SeedableRng};
@@ -28,7 +28,7 @@ use crate::pty::{Pty, carrom as carrom_in_terminal};
 fn kept(folder: &Path, player: Option<&str>) -> Vec<Attempt> {
     let request = StoreCall {
         ticket: 0,
-        wish: StoreRequest::Recall(player.map(str::to_owned)),
+        request: StoreRequest::Recall(player.map(str::to_owned)),
     };
     let answer = Store::in_folder(folder).answer(&request);
     assert_eq!(answer.notice, None);
@@ -38,7 +38,7 @@ fn kept(folder: &Path, player: Option<&str>) -> Vec<Attempt> {
     }
 }
 
-fn app(place: Place, player: &str) -> App {
+fn app(place: Route, player: &str) -> App {
     let settings = Settings {
         reduced_motion: true,
         player: player.into(),
@@ -49,7 +49,7 @@ fn app(place: Place, player: &str) -> App {
 
 fn quiz(folder: &Path, player: &str) -> Headless {
     let code = Some(Code::hits(7));
-    let app = app(Place::Quiz { code }, player);
+    let app = app(Route::Quiz { code }, player);
     Headless::keeping(app, 80, 24, Store::in_folder(folder))
 }
 
@@ -138,7 +138,7 @@ fn an_answer_is_kept_before_its_explanation_is_seen() {
 /// so wished.
 fn play_rightly(folder: &Path, code: Code, time_s: i64, guessing: bool) {
     let round = Round::of(code.clone());
-    let place = Place::Quiz { code: Some(code) };
+    let place = Route::Quiz { code: Some(code) };
     let store = Store::in_folder(folder).at(time_s);
     let mut game = Headless::keeping(app(place, "Ada"), 80, 24, store);
     for (i, question) in round.questions().iter().enumerate() {
@@ -305,7 +305,7 @@ fn a_failed_save_is_reported_once() {
 fn stars_are_there_the_next_time_and_for_their_player_alone() {
     let folder = Folder::new("memory-stars");
     let app_of = |player| {
-        let app = app(Place::Levels, player);
+        let app = app(Route::Levels, player);
         let store = Store::in_folder(folder.path());
         // What the first screen asks for is asked with the size of the screen.
         let mut game = Headless::keeping(app, 80, 24, store);
@@ -323,9 +323,9 @@ fn stars_are_there_the_next_time_and_for_their_player_alone() {
         level,
         stars: 2,
     };
-    let wish = StoreRequest::Star("Ada".into(), starred);
+    let request = StoreRequest::Star("Ada".into(), starred);
     let done = Store::in_folder(folder.path())
-        .answer(&StoreCall { ticket: 1, wish })
+        .answer(&StoreCall { ticket: 1, request })
         .done;
     assert_eq!(done, StoreReply::Noted(Ok(())));
     let mut ada = app_of("Ada");
@@ -376,11 +376,11 @@ fn no_name_breaks_the_screen_the_table_or_json() {
                 player: player.into(),
                 ..attempt.clone()
             };
-            let wish = StoreRequest::Record(Box::new(attempt));
-            let answer = store.answer(&StoreCall { ticket: 0, wish });
+            let request = StoreRequest::Record(Box::new(attempt));
+            let answer = store.answer(&StoreCall { ticket: 0, request });
             assert_eq!(answer.done, StoreReply::Noted(Ok(())), "{i}");
         }
-        let app = app(Place::Progress, &name);
+        let app = app(Route::Progress, &name);
         let mut game = Headless::keeping(app, 80, 24, Store::in_folder(folder.path()));
         game.press("<Escape>p");
         for page in ["1", "2", "3", "4"] {

@@ -26,8 +26,8 @@ fn folder_with(name: &str, sql: &str) -> Folder {
     folder
 }
 
-fn done(store: &mut Store, wish: StoreRequest) -> StoreReply {
-    let answer = store.answer(&StoreCall { ticket: 0, wish });
+fn done(store: &mut Store, request: StoreRequest) -> StoreReply {
+    let answer = store.answer(&StoreCall { ticket: 0, request });
     assert_eq!(answer.notice, None);
     answer.done
 }
@@ -140,7 +140,7 @@ fn class_rounds_of_the_second_format_still_open() {
     // "Bo" was removed behind the round, and "Ada 2" was Ada all along.
     assert_eq!(round.teams(), ["Ada L.", "Cy"]);
     assert_eq!(round.class(), "");
-    assert_eq!(round.door().unwrap().to_string(), "BCDFGH");
+    assert_eq!(round.join_code().unwrap().to_string(), "BCDFGH");
     let degrees = |person| {
         let rays = round
             .ballot(0, person)

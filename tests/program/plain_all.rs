@@ -8,7 +8,7 @@ use std::sync::mpsc::{self, Receiver};
 use std::thread;
 use std::time::Duration;
 
-use carrom::class::DoorCode;
+use carrom::class::JoinCode;
 
 use crate::folder::Folder;
 
@@ -164,7 +164,7 @@ fn a_vote_in_a_class_that_is_hosted_in_lines_too() {
         .iter()
         .filter_map(|it| it.parse::<SocketAddr>().ok());
     let port = addresses.next().unwrap().port();
-    let code = host.said.iter().rfind(|it| it.parse::<DoorCode>().is_ok());
+    let code = host.said.iter().rfind(|it| it.parse::<JoinCode>().is_ok());
     let code = code.unwrap().clone();
     let mut pupil = Talk::begin(&["join"], &folder);
     pupil.goes(&[

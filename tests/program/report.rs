@@ -17,7 +17,7 @@ use carrom::paper::report::{Report, Sources};
 use carrom::progress::{Attempt, Calendar, LESSON, csv, json};
 use carrom::quiz::Confidence;
 use carrom::quiz::{Figures, Rays, Response};
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use carrom::widgets::Charset;
@@ -78,16 +78,16 @@ fn attempt(player: &str, number: u32) -> Attempt {
     }
 }
 
-fn ask(store: &mut Store, wish: StoreRequest) -> StoreReply {
-    store.answer(&StoreCall { ticket: 0, wish }).done
+fn ask(store: &mut Store, request: StoreRequest) -> StoreReply {
+    store.answer(&StoreCall { ticket: 0, request }).done
 }
 
 /// What a store has of a player who answered six questions and won a level.
 fn kept(folder: &Path, player: &str) -> (History, Vec<Starred>) {
     let mut store = Store::in_folder(folder);
     for number in 1..=6 {
-        let wish = StoreRequest::Record(Box::new(attempt(player, number)));
-        assert_eq!(ask(&mut store, wish), StoreReply::Noted(Ok(())));
+        let request = StoreRequest::Record(Box::new(attempt(player, number)));
+        assert_eq!(ask(&mut store, request), StoreReply::Noted(Ok(())));
     }
     let (pack, level) = first_level();
     let star = Starred {
@@ -244,7 +244,7 @@ fn csv_rows(table: &str) -> Vec<csv::StringRecord> {
 fn no_name_breaks_a_screen() {
     for name in nasty_names() {
         for charset in [Charset::Ascii, Charset::Unicode] {
-            for place in [Place::Home, Place::Progress, Place::Levels, Place::Table] {
+            for place in [Route::Home, Route::Progress, Route::Levels, Route::Table] {
                 let settings = Settings {
                     charset,
                     player: name.clone(),

@@ -84,7 +84,7 @@ fn printed_answers_cannot_control_a_terminal_or_a_spreadsheet() {
     (attempt.answer, attempt.truth) = (choice.clone(), choice);
     let call = StoreCall {
         ticket: 0,
-        wish: StoreRequest::Record(Box::new(attempt)),
+        request: StoreRequest::Record(Box::new(attempt)),
     };
     assert_eq!(store.answer(&call).done, StoreReply::Noted(Ok(())));
     let data = folder.path().to_str().unwrap();

@@ -38,8 +38,8 @@ type Keys = (&'static str, &'static [&'static str], Vec<Vec<Value>>);
 /// Rows by their table and key.
 type Rows = BTreeMap<String, Vec<Value>>;
 
-fn ask(store: &mut Store, wish: StoreRequest) -> StoreReply {
-    store.answer(&StoreCall { ticket: 0, wish }).done
+fn ask(store: &mut Store, request: StoreRequest) -> StoreReply {
+    store.answer(&StoreCall { ticket: 0, request }).done
 }
 
 /// Opens a database so that what can be read of it can be, even of one that was cut off.
@@ -191,8 +191,8 @@ fn campaign(
         fs::write(&path, &damaged).unwrap();
         let before = found(&path, &keys);
         let mut store = Store::in_folder(folder.path()).timeless();
-        let wish = StoreRequest::Recall(None);
-        let answer = store.answer(&StoreCall { ticket: 0, wish });
+        let request = StoreRequest::Recall(None);
+        let answer = store.answer(&StoreCall { ticket: 0, request });
         match (&answer.done, &answer.notice) {
             (StoreReply::Recalled(Ok(_)), Some(notice)) if !notice.contains("is repaired") => {
                 // Every page is sound, but a flipped bit has made an answer impossible.

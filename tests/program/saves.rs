@@ -11,7 +11,7 @@ use carrom::game::{
     Aids, Company, Fingerprint, Game, GameSetup, Hands, Player, Record, Rules, SavedGame,
 };
 use carrom::messages::{KeptGame, StoreCall, StoreReply, StoreRequest};
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use proptest::prelude::*;
@@ -64,8 +64,8 @@ fn friendly(seed: u64) -> GameSetup {
     }
 }
 
-fn ask(store: &mut Store, ticket: u64, wish: StoreRequest) -> StoreReply {
-    store.answer(&StoreCall { ticket, wish }).done
+fn ask(store: &mut Store, ticket: u64, request: StoreRequest) -> StoreReply {
+    store.answer(&StoreCall { ticket, request }).done
 }
 
 fn save(store: &mut Store, ticket: u64, game: &SavedGame) {
@@ -422,7 +422,7 @@ fn table(store: Store) -> Headless {
         reduced_motion: true,
         ..Settings::default()
     };
-    let app = App::new(Place::Table, settings, 5);
+    let app = App::new(Route::Table, settings, 5);
     let mut game = Headless::keeping(app, 80, 24, store);
     game.press("<Down><Down><Down><Left><Left>");
     game

@@ -1,7 +1,7 @@
 //! What is sent to a pupil's device while a question is open: all that is seen, and nothing
 //! of the answer.
 
-use carrom::class::{AskedQuestion, ToldTruth};
+use carrom::class::{AskedQuestion, RevealedTruth};
 use carrom::quiz::{Dice, Difficulty, Family, Form, Illustration, Measure, Question, Rays};
 use carrom::widgets::{Charset, Depth, Look, Palette, Theme, draw_question};
 use ratatui::buffer::Buffer;
@@ -141,10 +141,10 @@ fn a_device_shows_what_the_board_shows() {
             question.text
         );
         // Once it is told, all of the truth is there.
-        let told = ToldTruth::new(&question, question.why.clone(), Some(10.0));
+        let told = RevealedTruth::new(&question, question.why.clone(), Some(10.0));
         let told = serde_json::to_string(&told).unwrap();
-        let told: ToldTruth = serde_json::from_str(&told).unwrap();
-        let there = told.told(there).unwrap();
+        let told: RevealedTruth = serde_json::from_str(&told).unwrap();
+        let there = told.revealed(there).unwrap();
         let truth = question.form.truth();
         assert!(
             question.form.distance(&there.form.truth(), &truth) < 1e-6,

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use carrom::class::{
-    ClassChange, ClassRound, DoorCode, SeatToken, Vote, answers_csv, appended, items, items_csv,
+    ClassChange, ClassRound, JoinCode, SeatToken, Vote, answers_csv, appended, items, items_csv,
     standings, team_names,
 };
 use carrom::quiz::{Code, Form, Response};
@@ -60,7 +60,7 @@ fn the_second_vote_scores_and_the_first_is_kept() {
 fn ten_are_enough_to_tell_them_apart() {
     let devices = |people: usize| {
         let mut round = ClassRound::with_devices(Code::parse("mixed-7").unwrap());
-        round.open(DoorCode::of(7), None);
+        round.open(JoinCode::of(7), None);
         for person in 0..people {
             let seat = SeatToken::of(person as u128 + 1);
             let name = format!("Person {person}");
@@ -238,7 +238,7 @@ fn a_poisoned_vote_is_dropped_and_its_round_still_opens() {
 #[test]
 fn a_round_that_was_being_written_opens_without_its_last_line() {
     let mut round = ClassRound::with_devices(Code::parse("concept-1").unwrap());
-    round.open(DoorCode::of(7), None);
+    round.open(JoinCode::of(7), None);
     for (seat, name) in [(1, "Ada"), (2, "Bo")] {
         let seat = Some(SeatToken::of(seat));
         let name = name.to_owned();
@@ -279,7 +279,7 @@ fn a_round_of_any_history_is_read_as_it_was_written() {
     let mut done = 0;
     for _ in 0..40 {
         let mut round = ClassRound::with_devices(Code::parse("mixed3-7").unwrap());
-        round.open(DoorCode::of(7), None);
+        round.open(JoinCode::of(7), None);
         for seat in 0..60 {
             let person = below(6);
             let name = names[below(names.len())].to_owned();
@@ -337,7 +337,7 @@ fn names_that_nobody_can_see_are_refused_but_their_files_open() {
         "format = 3\ncode = \"7\"\nclass = \"\u{2800}\"\nway = \"devices\"\n\
          teams = [\"\u{2800}\", \"\u{3164}\"]\ndoor = \"{}\"\nseats = [\"{}\", \"{}\"]\n\n\
          [[then]]\nchanges = [\"join {} \u{ffa0}\", \"rename 1 \u{2800}\u{2800}\"]\n",
-        DoorCode::of(7),
+        JoinCode::of(7),
         seats[0],
         seats[1],
         seats[2],

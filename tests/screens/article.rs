@@ -7,7 +7,7 @@ use carrom::app::App;
 use carrom::lessons::{Chapter, ChapterLibrary, ChapterPage, Formula, TextBlock};
 use carrom::physics::units::{deg_from_rad, rad_from_deg};
 use carrom::physics::{Collision, Disc};
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::{Charset, formula};
 use glam::DVec2;
@@ -262,7 +262,7 @@ fn walk(charset: Charset) -> BTreeMap<(String, String), Seen> {
             reduced_motion: true,
             ..Settings::default()
         };
-        let app = App::new(Place::Chapter { number }, settings, 1);
+        let app = App::new(Route::Chapter { number }, settings, 1);
         let mut game = Headless::new(app, 120, 40);
         for page in &chapter.pages {
             let seen: &mut Seen = pages

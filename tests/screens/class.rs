@@ -9,7 +9,7 @@ use carrom::class::{ClassRound, ClassStep, Vote};
 use carrom::cli;
 use carrom::messages::{Input, StoreCall, StoreReply, StoreRequest};
 use carrom::quiz::{Code, Form, Response};
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use carrom::widgets::Charset;
@@ -34,7 +34,7 @@ fn app(code: &str, teams: &[&str], charset: Charset) -> App {
         reduced_motion: true,
         ..Settings::default()
     };
-    let place = Place::Class {
+    let place = Route::Class {
         code: Some(Code::parse(code).unwrap()),
         teams: teams.iter().map(|name| (*name).to_owned()).collect(),
         name: String::new(),
@@ -61,7 +61,7 @@ fn exported(folder: &Path, name: &str) -> String {
 fn kept(folder: &Path) -> Vec<ClassRound> {
     let request = StoreCall {
         ticket: 0,
-        wish: StoreRequest::ListClasses,
+        request: StoreRequest::ListClasses,
     };
     match Store::in_folder(folder).answer(&request).done {
         StoreReply::Classes(Ok(rounds)) => rounds

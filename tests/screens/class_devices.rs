@@ -7,12 +7,12 @@ use std::time::Duration;
 
 use carrom::app::App;
 use carrom::class::protocol::Refusal;
-use carrom::class::{DoorCode, SeatToken, Vote};
+use carrom::class::{JoinCode, SeatToken, Vote};
 use carrom::cli;
 use carrom::gradebook::HandIn;
-use carrom::messages::{HostCall, HostNews, Input, JoinCall, JoinNews, LineId, OpenDoor};
+use carrom::messages::{ConnectionId, HostCall, HostNews, Input, JoinCall, JoinDetails, JoinNews};
 use carrom::quiz::Code;
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::shells::classroom::{Classroom, Who};
 use carrom::shells::tape::{Tape, play};
@@ -58,7 +58,7 @@ fn a_tape_plays_a_class_and_is_the_same_every_time() {
 }
 
 fn pupil(name: &str, class: &Classroom) -> App {
-    let place = Place::Join {
+    let place = Route::Join {
         address: None,
         code: class.code(),
         again: false,
@@ -73,7 +73,7 @@ fn pupil(name: &str, class: &Classroom) -> App {
 /// A class at its door, kept in `folder`, and a pupil who has answered a question alone, has come
 /// back and has not handed it in.
 fn answered_alone(folder: &Folder) -> (Classroom, Who) {
-    let place = Place::Host {
+    let place = Route::Host {
         code: Code::parse("from-angle2-7"),
         name: "10b".into(),
     };
@@ -164,7 +164,7 @@ fn a_failed_save_is_reported_on_both_sides() {
 /// The teacher looks up a term while a pupil joins, and a pupil while the round begins.
 #[test]
 fn a_class_goes_on_under_the_glossary() {
-    let place = Place::Host {
+    let place = Route::Host {
         code: Code::parse("from-angle2-7"),
         name: "10b".into(),
     };
@@ -204,7 +204,7 @@ fn tap(class: &mut Classroom, who: Who, at: (u16, u16)) {
 fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
     for (columns, rows) in [(80, 24), (60, 40), (120, 30), (60, 20)] {
         let folder = Folder::new("class-taps");
-        let place_of = Place::Host {
+        let place_of = Route::Host {
             code: Code::parse("concept-1"),
             name: String::new(),
         };
@@ -273,7 +273,7 @@ fn a_poisoned_round_is_resumed_without_its_poisoned_votes() {
         number = 1\nstep = \"talk\"\n\n[[question]]\nfirst = [\"choice 99\", \"choice 1\"]\nsecond = []\n\n\
         [[then]]\nchanges = [\"vote 1 first 1 choice 98\", \"vote 1 first 1 rays 1 2\"]\n";
     fs::write(&file, poisoned).unwrap();
-    let place = Place::Class {
+    let place = Route::Class {
         code: None,
         teams: Vec::new(),
         name: String::new(),
@@ -300,7 +300,7 @@ fn a_poisoned_round_is_resumed_without_its_poisoned_votes() {
 
 /// A class at its door in memory, with these pupils.
 fn gathering(names: &[&str]) -> (Classroom, Vec<Who>) {
-    let place = Place::Host {
+    let place = Route::Host {
         code: Code::parse("from-angle2-7"),
         name: "10b".into(),
     };
@@ -465,7 +465,7 @@ fn a_device_does_not_say_out_of_reach_after_the_round_is_over() {
 /// A class that is kept in `folder`: its round of this code, its name, and these pupils, who come
 /// in.
 fn hosted(folder: &Folder, code: Option<&str>, name: &str, pupils: &[&str]) -> Classroom {
-    let place = Place::Host {
+    let place = Route::Host {
         code: code.map(|code| Code::parse(code).unwrap()),
         name: name.into(),
     };
@@ -593,7 +593,7 @@ fn the_list_of_earlier_rounds_shows_class_date_and_head_count() {
         "10b",
         &["Ada", "Bo", "Cy"],
     ));
-    let place = Place::Class {
+    let place = Route::Class {
         code: None,
         teams: Vec::new(),
         name: String::new(),
@@ -636,21 +636,21 @@ fn the_teacher_is_told_when_a_round_has_another_address_than_before() {
 /// A host at the first vote of its round, to which devices come by the thousand.
 struct Crowd {
     host: Headless,
-    lines: LineId,
+    lines: ConnectionId,
     /// The time in seconds.
     now_s: u64,
 }
 
 impl Crowd {
     fn new() -> Self {
-        let place = Place::Host {
+        let place = Route::Host {
             code: Code::parse("from-angle2-7"),
             name: String::new(),
         };
         let app = App::new(place, Settings::default(), 7);
         let mut host = Headless::new(app, 80, 24);
-        let door = OpenDoor {
-            code: DoorCode::of(7),
+        let door = JoinDetails {
+            code: JoinCode::of(7),
             addresses: vec!["192.168.43.117:8090".parse().unwrap()],
             page: Ok(()),
         };
@@ -661,7 +661,7 @@ impl Crowd {
     }
 
     /// Somebody new comes from an address; gives their connection, and whoever is sent away.
-    fn come(&mut self, address: u32) -> (LineId, Vec<(LineId, Refusal)>) {
+    fn come(&mut self, address: u32) -> (ConnectionId, Vec<(ConnectionId, Refusal)>) {
         self.lines += 1;
         let line = self.lines;
         self.hear(HostNews::Came {
@@ -691,7 +691,7 @@ impl Crowd {
         self.host.input(&Input::Hosted(vec![news]));
     }
 
-    fn vote(&mut self, line: LineId) {
+    fn vote(&mut self, line: ConnectionId) {
         self.hear(HostNews::Voted {
             line,
             question: 0,
@@ -762,7 +762,7 @@ fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
     assert_eq!(sent_away, [(line, Refusal::Full)]);
     // Until it holds half of all seats.
     for newcomer in 0..105 {
-        let displaced = 249 - LineId::from(newcomer);
+        let displaced = 249 - ConnectionId::from(newcomer);
         assert_eq!(crowd.come(2000 + newcomer).1, [(displaced, Refusal::Full)]);
     }
     let (line, sent_away) = crowd.come(3000);
@@ -773,9 +773,9 @@ fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
 /// Nobody has to do anything: it goes on as soon as it is their turn.
 #[test]
 fn a_device_that_is_to_come_later_says_so_and_tries_again() {
-    let place = Place::Join {
+    let place = Route::Join {
         address: Some("192.168.43.117:8090".into()),
-        code: Some(DoorCode::of(7)),
+        code: Some(JoinCode::of(7)),
         again: false,
     };
     let settings = Settings {

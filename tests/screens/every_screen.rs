@@ -5,33 +5,33 @@ use std::time::Duration;
 use carrom::app::App;
 use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::quiz::{Code, Course, CourseKind};
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
 
 /// Every place, and a round of the quiz of every kind and about every topic.
-fn places() -> Vec<Place> {
+fn places() -> Vec<Route> {
     let mut places = vec![
-        Place::Home,
-        Place::Lab,
-        Place::Learn,
-        Place::Glossary,
-        Place::Chapter { number: 2 },
-        Place::Chapter { number: 3 },
-        Place::Quiz { code: None },
-        Place::Class {
+        Route::Home,
+        Route::Lab,
+        Route::Learn,
+        Route::Glossary,
+        Route::Chapter { number: 2 },
+        Route::Chapter { number: 3 },
+        Route::Quiz { code: None },
+        Route::Class {
             code: None,
             teams: Vec::new(),
             name: String::new(),
         },
-        Place::Foil,
-        Place::Table,
-        Place::Levels,
-        Place::Progress,
-        Place::Settings,
-        Place::Page { number: 6, page: 4 },
-        Place::Level { number: 4 },
+        Route::Foil,
+        Route::Table,
+        Route::Levels,
+        Route::Progress,
+        Route::Settings,
+        Route::Page { number: 6, page: 4 },
+        Route::Level { number: 4 },
     ];
     let topics = CourseKind::topics().map(CourseKind::Topic);
     let review = CourseKind::Review(vec!["equal-masses".into(), "both-moving".into()]);
@@ -40,7 +40,7 @@ fn places() -> Vec<Place> {
             .into_iter()
             .chain([review])
             .chain(topics)
-            .map(|kind| Place::Quiz {
+            .map(|kind| Route::Quiz {
                 code: Some(Code {
                     course: Course::new(kind),
                     seed: 7,
@@ -61,7 +61,7 @@ pub(crate) fn shows_negative_nothing(screen: &str) -> bool {
     })
 }
 
-fn opened(place: Place, charset: Charset, seed: u64) -> Headless {
+fn opened(place: Route, charset: Charset, seed: u64) -> Headless {
     let settings = Settings {
         charset,
         ..Settings::default()
@@ -173,7 +173,7 @@ const CLASS: [&str; 12] = [
 ];
 
 fn class(code: &str, charset: Charset) -> Headless {
-    let place = Place::Class {
+    let place = Route::Class {
         code: Code::parse(code),
         teams: ["Ants", "Bees", "Cats"].map(Into::into).into(),
         name: String::new(),

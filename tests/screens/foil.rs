@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use carrom::app::App;
 use carrom::messages::Key;
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::{FRAME, Headless};
 
 const LONG: Duration = Duration::from_secs(120);
@@ -14,7 +14,7 @@ fn foil(predict: bool, seed: u64) -> Headless {
         predict,
         ..Settings::default()
     };
-    Headless::new(App::new(Place::Foil, settings, seed), 100, 30)
+    Headless::new(App::new(Route::Foil, settings, seed), 100, 30)
 }
 
 /// The page of the beam, set to 10 to the power of `exponent` particles.
@@ -187,7 +187,7 @@ fn the_last_page_shows_what_was_counted_and_what_was_not() {
 #[test]
 fn a_light_nucleus_is_warned_about_on_both_pages() {
     for (wide, high) in [(80, 24), (120, 40)] {
-        let mut game = Headless::new(App::new(Place::Foil, Settings::default(), 1), wide, high);
+        let mut game = Headless::new(App::new(Route::Foil, Settings::default(), 1), wide, high);
         for page in ["<Down>", "<Tab>"] {
             game.press(page);
             assert!(

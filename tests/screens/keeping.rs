@@ -7,7 +7,7 @@ use std::time::Duration;
 use carrom::app::App;
 use carrom::messages::{Input, StoreAnswer, StoreCall, StoreReply, StoreRequest};
 use carrom::quiz::Code;
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 
@@ -15,17 +15,17 @@ use crate::folder::Folder;
 
 #[test]
 fn slow_and_failed_saves_are_reported_each_time() {
-    let app = App::new(Place::Lab, Settings::default(), 1);
+    let app = App::new(Route::Lab, Settings::default(), 1);
     let mut game = Headless::from(app);
-    let kept = |ticket, owed| {
-        let done = match owed {
+    let kept = |ticket, unsaved| {
+        let done = match unsaved {
             0 => Ok(()),
             _ => Err("it is locked".into()),
         };
         Input::Kept(Box::new(StoreAnswer {
             ticket,
             done: StoreReply::Noted(done),
-            owed,
+            unsaved,
             notice: None,
         }))
     };
@@ -76,16 +76,16 @@ impl Blocked {
         fs::remove_file(self.place()).unwrap();
     }
 
-    fn game(&self, place: Place) -> Headless {
+    fn game(&self, place: Route) -> Headless {
         let app = App::new(place, Settings::default(), 7);
         Headless::keeping(app, 80, 24, Store::in_folder(&self.place()).timeless())
     }
 
     /// The numbers of the questions that were answered, as they are kept.
     fn kept(&self) -> Vec<u32> {
-        let wish = StoreRequest::Recall(None);
+        let request = StoreRequest::Recall(None);
         let mut store = Store::in_folder(&self.place()).only_looking();
-        match store.answer(&StoreCall { ticket: 0, wish }).done {
+        match store.answer(&StoreCall { ticket: 0, request }).done {
             StoreReply::Recalled(Ok(history)) => {
                 history.attempts.iter().map(|it| it.number).collect()
             }
@@ -94,9 +94,9 @@ impl Blocked {
     }
 }
 
-fn a_round() -> Place {
+fn a_round() -> Route {
     let code = Some(Code::hits(7));
-    Place::Quiz { code }
+    Route::Quiz { code }
 }
 
 /// Puts a notice away, if there is one.
@@ -117,10 +117,13 @@ fn answer(game: &mut Headless) {
 fn unsaved_changes_are_saved_later_in_their_order() {
     let blocked = Blocked::new("keeping-later");
     let mut game = blocked.game(a_round());
-    for owed in 1..=3 {
+    for unsaved in 1..=3 {
         answer(&mut game);
         let screen = game.screen();
-        assert!(screen.contains(&format!("not saved: {owed}")), "{screen}");
+        assert!(
+            screen.contains(&format!("not saved: {unsaved}")),
+            "{screen}"
+        );
     }
     game.pass(Duration::from_secs(5));
     assert!(game.screen().contains("not saved: 3"));

@@ -6,7 +6,7 @@ use std::time::Duration;
 use carrom::app::App;
 use carrom::game::SavedGame;
 use carrom::messages::{Key, MouseKind, StoreCall, StoreRequest};
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use carrom::widgets::input::{KeyRow, Rebound};
@@ -52,7 +52,7 @@ pub(crate) fn moments() -> impl Iterator<Item = Moment> {
 
 /// What a search for a stroke found, told whole.
 fn a_hint_told() -> Headless {
-    let mut game = Headless::from(App::new(Place::Table, Settings::default(), 7));
+    let mut game = Headless::from(App::new(Route::Table, Settings::default(), 7));
     game.press("<Enter>hh");
     game
 }
@@ -62,9 +62,12 @@ fn end_of_a_board(settings: Settings) -> Headless {
     let bytes = include_bytes!("../saves/board-over-1.toml");
     let (saved, _) = SavedGame::read("board-over-1.toml", bytes).unwrap();
     let mut store = Store::in_memory().timeless();
-    let wish = StoreRequest::Save(Box::new(saved));
-    store.answer(&StoreCall { ticket: 99, wish });
-    let app = App::new(Place::Table, settings, 7);
+    let request = StoreRequest::Save(Box::new(saved));
+    store.answer(&StoreCall {
+        ticket: 99,
+        request,
+    });
+    let app = App::new(Route::Table, settings, 7);
     let mut game = Headless::keeping(app, 80, 24, store);
     game.press("s<Enter>");
     game
@@ -72,7 +75,7 @@ fn end_of_a_board(settings: Settings) -> Headless {
 
 /// The computer's stroke, before it is struck.
 fn the_computer_aims() -> Headless {
-    let app = App::new(Place::Table, Settings::default(), 7);
+    let app = App::new(Route::Table, Settings::default(), 7);
     let mut game = Headless::from(app);
     game.press("<Enter><Space><End><Space>");
     game.pass(Duration::from_secs(1));

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use carrom::app::App;
 use carrom::messages::Key;
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 
 use crate::every_screen::shows_negative_nothing;
@@ -17,7 +17,7 @@ fn lab() -> Headless {
         predict: false,
         ..Settings::default()
     };
-    Headless::new(App::new(Place::Lab, settings, 1), 100, 30)
+    Headless::new(App::new(Route::Lab, settings, 1), 100, 30)
 }
 
 /// The value beside a name in the panel.
@@ -120,7 +120,7 @@ fn a_negligible_number_has_no_sign() {
         (11, ["-0.4", "-0", "360", "-360"]),
     ] {
         for value in values {
-            let mut game = Headless::new(App::new(Place::Lab, Settings::default(), 1), 100, 30);
+            let mut game = Headless::new(App::new(Route::Lab, Settings::default(), 1), 100, 30);
             game.press(&"<Down>".repeat(field));
             game.press(&format!("{value}<Enter>"));
             let mut seen = vec![game.screen()];
@@ -148,7 +148,7 @@ fn say_it_right(game: &mut Headless) {
 
 #[test]
 fn the_picture_is_live_after_three_right_predictions_and_not_before() {
-    let mut game = Headless::new(App::new(Place::Lab, Settings::default(), 1), 100, 30);
+    let mut game = Headless::new(App::new(Route::Lab, Settings::default(), 1), 100, 30);
     game.press("<Enter>10<Enter>80<Enter>");
     assert!(game.settle(LONG));
     game.press("<Escape>");
@@ -179,7 +179,7 @@ fn the_picture_is_live_after_three_right_predictions_and_not_before() {
 
 #[test]
 fn the_labs_set_up_is_kept_but_not_that_of_a_chapter() {
-    let mut game = Headless::new(App::new(Place::Lab, Settings::default(), 1), 80, 24);
+    let mut game = Headless::new(App::new(Route::Lab, Settings::default(), 1), 80, 24);
     game.press("-12<Enter><Escape>l");
     assert!(game.screen().contains("12.0 mm left"), "{}", game.screen());
     game.press("<Escape>e<Home><Down><Enter>o");

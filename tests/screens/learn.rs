@@ -4,7 +4,7 @@ use carrom::app::App;
 use carrom::cli;
 use carrom::lessons::{Chapter, ChapterLibrary, ChapterPage, CheckpointKind};
 use carrom::messages::Key;
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
 
@@ -15,7 +15,7 @@ fn open(number: usize, charset: Charset, size: (u16, u16)) -> Headless {
         charset,
         ..Settings::default()
     };
-    let app = App::new(Place::Chapter { number }, settings, 1);
+    let app = App::new(Route::Chapter { number }, settings, 1);
     Headless::new(app, size.0, size.1)
 }
 

@@ -6,7 +6,7 @@ use carrom::app::App;
 use carrom::cli;
 use carrom::levels::{Level, Shelf};
 use carrom::messages::{Key, MouseKind};
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
@@ -19,13 +19,13 @@ fn embedded() -> Shelf {
     Shelf::default()
 }
 
-fn open(place: Place, settings: Settings, size: (u16, u16)) -> Headless {
+fn open(place: Route, settings: Settings, size: (u16, u16)) -> Headless {
     let app = App::new(place, settings, 1);
     Headless::new(app, size.0, size.1)
 }
 
 fn level(number: usize) -> Headless {
-    open(Place::Level { number }, Settings::default(), (80, 24))
+    open(Route::Level { number }, Settings::default(), (80, 24))
 }
 
 fn number(id: &str) -> usize {
@@ -67,7 +67,7 @@ fn every_level_is_won_by_its_solution_and_explains_itself_whole() {
     let shelf = embedded();
     for (number, (_, level)) in shelf.levels().enumerate() {
         for size in [(80, 24), (60, 20)] {
-            let place = Place::Level { number };
+            let place = Route::Level { number };
             let mut game = open(place, Settings::default(), size);
             set(&mut game, level);
             shoot(&mut game);
@@ -91,7 +91,7 @@ fn enter_alone_gives_no_answer() {
     let shelf = embedded();
     let mut asked = 0;
     for (number, (_, level)) in shelf.levels().enumerate() {
-        let mut game = open(Place::Level { number }, Settings::default(), (80, 24));
+        let mut game = open(Route::Level { number }, Settings::default(), (80, 24));
         set(&mut game, level);
         game.key(Key::Enter);
         if !game.screen().contains("predict it") {
@@ -124,7 +124,7 @@ fn the_speed_last_chosen_is_remembered() {
 fn the_answer_is_not_shown_before_the_question() {
     let mut asked = 0;
     for (number, (_, level)) in embedded().levels().enumerate() {
-        let mut game = open(Place::Level { number }, Settings::default(), (120, 40));
+        let mut game = open(Route::Level { number }, Settings::default(), (120, 40));
         set(&mut game, level);
         game.key(Key::Enter);
         let screen = game.screen();
@@ -272,7 +272,7 @@ fn the_impact_is_shown_enlarged_with_its_layers() {
 #[test]
 fn the_list_shows_what_is_won_and_the_next_level_follows() {
     let shelf = embedded();
-    let mut game = open(Place::Levels, Settings::default(), (80, 24));
+    let mut game = open(Route::Levels, Settings::default(), (80, 24));
     let all = shelf.count();
     assert!(game.screen().contains(&format!("0 of {all} won")));
     game.key(Key::Enter);
@@ -290,7 +290,7 @@ fn the_list_shows_what_is_won_and_the_next_level_follows() {
 #[test]
 fn every_title_fits_the_list_on_a_small_screen() {
     let shelf = embedded();
-    let mut game = open(Place::Levels, Settings::default(), (60, 20));
+    let mut game = open(Route::Levels, Settings::default(), (60, 20));
     for (number, (_, level)) in shelf.levels().enumerate() {
         let line = format!("> {} {}", number + 1, level.title);
         let screen = game.screen();

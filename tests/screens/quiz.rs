@@ -6,7 +6,7 @@ use carrom::app::App;
 use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::quiz::misconceptions::OF_RAYS as ALL;
 use carrom::quiz::{Answer, Code, Confidence, Form, Question, Rays, Response, Round, explain};
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::{Charset, SplitLayout};
 use proptest::prelude::*;
@@ -19,7 +19,7 @@ fn quiz(seed: u64, charset: Charset, (columns, rows): (u16, u16)) -> Headless {
         charset,
         ..Settings::default()
     };
-    let place = Place::Quiz {
+    let place = Route::Quiz {
         code: Some(Code::hits(seed)),
     };
     Headless::new(App::new(place, settings, seed), columns, rows)
@@ -352,7 +352,7 @@ fn after_a_round_comes_another_or_home() {
 
 #[test]
 fn home_leads_to_the_round_of_the_seed_and_then_to_others() {
-    let app = App::new(Place::Home, Settings::default(), 7);
+    let app = App::new(Route::Home, Settings::default(), 7);
     let mut game = Headless::new(app, 80, 24);
     game.press("zh");
     assert_eq!(game.screen(), plain(7).screen());

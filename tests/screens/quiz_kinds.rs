@@ -6,7 +6,7 @@ use std::time::Duration;
 use carrom::app::App;
 use carrom::cli;
 use carrom::quiz::{Code, Course, CourseKind, Round};
-use carrom::screens::{Place, Settings};
+use carrom::screens::{Route, Settings};
 use carrom::shells::Headless;
 use carrom::store::Store;
 use carrom::widgets::Charset;
@@ -21,13 +21,13 @@ fn settings(charset: Charset) -> Settings {
 
 /// The screen on which a round is chosen, with a store that knows what time it is.
 fn choosing() -> Headless {
-    let app = App::new(Place::Quiz { code: None }, settings(Charset::Ascii), 7);
+    let app = App::new(Route::Quiz { code: None }, settings(Charset::Ascii), 7);
     Headless::keeping(app, 80, 24, Store::in_memory())
 }
 
 /// A round at once.
 fn round(code: Code, charset: Charset) -> Headless {
-    let place = Place::Quiz { code: Some(code) };
+    let place = Route::Quiz { code: Some(code) };
     Headless::new(App::new(place, settings(charset), 7), 80, 24)
 }
 

@@ -9,7 +9,7 @@ use carrom::game::{Colour, Game, GameStage, Move, Piece, Rules, Ruling, Seat, St
 use carrom::messages::{Input, Key, Mouse, MouseKind};
 use carrom::physics::angle::unit_vector;
 use carrom::screens::table::{Aids, Options, Table};
-use carrom::screens::{Hosted, Place, Settings};
+use carrom::screens::{Hosted, Route, Settings};
 use carrom::shells::Headless;
 use carrom::widgets::Charset;
 use proptest::prelude::*;
@@ -313,7 +313,7 @@ fn a_call_is_graded_beside_the_score_never_in_it() {
 #[test]
 fn a_call_to_the_wrong_sides_is_shown_with_its_signs() {
     let called = |keys: &str| {
-        let mut game = Headless::new(App::new(Place::Table, still(), 4), 120, 40);
+        let mut game = Headless::new(App::new(Route::Table, still(), 4), 120, 40);
         game.press("<Enter>c]]]]]] ");
         game.press(keys);
         panel(&mut game)

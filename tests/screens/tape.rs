@@ -5,7 +5,7 @@ use std::time::Duration;
 use carrom::app::App;
 use carrom::cli;
 use carrom::messages::{Key, Mouse, MouseKind};
-use carrom::screens::{Context, Hosted, Next, Place, Screen, Settings, View};
+use carrom::screens::{Context, Hosted, Next, Route, Screen, Settings, View};
 use carrom::shells::tape::{ParseError, PlayError, Screenshot, Tape, play};
 use carrom::widgets::input::KeyTable;
 use ratatui::layout::Rect;
@@ -286,7 +286,7 @@ fn each_instruction_does_what_it_says() {
 fn settings_reach_the_app() {
     let open = |arguments: &str| {
         assert_eq!(arguments, "lab --seed 3");
-        Ok(App::new(Place::Home, Settings::default(), 3))
+        Ok(App::new(Route::Home, Settings::default(), 3))
     };
     let text = "Run \"lab --seed 3\"\nSet Size 40x10\nScreenshot s";
     let shots = play(&tape(text), open).unwrap();

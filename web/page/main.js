@@ -53,7 +53,7 @@ const page = (() => {
     });
     // Data that could not be saved is lost with the page.
     addEventListener("beforeunload", (event) => {
-      if (!last.owed) return;
+      if (!last.unsaved) return;
       event.preventDefault();
       event.returnValue = true;
     });
@@ -161,7 +161,7 @@ const page = (() => {
   let isBehind = false;
 
   async function catchUp() {
-    if (!isBehind || isPlain || menu.open || last.owed || !SHOWS_SAVED.test(last.address)) return;
+    if (!isBehind || isPlain || menu.open || last.unsaved || !SHOWS_SAVED.test(last.address)) return;
     isBehind = false;
     await reopen();
   }

@@ -44,7 +44,7 @@ const program = (() => {
     if (bytes) room.set(bytes, json.length + 1);
     const answer = memory(...(() => {
       const long = wasm.carrom_call();
-      return [wasm.carrom_told(), long];
+      return [wasm.carrom_reply(), long];
     })());
     const end = answer.indexOf(0);
     const reply = JSON.parse(decoder.decode(end < 0 ? answer : answer.subarray(0, end)));

@@ -1,7 +1,7 @@
 //! What the page calls by name, and the memory that both use.
 //!
 //! The page has one thread. It asks for room, writes what it says there and calls
-//! [`carrom_call`]; what it is told in return lies where [`carrom_told`] says until the
+//! [`carrom_call`]; what it is told in return lies where [`carrom_reply`] says until the
 //! next call.
 
 use std::cell::RefCell;
@@ -12,14 +12,14 @@ use crate::shell::Shell;
 /// What both sides share.
 struct Shared {
     said: Vec<u8>,
-    told: Vec<u8>,
+    reply: Vec<u8>,
     cells: Vec<u32>,
     shell: Option<Shell>,
 }
 
 thread_local! {
     static SHARED: RefCell<Shared> = const {
-        RefCell::new(Shared { said: Vec::new(), told: Vec::new(), cells: Vec::new(), shell: None })
+        RefCell::new(Shared { said: Vec::new(), reply: Vec::new(), cells: Vec::new(), shell: None })
     };
 }
 
@@ -32,12 +32,12 @@ pub extern "C" fn carrom_room(bytes: usize) -> *mut u8 {
     })
 }
 
-/// Does what the page has said; gives the length of what it is told.
+/// Carries out the page's command; returns the length of the reply.
 #[unsafe(no_mangle)]
 pub extern "C" fn carrom_call() -> usize {
     SHARED.with_borrow_mut(|shared| {
         let said = std::mem::take(&mut shared.said);
-        shared.told = match message::read(&said) {
+        shared.reply = match message::read(&said) {
             Ok((Command::Open(opening), bytes)) => {
                 let (shell, reply) = match shared.shell.take() {
                     Some(before) => before.reopen(&opening, bytes),
@@ -58,14 +58,14 @@ pub extern "C" fn carrom_call() -> usize {
             },
             Err(error) => message::fault(&error),
         };
-        shared.told.len()
+        shared.reply.len()
     })
 }
 
 /// Where that lies.
 #[unsafe(no_mangle)]
-pub extern "C" fn carrom_told() -> *const u8 {
-    SHARED.with_borrow(|shared| shared.told.as_ptr())
+pub extern "C" fn carrom_reply() -> *const u8 {
+    SHARED.with_borrow(|shared| shared.reply.as_ptr())
 }
 
 /// Where the cells lie that were painted last, row by row, four numbers each: the letter,

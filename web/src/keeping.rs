@@ -117,7 +117,7 @@ impl PageStorage {
             return None;
         }
         let answer = self.answer(call);
-        if !changes(&call.wish) {
+        if !changes(&call.request) {
             return Some(answer);
         }
         self.pending.push(Pending {
@@ -151,7 +151,7 @@ impl PageStorage {
     }
 
     fn answer(&mut self, call: &StoreCall) -> StoreAnswer {
-        if let StoreRequest::KeepSettings(text) = &call.wish {
+        if let StoreRequest::KeepSettings(text) = &call.request {
             self.put_own((KeptSettings::FILE.into(), text.as_bytes().to_vec()));
         }
         self.store.answer(call)
@@ -176,10 +176,10 @@ impl PageStorage {
 
     /// How many things the browser could not keep so far. Something that was saved again and
     /// again is one.
-    pub(crate) fn owed(&self) -> usize {
+    pub(crate) fn unsaved(&self) -> usize {
         let mut saved = BTreeSet::new();
         let mut is_another = |change: &Change| match change {
-            Change::Asked(call) => match &call.wish {
+            Change::Asked(call) => match &call.request {
                 StoreRequest::Retry => false,
                 StoreRequest::KeepSettings(_) => saved.insert(NO_TICKET),
                 StoreRequest::Save(_)
@@ -250,9 +250,9 @@ impl PageStorage {
         }
         // A try in vain is followed by another.
         self.pending.retain(|it| !(it.is_refused && it.is_retry()));
-        let owed = self.owed();
+        let unsaved = self.unsaved();
         for answer in &mut refused {
-            answer.owed = owed;
+            answer.unsaved = unsaved;
         }
         refused
     }
@@ -266,7 +266,7 @@ impl Pending {
             answer: StoreAnswer {
                 ticket: NO_TICKET,
                 done: StoreReply::Noted(Ok(())),
-                owed: 0,
+                unsaved: 0,
                 notice: None,
             },
             is_refused: false,
@@ -284,14 +284,14 @@ impl Pending {
     }
 
     fn is_retry(&self) -> bool {
-        matches!(&self.change, Change::Asked(call) if call.wish == StoreRequest::Retry)
+        matches!(&self.change, Change::Asked(call) if call.request == StoreRequest::Retry)
     }
 }
 
 /// Whether a request changes anything that is kept.
-fn changes(wish: &StoreRequest) -> bool {
+fn changes(request: &StoreRequest) -> bool {
     use StoreRequest as R;
-    match wish {
+    match request {
         R::Save(_)
         | R::Remove(_)
         | R::SaveClass(_)
@@ -351,10 +351,10 @@ mod tests {
         fn ask(
             &mut self,
             ticket: u64,
-            wish: StoreRequest,
+            request: StoreRequest,
             failed: Option<&str>,
         ) -> Vec<StoreAnswer> {
-            assert_eq!(self.keeping.ask(&StoreCall { ticket, wish }), None);
+            assert_eq!(self.keeping.ask(&StoreCall { ticket, request }), None);
             self.keep(failed)
         }
 
@@ -376,8 +376,8 @@ mod tests {
         /// The levels that are won, as the files have it.
         fn won(&self) -> Vec<String> {
             let files: Vec<_> = self.files.clone().into_iter().collect();
-            let wish = StoreRequest::Stars("Ada".into());
-            let answer = Store::of_files(&files).answer(&StoreCall { ticket: 1, wish });
+            let request = StoreRequest::Stars("Ada".into());
+            let answer = Store::of_files(&files).answer(&StoreCall { ticket: 1, request });
             let StoreReply::Stars(Ok(stars)) = answer.done else {
                 panic!("{answer:?}");
             };
@@ -405,24 +405,24 @@ mod tests {
         let refused = browser.ask(1, star("one"), Some("full"));
         assert_eq!(refused.len(), 1);
         assert_eq!(refused[0].done, StoreReply::Noted(Err("full".into())));
-        assert_eq!(refused[0].owed, 1);
+        assert_eq!(refused[0].unsaved, 1);
         // Saved twice in vain, it is one thing.
         browser.ask(2, save_class(), Some("full"));
         let refused = browser.ask(2, save_class(), Some("full"));
         assert_eq!(refused[0].done, StoreReply::Saved(Err("full".into())));
-        assert_eq!((refused.len(), refused[0].owed), (1, 2));
+        assert_eq!((refused.len(), refused[0].unsaved), (1, 2));
         for ticket in 3..9 {
             let refused = browser.ask(ticket, StoreRequest::Retry, Some("full"));
             assert_eq!((refused.len(), refused[0].ticket), (1, ticket));
-            assert_eq!(refused[0].owed, 2);
+            assert_eq!(refused[0].unsaved, 2);
         }
         let safe = browser.ask(9, StoreRequest::Retry, None);
         let tickets: Vec<_> = safe.iter().map(|it| it.ticket).collect();
         assert_eq!(tickets, [1, 2, 2, 9]);
-        assert!(safe.iter().all(|it| it.owed == 0), "{safe:?}");
+        assert!(safe.iter().all(|it| it.unsaved == 0), "{safe:?}");
         assert_eq!(safe[2].done, StoreReply::Saved(Ok(())));
         assert_eq!(browser.won(), ["one"]);
-        assert_eq!(browser.keeping.owed(), 0);
+        assert_eq!(browser.keeping.unsaved(), 0);
     }
 
     #[test]
@@ -444,7 +444,7 @@ mod tests {
             browser.keeping = PageStorage::new(&Arc::default(), false).taking_over(left.left());
             browser.hand_over();
             let refused = browser.keep(Some("full"));
-            assert!(refused.iter().all(|it| it.owed == 3), "{refused:?}");
+            assert!(refused.iter().all(|it| it.unsaved == 3), "{refused:?}");
         }
         // What the next one saves is another round, though its ticket is the same.
         browser.ask(3, save_class(), None);
@@ -470,7 +470,7 @@ mod tests {
             browser.keeping.take_in(change).unwrap();
         }
         let refused = browser.keep(Some("full"));
-        assert!(refused.iter().all(|it| it.owed == 3), "{refused:?}");
+        assert!(refused.iter().all(|it| it.unsaved == 3), "{refused:?}");
         // Another tab keeps something meanwhile.
         let mut tab = Browser::new();
         tab.ask(1, star("in another tab"), None);
@@ -487,13 +487,13 @@ mod tests {
         let mut browser = Browser::new();
         assert_eq!(browser.keeping.tickets(), [0; 0]);
         for ticket in 1..=3 {
-            let wish = star(&ticket.to_string());
-            browser.keeping.ask(&StoreCall { ticket, wish });
+            let request = star(&ticket.to_string());
+            browser.keeping.ask(&StoreCall { ticket, request });
         }
         assert_eq!(browser.keeping.tickets(), [1, 2, 3]);
         let refused = browser.keeping.kept(Some("a fault"));
-        let told: Vec<_> = refused.iter().map(|it| (it.ticket, it.owed)).collect();
-        assert_eq!(told, [(1, 3), (2, 3), (3, 3)]);
+        let reply: Vec<_> = refused.iter().map(|it| (it.ticket, it.unsaved)).collect();
+        assert_eq!(reply, [(1, 3), (2, 3), (3, 3)]);
         assert!(!browser.keeping.is_to_keep());
         browser.ask(4, StoreRequest::Retry, None);
         assert_eq!(browser.won(), ["1", "2", "3"]);

@@ -206,7 +206,7 @@ pub struct Reply {
     /// Whether something is to be kept.
     pub keep: bool,
     /// How many things could not be saved so far.
-    pub owed: usize,
+    pub unsaved: usize,
     /// Whether carrom was left.
     pub quit: bool,
     /// What is to be done for a pupil of a class, in order.
@@ -316,19 +316,19 @@ pub(crate) fn read(said: &[u8]) -> Result<(Command, &[u8]), String> {
     Ok((command, bytes))
 }
 
-/// Writes what is told, and the bytes behind it.
+/// Writes a reply, followed by its bytes.
 pub(crate) fn write(reply: &Reply) -> Vec<u8> {
     match serde_json::to_vec(reply) {
-        Ok(mut told) => {
-            told.push(0);
-            told.extend(&reply.bytes);
-            told
+        Ok(mut message) => {
+            message.push(0);
+            message.extend(&reply.bytes);
+            message
         }
         Err(error) => fault(&error.to_string()),
     }
 }
 
-/// Writes that something is wrong.
+/// Writes a reply that reports a fault.
 pub(crate) fn fault(words: &str) -> Vec<u8> {
     let reply = Reply {
         fault: Some(words.to_owned()),

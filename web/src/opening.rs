@@ -5,7 +5,7 @@ use carrom::class::team_names;
 use carrom::files::{LONGEST_QUOTE, escape_control, tidy_name};
 use carrom::game::is_player_name;
 use carrom::quiz::Code;
-use carrom::screens::{KeptSettings, Place, Settings};
+use carrom::screens::{KeptSettings, Route, Settings};
 use carrom::widgets::{Charset, Depth, Palette};
 
 use crate::message::Opening;
@@ -17,7 +17,7 @@ const MOST_FAULTS: usize = 5;
 /// screen.
 pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
     let mut wanted = LinkTarget {
-        place: Place::Home,
+        route: Route::Home,
         settings: kept.over(Settings {
             charset: Charset::Unicode,
             depth: Depth::True,
@@ -44,15 +44,15 @@ pub(crate) fn app(opening: &Opening, data: Data, kept: KeptSettings) -> App {
         }
     }
     // As on the command line: a seed alone means ten hits.
-    if wanted.seeded && wanted.place == (Place::Quiz { code: None }) {
-        wanted.place = Place::Quiz {
+    if wanted.seeded && wanted.route == (Route::Quiz { code: None }) {
+        wanted.route = Route::Quiz {
             code: Some(Code::hits(wanted.seed)),
         };
     }
-    let mut app = App::with_data(data, wanted.place, wanted.settings, wanted.seed);
+    let mut app = App::with_data(data, wanted.route, wanted.settings, wanted.seed);
     app.set_kept(Some(kept));
     if !faults.is_empty() {
-        app.tell(faults.join(" "));
+        app.notify(faults.join(" "));
     }
     app
 }
@@ -71,7 +71,7 @@ pub(crate) fn is_plain(fragment: &str) -> bool {
 }
 
 struct LinkTarget {
-    place: Place,
+    route: Route,
     settings: Settings,
     seed: u64,
     seeded: bool,
@@ -82,37 +82,37 @@ impl LinkTarget {
         match name {
             "plain" => {}
             "class" => {
-                let place = data.place(name, value)?;
-                let before = std::mem::replace(&mut self.place, place);
-                if let Place::Class { teams: named, .. } = before
-                    && let Place::Class { teams, .. } = &mut self.place
+                let route = data.route(name, value)?;
+                let before = std::mem::replace(&mut self.route, route);
+                if let Route::Class { teams: named, .. } = before
+                    && let Route::Class { teams, .. } = &mut self.route
                 {
                     *teams = named;
                 }
             }
             "code" => {
                 let expected = "the six letters of a class, such as BCDFGH";
-                self.place = Place::Join {
+                self.route = Route::Join {
                     address: None,
                     code: Some(value.parse().map_err(|_| expected)?),
                     again: false,
                 };
             }
             "said" => {
-                let round = std::mem::replace(&mut self.place, Place::Home);
-                self.place = round.with_answers(value)?;
+                let round = std::mem::replace(&mut self.route, Route::Home);
+                self.route = round.with_answers(value)?;
             }
             "again" => {
-                if let Place::Join { again, .. } = &mut self.place {
+                if let Route::Join { again, .. } = &mut self.route {
                     *again = true;
                 }
             }
             "teams" => {
                 let names = team_names(value.split(',')).map_err(|error| error.to_string())?;
-                if !matches!(self.place, Place::Class { .. }) {
-                    self.place = data.place("class", "")?;
+                if !matches!(self.route, Route::Class { .. }) {
+                    self.route = data.route("class", "")?;
                 }
-                if let Place::Class { teams, .. } = &mut self.place {
+                if let Route::Class { teams, .. } = &mut self.route {
                     *teams = names;
                 }
             }
@@ -136,7 +136,7 @@ impl LinkTarget {
                     _ => return Err("dark or light".into()),
                 }
             }
-            _ => self.place = data.place(name, value)?,
+            _ => self.route = data.route(name, value)?,
         }
         Ok(())
     }

@@ -37,10 +37,10 @@ pub struct Shell {
     painted: Vec<PaintedCell>,
     /// How often it was drawn, and what was told of that last.
     paints: u64,
-    told_keys: Vec<Keys>,
-    told_sheets: Vec<Sheet>,
-    told_inks: Vec<(Role, u32)>,
-    told_pictures: Vec<String>,
+    sent_keys: Vec<Keys>,
+    sent_sheets: Vec<Sheet>,
+    sent_inks: Vec<(Role, u32)>,
+    sent_pictures: Vec<String>,
     keeping: PageStorage,
     downloads: Vec<Download>,
     calls: Vec<JoinCall>,
@@ -83,10 +83,10 @@ impl Shell {
             drawn: Buffer::default(),
             painted: Vec::new(),
             paints: 0,
-            told_keys: Vec::new(),
-            told_sheets: Vec::new(),
-            told_inks: Vec::new(),
-            told_pictures: Vec::new(),
+            sent_keys: Vec::new(),
+            sent_sheets: Vec::new(),
+            sent_inks: Vec::new(),
+            sent_pictures: Vec::new(),
             keeping,
             downloads: Vec::new(),
             calls: Vec::new(),
@@ -110,7 +110,7 @@ impl Shell {
 
     /// Does what the page says; behind it may be bytes of files.
     pub fn call(&mut self, command: Command, bytes: &[u8]) -> Reply {
-        let mut told = Reply::default();
+        let mut reply = Reply::default();
         let is_time = matches!(command, Command::Pass { .. } | Command::Now { .. });
         match command {
             Command::Open(_) => {}
@@ -150,7 +150,7 @@ impl Shell {
             Command::Prefer { light, still } => {
                 self.app.prefer(opening::palette(light), still);
             }
-            Command::Paint { since } => told.painted = Some(self.paint(since)),
+            Command::Paint { since } => reply.painted = Some(self.paint(since)),
             Command::Files { files } => {
                 for answer in self.keeping.take_files(&split(&files, bytes)) {
                     self.input(&Input::Kept(Box::new(answer)));
@@ -158,16 +158,16 @@ impl Shell {
             }
             Command::Changed => match self.keeping.changes() {
                 Ok((files, gone)) => {
-                    told.gone = gone;
+                    reply.gone = gone;
                     for (path, content) in files {
-                        told.files.push(FileLength {
+                        reply.files.push(FileLength {
                             path,
                             bytes: content.len(),
                         });
-                        told.bytes.extend(content);
+                        reply.bytes.extend(content);
                     }
                 }
-                Err(error) => told.fault = Some(error),
+                Err(error) => reply.fault = Some(error),
             },
             Command::Kept { failed } => {
                 for answer in self.keeping.kept(failed.as_deref()) {
@@ -180,45 +180,45 @@ impl Shell {
                 }
             }
             Command::File { name } => match own::take_in(&mut self.keeping, &name, bytes) {
-                Ok((words, true)) => told.renewed = Some(words),
-                Ok((words, false)) | Err(words) => self.app.tell(words),
+                Ok((words, true)) => reply.renewed = Some(words),
+                Ok((words, false)) | Err(words) => self.app.notify(words),
             },
             Command::Progress => match self.keeping.store().files() {
                 Ok(files) => {
                     let mut progress = files.into_iter().filter(|(path, _)| path == own::PROGRESS);
                     if let Some((path, content)) = progress.next() {
-                        told.files.push(FileLength {
+                        reply.files.push(FileLength {
                             path,
                             bytes: content.len(),
                         });
-                        told.bytes = content;
+                        reply.bytes = content;
                     }
                 }
-                Err(error) => told.fault = Some(error),
+                Err(error) => reply.fault = Some(error),
             },
             Command::Glyph { letter } => {
                 if let Some((path, strength)) = glyph_shape(&letter) {
-                    told.lines = vec![path, strength.to_string()];
+                    reply.lines = vec![path, strength.to_string()];
                 }
             }
             Command::Line { text } => {
-                told.lines = self.read(|reader, shell| reader.hear(&text, shell));
+                reply.lines = self.read(|reader, shell| reader.hear(&text, shell));
             }
             Command::Joined { news } => self.input(&Input::Joined(heard(news))),
-            Command::Tell { words } => self.app.tell(words),
+            Command::Tell { words } => self.app.notify(words),
         }
-        told.lines.extend(self.read(|reader, shell| match is_time {
+        reply.lines.extend(self.read(|reader, shell| match is_time {
             true => reader.news_of_time(shell),
             false => reader.news(shell),
         }));
         Reply {
-            painted: told.painted,
-            files: told.files,
-            bytes: told.bytes,
-            gone: told.gone,
-            lines: told.lines,
-            renewed: told.renewed,
-            fault: told.fault,
+            painted: reply.painted,
+            files: reply.files,
+            bytes: reply.bytes,
+            gone: reply.gone,
+            lines: reply.lines,
+            renewed: reply.renewed,
+            fault: reply.fault,
             ..self.reply()
         }
     }
@@ -259,7 +259,7 @@ impl Shell {
         Reply {
             wake_ms: self.app.wake().map(|wake| wake.as_secs_f64() * 1e3),
             keep: self.keeping.is_to_keep(),
-            owed: self.keeping.owed(),
+            unsaved: self.keeping.unsaved(),
             quit: self.quit,
             address,
             depth,
@@ -271,10 +271,10 @@ impl Shell {
 
     fn paint(&mut self, since: u64) -> Painted {
         if since != self.paints {
-            self.told_keys.clear();
-            self.told_sheets.clear();
-            self.told_inks.clear();
-            self.told_pictures.clear();
+            self.sent_keys.clear();
+            self.sent_sheets.clear();
+            self.sent_inks.clear();
+            self.sent_pictures.clear();
         }
         self.paints += 1;
         let app = &self.app;
@@ -307,32 +307,32 @@ impl Shell {
 
     /// The pictures, without the vectors of those that are as they were told last.
     fn changed_pictures(&mut self, pictures: Vec<PaintedPicture>) -> Vec<PictureMessage> {
-        let before = mem::take(&mut self.told_pictures);
-        let told = pictures.into_iter().enumerate().map(|(at, picture)| {
+        let before = mem::take(&mut self.sent_pictures);
+        let reply = pictures.into_iter().enumerate().map(|(at, picture)| {
             let area = picture.area;
             let is_new = before.get(at) != Some(&picture.svg);
-            self.told_pictures.push(picture.svg.clone());
+            self.sent_pictures.push(picture.svg.clone());
             PictureMessage {
                 area: [area.x, area.y, area.width, area.height],
                 paper: picture.paper,
                 svg: is_new.then_some(picture.svg),
             }
         });
-        told.collect()
+        reply.collect()
     }
 
     /// What the screen says, without the sections that are as they were told last; `None` if
     /// all are.
     fn changed_sheets(&mut self, sheets: Vec<Sheet>) -> Option<Vec<message::SheetMessage>> {
-        if sheets == self.told_sheets {
+        if sheets == self.sent_sheets {
             return None;
         }
-        let before = mem::take(&mut self.told_sheets);
-        let told = sheets.iter().enumerate().map(|(at, sheet)| {
+        let before = mem::take(&mut self.sent_sheets);
+        let reply = sheets.iter().enumerate().map(|(at, sheet)| {
             let same = before.get(at).filter(|it| it.kind == sheet.kind);
             let section = |(number, section)| {
-                let told = same.and_then(|it| it.sections.get(number));
-                (told != Some(section)).then(|| Section::clone(section))
+                let reply = same.and_then(|it| it.sections.get(number));
+                (reply != Some(section)).then(|| Section::clone(section))
             };
             message::SheetMessage {
                 kind: sheet.kind,
@@ -341,18 +341,18 @@ impl Shell {
                 sections: sheet.sections.iter().enumerate().map(section).collect(),
             }
         });
-        let told = told.collect();
-        self.told_sheets = sheets;
-        Some(told)
+        let reply = reply.collect();
+        self.sent_sheets = sheets;
+        Some(reply)
     }
 
     /// The colours of roles, if they are others than were told last.
     fn changed_inks(&mut self) -> Option<Vec<(Role, u32)>> {
         let inks = inks(&self.app.settings().theme());
-        if self.told_inks == inks {
+        if self.sent_inks == inks {
             return None;
         }
-        self.told_inks.clone_from(&inks);
+        self.sent_inks.clone_from(&inks);
         Some(inks)
     }
 
@@ -367,10 +367,10 @@ impl Shell {
     /// The keys of the moment, if they are others than when they were told last.
     fn changed_keys(&mut self) -> Option<Vec<Keys>> {
         let keys = self.keys();
-        if self.told_keys == keys {
+        if self.sent_keys == keys {
             return None;
         }
-        self.told_keys.clone_from(&keys);
+        self.sent_keys.clone_from(&keys);
         Some(keys)
     }
 
@@ -505,13 +505,13 @@ mod tests {
             ..Opening::default()
         };
         let (mut shell, _) = Shell::open(&opening, &[]);
-        let told = |painted: &Painted| -> Vec<bool> {
+        let reply = |painted: &Painted| -> Vec<bool> {
             let sheets = painted.sheets.iter().flatten();
             let sections = sheets.flat_map(|sheet| &sheet.sections);
             sections.map(Option::is_some).collect()
         };
         let first = paint(&mut shell, 0);
-        assert_eq!(told(&first), [true, true]);
+        assert_eq!(reply(&first), [true, true]);
         let same = paint(&mut shell, first.number);
         assert!(same.sheets.is_none() && same.keys.is_none() && same.inks.is_none());
         assert!(same.pictures.iter().all(|picture| picture.svg.is_none()));
@@ -522,10 +522,10 @@ mod tests {
             &[],
         );
         let stepped = paint(&mut shell, same.number);
-        assert_eq!(told(&stepped), [false, true], "the settings");
+        assert_eq!(reply(&stepped), [false, true], "the settings");
         assert!(stepped.pictures.iter().any(|it| it.svg.is_some()));
         let missed = paint(&mut shell, first.number);
-        assert_eq!(told(&missed), [true, true]);
+        assert_eq!(reply(&missed), [true, true]);
         assert!(missed.keys.is_some() && missed.pictures.iter().all(|it| it.svg.is_some()));
     }
 }

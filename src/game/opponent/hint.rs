@@ -59,14 +59,14 @@ impl StrokeHint {
             .rem_euclid(360.0);
         let speed = self.stroke.velocity.length();
         let why = capital(&words::met(&self.reason.story, Teller::You));
-        let mut told =
+        let mut described =
             format!("Place the striker {place}, aim at {aim:.1}° and strike with {speed:.1} m/s.");
         if !why.is_empty() {
-            told = format!("{told} {why}");
+            described = format!("{described} {why}");
         }
         if self.fouls {
-            told += " But the striker will fall too. No stroke was found that avoids that.";
+            described += " But the striker will fall too. No stroke was found that avoids that.";
         }
-        told
+        described
     }
 }

@@ -69,7 +69,7 @@ impl Decision {
     /// reason, with the angles, and the error of its hand.
     pub fn afterwards(&self, played: &Story) -> String {
         let slipped = words::slipped(self.slip, self.meant.velocity);
-        format!("{} {slipped}", self.reason.told(played))
+        format!("{} {slipped}", self.reason.described(played))
     }
 }
 

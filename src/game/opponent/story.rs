@@ -90,7 +90,7 @@ impl Story {
             first_hit: first_hit(game, shot),
             fall: falls
                 .next()
-                .and_then(|fallen| fallen.told(game.coins(), shot)),
+                .and_then(|fallen| fallen.described(game.coins(), shot)),
             also: u8::try_from(falls.count()).unwrap_or(u8::MAX),
         }
     }
@@ -159,7 +159,7 @@ fn falls<'a>(game: &'a Game, shot: &'a Shot) -> impl Iterator<Item = Fallen> + '
 
 impl Fallen {
     /// How it got there: back through the record to the last impact.
-    fn told(&self, coins: &[Coin], shot: &Shot) -> Option<Fall> {
+    fn described(&self, coins: &[Coin], shot: &Shot) -> Option<Fall> {
         let mut cushions = 0_u8;
         for event in shot.events().iter().take(self.when).rev() {
             if let Some(sender) = event.kind.partner(self.disc) {
@@ -193,7 +193,7 @@ pub struct Reason {
 impl Reason {
     /// The intended shot and the reason, with its angles, in the words of the player who struck it;
     /// `played` is the result.
-    pub fn told(&self, played: &Story) -> String {
+    pub fn described(&self, played: &Story) -> String {
         let plan = words::plan(&self.story, self.breaking, played);
         let odds = self.story.fall.and_then(|_| words::odds(self.chance));
         plan + &odds.map_or(String::new(), |odds| format!(" {odds}"))

@@ -269,7 +269,7 @@ mod tests {
         }
     }
 
-    fn told(coins: &[Coin], set: PieceSet, striker: Motion) -> String {
+    fn described(coins: &[Coin], set: PieceSet, striker: Motion) -> String {
         let mut game = Game::new(GameSetup {
             rules: Rules::Practice,
             set,
@@ -298,7 +298,7 @@ mod tests {
         let target = [coin(Piece::White, 100.0, 100.0)];
         let set = PieceSet::EqualMass;
         assert_eq!(
-            told(&target, set, at_angle(set, 45.0, 2.0)),
+            described(&target, set, at_angle(set, 45.0, 2.0)),
             "I cut the white coin into the top right pocket: the white coin was to leave along \
              the line of impact, 45° to the right, so I aimed 25.8 mm to the left of its \
              centre. My striker was to go on 45° to the left."
@@ -306,7 +306,7 @@ mod tests {
         // 15 g on 5.5 g: tan θ₁ = k sin α cos α / (1 − k cos²α) with k = 11/20.5,
         // which is 20.1° at 45°.
         let set = PieceSet::Tournament;
-        let words = told(&target, set, at_angle(set, 45.0, 2.0));
+        let words = described(&target, set, at_angle(set, 45.0, 2.0));
         assert!(
             words.ends_with("My striker was to go on 20° to the left."),
             "{words}"
@@ -322,7 +322,7 @@ mod tests {
         };
         let one = [coin(Piece::Queen, 100.0, 100.0)];
         assert_eq!(
-            told(&one, set, diagonal),
+            described(&one, set, diagonal),
             "I played the queen into the top right pocket: a full hit sends the queen \
              straight on along the line of impact. My striker was to nearly stop."
         );
@@ -331,14 +331,14 @@ mod tests {
             coin(Piece::White, 150.0, 150.0),
         ];
         assert_eq!(
-            told(&two, set, diagonal),
+            described(&two, set, diagonal),
             "I sent the white coin into the top right pocket by way of a black coin. My \
              striker was to meet a black coin first: a full hit sends the black coin straight \
              on along the line of impact. My striker was to nearly stop."
         );
         let aside = [coin(Piece::Black, -300.0, 0.0)];
         assert_eq!(
-            told(&aside, set, diagonal),
+            described(&aside, set, diagonal),
             "I found no coin that I could reach, so I played a quiet stroke."
         );
     }
@@ -372,8 +372,12 @@ mod tests {
             ..meant
         };
         let first = |meant: &Story, breaking, played: &Story| {
-            let told = plan(meant, breaking, played);
-            told.split([':', '.']).next().unwrap_or_default().to_owned()
+            let described = plan(meant, breaking, played);
+            described
+                .split([':', '.'])
+                .next()
+                .unwrap_or_default()
+                .to_owned()
         };
         let at = "the white coin into the top right pocket";
         assert_eq!(first(&meant, false, &other(3)), format!("I cut {at}"));

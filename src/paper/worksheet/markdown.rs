@@ -98,11 +98,11 @@ pub(super) fn answers(worksheet: &Worksheet, folder: &str) -> String {
         let wrong = question.wrong_answers();
         if !wrong.is_empty() {
             let rows = wrong.into_iter().map(|(said, misconception, says)| {
-                let told = misconception.map_or_else(
+                let revealed = misconception.map_or_else(
                     || says.to_owned(),
                     |misconception| format!("{}: {says}", misconception.name()),
                 );
-                vec![words::said(question, &said), told]
+                vec![words::said(question, &said), revealed]
             });
             document.table(&words::WRONG_ANSWERS, rows);
         }

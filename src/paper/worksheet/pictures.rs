@@ -88,7 +88,9 @@ pub(super) fn of_answer(question: &Question) -> Option<Svg> {
     for layer in [Overlay::Triangle, Overlay::Trails] {
         layers.toggle(layer);
     }
-    let watch = Watch::told(collision).with_layers(layers).with_measures();
+    let watch = Watch::revealed(collision)
+        .with_layers(layers)
+        .with_measures();
     let words = words(&collision, ", and both go on");
     Some(svg(&words, &watch.picture(AREA)))
 }

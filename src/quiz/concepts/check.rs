@@ -174,9 +174,9 @@ fn words(concepts: &[Concept]) -> Vec<String> {
     }
     let broad = |text: &str| BROAD.iter().any(|word| text.to_lowercase().contains(word));
     let wrongs = concepts.iter().flat_map(|concept| &concept.wrongs);
-    let told = wrongs.filter(|wrong| broad(&wrong.choice)).count();
-    if told > concepts.len() / 10 {
-        faults.push(format!("{told} wrong choices say always or never"));
+    let revealed = wrongs.filter(|wrong| broad(&wrong.choice)).count();
+    if revealed > concepts.len() / 10 {
+        faults.push(format!("{revealed} wrong choices say always or never"));
     }
     faults
 }

@@ -67,7 +67,7 @@ impl MovingPair {
     }
 
     /// A question about the pair, with this sentence about where they meet.
-    fn told(&self, collision: Collision, place: &str) -> Outline {
+    fn outline(&self, collision: Collision, place: &str) -> Outline {
         let way = match self.way_deg {
             0 => "ahead of the striker in the same direction".into(),
             180 => "in the opposite direction".into(),
@@ -105,7 +105,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
             in_degrees(pair.line_deg)
         ),
     };
-    let draft = pair.told(collision, &place);
+    let draft = pair.outline(collision, &place);
     match difficulty {
         Difficulty::Easy => frames(&pair, &outcome, draft, dice),
         Difficulty::Middle => on_the_board(&pair, &outcome, draft),

@@ -59,7 +59,7 @@ fn turn(hit: &Hit, turn: f64) -> Outline {
         .outcome()
         .theta1
         .map(|theta1| deg_from_rad(theta1.abs()));
-    Outline::told(hit, in_short(hit), picture)
+    Outline::with_text(hit, in_short(hit), picture)
         .named("turn", TOPIC)
         .ask(
             "No energy is lost. By what angle Θ is the striker deflected in the centre-of-mass \
@@ -159,7 +159,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         String::new()
     };
     let picture = Illustration::before(collision, Markings::FIGURES);
-    Outline::told(hit, setting, picture)
+    Outline::with_text(hit, setting, picture)
         .named("centre-speed", TOPIC)
         .ask("How fast does their centre of mass move?")
         .figure("target_speed", u2)
@@ -183,13 +183,13 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
 
 /// A question that goes from Θ back to the laboratory frame.
 fn on_the_board(hit: &Hit, turn_deg: f64, asked: &str, text: &str, mixed: &str) -> Outline {
-    let told = format!(
+    let with_text = format!(
         "{}, and no energy is lost. In the centre-of-mass frame both discs are deflected by Θ = \
          {}.",
         hit.who("striker", "hits"),
         in_degrees(turn_deg)
     );
-    Outline::told(hit, told, unmarked(hit))
+    Outline::with_text(hit, with_text, unmarked(hit))
         .named(asked, TOPIC)
         .ask(text)
         .figure("turn_deg", turn_deg)

@@ -87,7 +87,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
         NOT_HEAVIER.concat()
     };
     let hit = turned_most(*dice.pick(&pairs)?, 10, Difficulty::Easy, dice);
-    let draft = Outline::told(&hit, setting(&hit), unmarked(&hit))
+    let draft = Outline::with_text(&hit, setting(&hit), unmarked(&hit))
         .named("limit", "limit-of-turn")
         .ask("You choose the offset. How far can the striker be deflected?");
     match most(&hit) {
@@ -164,7 +164,7 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
         "The tips of all final velocity vectors lie on one circle. The greatest deflection is \
          along its tangent: sin θ₁ = {sine}. So θ₁ = {most}."
     );
-    Outline::told(&hit, setting(&hit), unmarked(&hit))
+    Outline::with_text(&hit, setting(&hit), unmarked(&hit))
         .named("theta1", "largest-turn")
         .ask("What is the greatest angle by which the striker can be deflected?")
         .number(Measure::Angle, deg_from_rad(theta1))
@@ -187,7 +187,7 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
 fn aimed(dice: &mut Dice) -> Option<(Hit, f64, f64, Outline)> {
     let hit = turned_most(*dice.pick(&HEAVIER.concat())?, 10, Difficulty::Hard, dice);
     let (theta1, alpha) = turned(&hit)?;
-    let draft = Outline::told(&hit, setting(&hit), Illustration::Nothing);
+    let draft = Outline::with_text(&hit, setting(&hit), Illustration::Nothing);
     Some((hit, theta1, alpha, draft))
 }
 

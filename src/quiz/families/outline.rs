@@ -54,11 +54,11 @@ impl Outline {
     /// A question about a hit whose numbers are all given.
     pub(super) fn about(hit: &Hit) -> Self {
         let picture = Illustration::before(hit.collision(), Markings::given(hit));
-        Self::told(hit, hit.setting(), picture)
+        Self::with_text(hit, hit.setting(), picture)
     }
 
     /// A question about a hit with its own setting and picture.
-    pub(super) fn told(hit: &Hit, text: impl Into<String>, picture: Illustration) -> Self {
+    pub(super) fn with_text(hit: &Hit, text: impl Into<String>, picture: Illustration) -> Self {
         let mut draft = Self::new(text, picture);
         draft.question.figures = figures(hit);
         draft

@@ -50,7 +50,7 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
     let mut order = [0, 1, 2, 3];
     dice.shuffle(&mut order);
     let place = |it: usize| order.iter().position(|i| *i == it).unwrap_or(0);
-    Outline::told(&hit, of_any_striker(&hit), Illustration::Nothing)
+    Outline::with_text(&hit, of_any_striker(&hit), Illustration::Nothing)
         .named("striker", "square-in-spite-of-loss")
         .ask("For which striker is the angle between the paths exactly 90°?")
         .options(order.map(|i| STRIKERS[i]), place(0))
@@ -88,7 +88,7 @@ fn parting(dice: &mut Dice) -> Option<Question> {
         "A striker moving at {u_words} m/s hits a coin of the same mass at rest, head-on. \
          Afterwards the striker moves on at {v1_words} m/s, the coin at {v2_words} m/s."
     );
-    Outline::told(&hit, text, unmarked(&hit))
+    Outline::with_text(&hit, text, unmarked(&hit))
         .named("e head-on", "e-head-on")
         .ask("What is e?")
         .number(Measure::Restitution, e)
@@ -128,7 +128,7 @@ const PROPORTIONAL: &str = "That component is proportional to m₁ − e m₂.";
 fn striker_for_square(dice: &mut Dice) -> Option<Question> {
     let hit = square(dice)?;
     let ([m1, m2], e) = (hit.masses_g(), hit.restitution);
-    Outline::told(&hit, of_any_striker(&hit), Illustration::Nothing)
+    Outline::with_text(&hit, of_any_striker(&hit), Illustration::Nothing)
         .named("striker mass", "square-in-spite-of-loss")
         .ask("For which mass of the striker is the angle between the paths exactly 90°?")
         .number(Measure::Mass, m1)
@@ -153,7 +153,7 @@ fn striker_for_square(dice: &mut Dice) -> Option<Question> {
 fn e_for_square(dice: &mut Dice) -> Option<Question> {
     let hit = square(dice)?;
     let e = hit.restitution;
-    Outline::told(&hit, off_centre(&hit), unmarked(&hit))
+    Outline::with_text(&hit, off_centre(&hit), unmarked(&hit))
         .named("e square", "e-for-square")
         .ask("The angle between their paths is exactly 90°. What is e?")
         .number(Measure::Restitution, e)
@@ -225,7 +225,7 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
         seen_angles(outcome.theta1?.abs(), outcome.theta2?.abs())
     );
     let collision = hit.collision();
-    Outline::told(&hit, text, Illustration::After { collision })
+    Outline::with_text(&hit, text, Illustration::After { collision })
         .named("e angles", "e-from-angles")
         .ask("What is e?")
         .number(Measure::Restitution, e)

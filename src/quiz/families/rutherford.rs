@@ -24,7 +24,7 @@ struct FoilBeam {
 
 impl FoilBeam {
     /// A question about this beam beside this picture.
-    fn told(&self, picture: Illustration) -> Outline {
+    fn outline(&self, picture: Illustration) -> Outline {
         let text = format!("α-particles hit a thin {} foil.", self.foil);
         Outline::new(text, picture)
             .figure("foil", self.foil)
@@ -34,7 +34,7 @@ impl FoilBeam {
     /// A question that compares the counts at two angles in degrees, beside both tracks.
     fn compared(&self, from_deg: f64, to_deg: f64) -> Outline {
         let angles_deg = [from_deg.min(to_deg), from_deg.max(to_deg)];
-        self.told(Illustration::Tracks {
+        self.outline(Illustration::Tracks {
             rutherford: Rutherford::new(ALPHA_CHARGE, self.charge, self.energy_mev * MEV),
             angles: angles_deg.map(rad_from_deg),
         })
@@ -212,7 +212,7 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
             fixed(root.powi(4), 0),
         ]
     });
-    beam.told(Illustration::Nothing)
+    beam.outline(Illustration::Nothing)
         .named("angle", "angle-of-count")
         .ask(format!(
             "At which angle does a small screen count 1/{fewer} of what it counts at {}?",

@@ -68,7 +68,7 @@ fn corner(pairs: &[&[MassesAndLoss]], difficulty: Difficulty, dice: &mut Dice) -
         "corner-without-loss"
     };
     let square = right == EXACTLY;
-    Outline::told(&hit, text, unmarked(&hit))
+    Outline::with_text(&hit, text, unmarked(&hit))
         .topic(topic)
         .ask("What is the angle between their paths after the collision?")
         .options(CORNERS, right)

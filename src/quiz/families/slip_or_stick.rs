@@ -55,7 +55,7 @@ impl Rims {
             ..Markings::FIGURES
         };
         let picture = Illustration::before(self.collision(hit), shown);
-        Outline::told(hit, format!("{} {words}", in_short(hit)), picture)
+        Outline::with_text(hit, format!("{} {words}", in_short(hit)), picture)
             .named(asked, topic)
             .ask(text)
             .figure("rims", id)

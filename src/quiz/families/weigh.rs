@@ -59,13 +59,13 @@ impl SeenHit {
     }
 
     /// A question about what was seen of this striker.
-    fn told(&self, striker: &str) -> Outline {
+    fn outline(&self, striker: &str) -> Outline {
         let text = format!(
             "{striker} hit a coin at rest. {}",
             seen_angles(self.theta1, self.theta2)
         );
         let collision = self.hit.collision();
-        Outline::told(&self.hit, text, Illustration::After { collision })
+        Outline::with_text(&self.hit, text, Illustration::After { collision })
     }
 }
 
@@ -100,7 +100,7 @@ fn which(dice: &mut Dice) -> Option<Question> {
              heavier one."
         }
     };
-    seen.told("A smooth striker")
+    seen.outline("A smooth striker")
         .named("which", "which-is-heavier")
         .ask("No energy was lost. How heavy is the coin?")
         .options(WEIGHTS, right)
@@ -132,7 +132,7 @@ fn by_momentum(seen: &SeenHit) -> Option<Question> {
     let (momentum, speed) = (STRIKER * read_off(v1) * sin1, read_off(v2) * sin2);
     let momentum = Intermediate::new(momentum, |momentum| mass(momentum, speed));
     let speed = Intermediate::new(speed, |speed| mass(momentum.value, speed));
-    seen.told(&format!("A striker of {} g", significant(STRIKER)))
+    seen.outline(&format!("A striker of {} g", significant(STRIKER)))
         .named("momentum", "mass-from-momentum")
         .ask(format!(
             "The striker's speed was {before} m/s before and {then} m/s after, the coin's {coin} \
@@ -193,7 +193,7 @@ fn by_angles(seen: &SeenHit) -> Option<Question> {
         );
         ("No energy was lost.".into(), why)
     };
-    seen.told(&format!("A smooth striker of {} g", significant(STRIKER)))
+    seen.outline(&format!("A smooth striker of {} g", significant(STRIKER)))
         .named("angles", "mass-from-angles")
         .ask(format!("{loss} What is the coin's mass?"))
         .number(Measure::Mass, seen.coin_g)

@@ -103,11 +103,11 @@ impl Question {
     /// Whether an answer shows which misconception it fits, if any, and cannot simply be copied
     /// from the text: only such questions are asked.
     pub(crate) fn is_clear(&self) -> bool {
-        let told = match &self.form {
+        let revealed = match &self.form {
             Form::Number { quantity, truth } => self.text.contains(&quantity.print(*truth)),
             Form::Rays { .. } | Form::Choice { .. } | Form::Shot(_) => false,
         };
-        !told && self.clearance() > MIN_SEPARATION
+        !revealed && self.clearance() > MIN_SEPARATION
     }
 
     /// All wrong answers with feedback of their own, and the misconception behind each, if any:

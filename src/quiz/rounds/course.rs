@@ -139,7 +139,7 @@ impl Course {
     }
 
     /// Whether there is no feedback until the end.
-    pub(crate) fn tells_at_end(&self) -> bool {
+    pub(crate) fn feedback_at_end(&self) -> bool {
         matches!(self.kind, CourseKind::Exam | CourseKind::FindOut)
     }
 

@@ -185,7 +185,7 @@ fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
         let name = format!("{} {}", item.question + 1, question.topic.name());
         let values = [first, then, first_off, then_off, apart];
         panel.columns((name, Role::Title), values.map(|it| (it, Role::Title)));
-        panel.item(told(question, &item), Role::Text);
+        panel.item(summary(question, &item), Role::Text);
         if let Some((misconception, count)) = item.commonest {
             panel.item(format!("{}: {count}", misconception.name()), Role::Text);
         }
@@ -201,7 +201,7 @@ fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
 }
 
 /// "A 4 then 2, B 17 then 28; gain 60 %; to right 5, to wrong 1"
-fn told(question: &Question, item: &ItemAnalysis) -> String {
+fn summary(question: &Question, item: &ItemAnalysis) -> String {
     let is_choice = matches!(question.form, Form::Choice { .. });
     let each = item.counts.iter().enumerate();
     let counts = each.map(|(i, (said, [first, second]))| {
@@ -212,15 +212,15 @@ fn told(question: &Question, item: &ItemAnalysis) -> String {
         format!("{words}: {first} then {second}")
     });
     let counts: Vec<String> = counts.take(MOST_COUNTS).collect();
-    let mut told = vec![counts.join("; ")];
+    let mut summary = vec![counts.join("; ")];
     if let Some(gain) = item.gain {
-        told.push(format!("gain {:.0} %", 100.0 * gain));
+        summary.push(format!("gain {:.0} %", 100.0 * gain));
     }
     if let Some([right, wrong]) = item.changed {
-        told.push(format!("changed to right {right}, to wrong {wrong}"));
+        summary.push(format!("changed to right {right}, to wrong {wrong}"));
     }
-    told.retain(|it| !it.is_empty());
-    told.join(". ")
+    summary.retain(|it| !it.is_empty());
+    summary.join(". ")
 }
 
 /// The least rows of a panel with a title in large letters.

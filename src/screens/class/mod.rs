@@ -28,7 +28,7 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::kept_files::KeptAction;
-use super::{Confirmation, Context, Next, Place, Screen, SharedAction, View};
+use super::{Confirmation, Context, Next, Route, Screen, SharedAction, View};
 use crate::class::ClassRound;
 use crate::messages::{Input, Key, Mouse};
 use crate::quiz::Code;
@@ -199,8 +199,8 @@ impl Screen for Class {
         "class".into()
     }
 
-    fn place(&self, _cx: &Context) -> Place {
-        Place::Class {
+    fn route(&self, _cx: &Context) -> Route {
+        Route::Class {
             code: match &self.scene {
                 ClassScene::Play(play) => Some(play.stage.round().code().clone()),
                 _ => None,

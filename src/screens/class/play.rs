@@ -73,7 +73,7 @@ impl ClassPlay {
         let session = Session::new(round);
         let mut play = Self {
             hand_ins: BTreeMap::new(),
-            host_page: session.gathers().then_some(HostPage::Door),
+            host_page: session.gathers().then_some(HostPage::Joining),
             steps,
             stage: Stage {
                 session,
@@ -152,7 +152,7 @@ impl ClassPlay {
                     let ticket = cx.ask(StoreRequest::KeepHandIn(file));
                     self.hand_ins.insert(ticket, on_its_way);
                 }
-                SessionEffect::Tell(words) => cx.tell(words),
+                SessionEffect::Tell(words) => cx.notify(words),
             }
         }
         if let Some(page) = &mut self.host_page {
@@ -247,7 +247,7 @@ impl ClassPlay {
                 if let Err(reason) = saved
                     && !self.unsaved
                 {
-                    cx.tell(format!(
+                    cx.notify(format!(
                         "This round cannot be saved: {reason}. You can play on, but it would be lost when you leave. e writes its tables."
                     ));
                 }
@@ -261,7 +261,7 @@ impl ClassPlay {
                     self.flush(cx);
                 }
             }
-            StoreReply::Exported(exported) => cx.tell(match exported {
+            StoreReply::Exported(exported) => cx.notify(match exported {
                 Ok(place) => format!("Both tables are written: {place}"),
                 Err(reason) => format!("The tables cannot be written: {reason}."),
             }),
@@ -302,7 +302,7 @@ impl ClassPlay {
                     }
                     None => forward("the scores"),
                 };
-                let on = on.when(!shown.reveal.is_telling());
+                let on = on.when(!shown.reveal.is_explaining());
                 let table = table.with(on, ClassAction::Round);
                 (table.with(shown.reveal.keys(), ClassAction::Watch), false)
             }

@@ -52,7 +52,7 @@ pub(super) fn view<'s>(
     shown: &'s ClassReveal,
     question: &'s Question,
 ) -> View<'s, ClassAction> {
-    let heading = match shown.reveal.is_telling() {
+    let heading = match shown.reveal.is_explaining() {
         true => Heading::new(&["The shot"], ""),
         false => Heading::new(&["And why"], right_in_words(play)),
     };
@@ -80,9 +80,9 @@ fn right_in_words(play: &Stage) -> String {
 /// sentence that matters, and on further pages the whole explanation.
 fn write(play: &Stage, question: &Question, shown: &ClassReveal, panel: &mut Panel<ClassAction>) {
     if let Some(watch) = shown.reveal.watch()
-        && shown.reveal.is_telling()
+        && shown.reveal.is_explaining()
     {
-        let (heading, words) = watch.telling();
+        let (heading, words) = watch.explanation();
         if let Some(heading) = heading {
             panel.large_text(heading, Role::Title);
         }

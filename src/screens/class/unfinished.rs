@@ -70,7 +70,7 @@ impl Unfinished {
             .iter()
             .filter_map(|it| Some((it, it.content.as_ref().ok()?)));
         let (latest, round) = rounds.find(|(_, round)| is_meant(round))?;
-        let is_stopped = round.door().is_some() && !round.participants().is_empty();
+        let is_stopped = round.join_code().is_some() && !round.participants().is_empty();
         is_stopped.then_some(latest)
     }
 
@@ -160,7 +160,7 @@ impl Unfinished {
                 Role::Dim,
             );
             beside.fact("questions", round.questions().len().to_string());
-            if let Some(code) = round.door() {
+            if let Some(code) = round.join_code() {
                 beside.fact("code", code.to_string());
             }
             if let Some(address) = round.address() {

@@ -5,7 +5,7 @@ use super::words::count;
 use crate::beams::{CountedFor, METALS};
 use crate::numbers::fixed;
 use crate::physics::beam::Beam;
-use crate::screens::place::FoilPage;
+use crate::screens::route::FoilPage;
 use crate::widgets::input::{Field, FieldRow, FieldValue, FormFields};
 
 /// The settings of a page.

@@ -16,8 +16,8 @@ use std::time::Duration;
 
 use ratatui::layout::Rect;
 
-use super::place::FoilPage;
-use super::{Context, Next, Place, Screen, View};
+use super::route::FoilPage;
+use super::{Context, Next, Route, Screen, View};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::quiz::Response;
 use crate::widgets::input::{FormAction, KeyTable, SettingsForm};
@@ -245,8 +245,8 @@ impl Screen for FoilScreen {
         "foil".into()
     }
 
-    fn place(&self, _cx: &Context) -> Place {
-        Place::FoilAt { page: self.page }
+    fn route(&self, _cx: &Context) -> Route {
+        Route::FoilAt { page: self.page }
     }
 
     fn status(&self, _cx: &Context) -> String {
@@ -266,7 +266,7 @@ impl Screen for FoilScreen {
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
         match input {
             Input::Exported(exported) => {
-                cx.tell_of_export("plot", exported);
+                cx.notify_of_export("plot", exported);
                 Next::Stay
             }
             _ => Next::Ignored,

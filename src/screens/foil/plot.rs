@@ -10,7 +10,7 @@ use super::{FoilScreen, FoilSetup, view};
 use crate::beams::CountedFor;
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::rutherford::FM;
-use crate::screens::place::FoilPage;
+use crate::screens::route::FoilPage;
 use crate::widgets::Look;
 use crate::widgets::input::KeyTable;
 use crate::widgets::picture::Picture;

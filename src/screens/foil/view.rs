@@ -3,7 +3,7 @@
 use ratatui::layout::Rect;
 
 use super::{BeamPhase, FoilAction, FoilScreen, beam_page, measured_page, tracks_page};
-use crate::screens::place::FoilPage;
+use crate::screens::route::FoilPage;
 use crate::screens::{Context, View};
 use crate::widgets::Look;
 use crate::widgets::panel::Panel;

@@ -4,7 +4,7 @@ mod view;
 
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Context, Next, Place, Screen, View, leads};
+use super::{Context, Next, Route, Screen, View, leads};
 use crate::lessons::GlossaryEntry;
 use crate::messages::Key;
 use crate::widgets::input::{KeyTable, ListAction, ListView};
@@ -49,8 +49,8 @@ impl Screen for Glossary {
         "glossary".into()
     }
 
-    fn place(&self, _cx: &Context) -> Place {
-        Place::Glossary
+    fn route(&self, _cx: &Context) -> Route {
+        Route::Glossary
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<GlossaryAction> {

@@ -6,7 +6,7 @@ mod view;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::recall::Recall;
-use super::{Confirmation, Context, Next, Place, Screen, View};
+use super::{Confirmation, Context, Next, Route, Screen, View};
 use crate::messages::{Input, Key};
 use crate::physics::CollisionSpec;
 use crate::widgets::hit::{Overlay, Overlays, Watch};
@@ -28,7 +28,7 @@ impl Default for Home {
         let layers = Overlays::default().without([Overlay::Triangle]);
         Self {
             list: ListView::default(),
-            picture: Watch::told(worked_shot).with_layers(layers),
+            picture: Watch::revealed(worked_shot).with_layers(layers),
             history: Recall::Asked(0),
         }
     }
@@ -51,7 +51,7 @@ impl Home {
         self.list.choose(line);
         let suggestions = self.suggestions(cx);
         Next::Open(match suggestions.get(line) {
-            Some(suggestion) => suggestion.place(cx),
+            Some(suggestion) => suggestion.route(cx),
             None => ENTRIES[line - suggestions.len()].3.clone(),
         })
     }
@@ -79,30 +79,30 @@ const LAB: usize = 1;
 const CLASS: usize = 3;
 
 /// The menu: the letter, the name, the description and the screen of each entry.
-static ENTRIES: [(char, &str, &str, Place); 9] = [
-    ('e', "Learn", "interactive chapters", Place::Learn),
-    ('l', "Lab", "set up, predict, watch", Place::Lab),
+static ENTRIES: [(char, &str, &str, Route); 9] = [
+    ('e', "Learn", "interactive chapters", Route::Learn),
+    ('l', "Lab", "set up, predict, watch", Route::Lab),
     (
         'z',
         "Quiz",
         "find out what you know",
-        Place::Quiz { code: None },
+        Route::Quiz { code: None },
     ),
     (
         'c',
         "Class",
         "teams, one shared screen",
-        Place::Class {
+        Route::Class {
             code: None,
             teams: Vec::new(),
             name: String::new(),
         },
     ),
-    ('t', "Table", "carrom, hits explained", Place::Table),
-    ('v', "Levels", "puzzles, solved by aiming", Place::Levels),
-    ('f', "Foil", "beams: from board to atom", Place::Foil),
-    ('p', "Progress", "how far you have come", Place::Progress),
-    ('s', "Settings", "colours, motion, player", Place::Settings),
+    ('t', "Table", "carrom, hits explained", Route::Table),
+    ('v', "Levels", "puzzles, solved by aiming", Route::Levels),
+    ('f', "Foil", "beams: from board to atom", Route::Foil),
+    ('p', "Progress", "how far you have come", Route::Progress),
+    ('s', "Settings", "colours, motion, player", Route::Settings),
 ];
 
 impl Screen for Home {

@@ -5,13 +5,13 @@ use crate::numbers::counted;
 use crate::progress::Due;
 use crate::quiz::{Code, Course, CourseKind};
 use crate::screens::recall::Recall;
-use crate::screens::{Context, Place};
+use crate::screens::{Context, Route};
 
 /// Something to do next, above the menu.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Suggestion {
     /// Return to the class that the pupil left.
-    Class(Place),
+    Class(Route),
     /// Continue a chapter.
     Continue {
         /// Its index among all chapters.
@@ -83,10 +83,10 @@ impl Suggestion {
     }
 
     /// Where it leads.
-    pub(super) fn place(&self, cx: &mut Context) -> Place {
+    pub(super) fn route(&self, cx: &mut Context) -> Route {
         let kind = match self {
-            Self::Class(place) => return place.clone(),
-            Self::Continue { chapter, .. } => return Place::Chapter { number: *chapter },
+            Self::Class(route) => return route.clone(),
+            Self::Continue { chapter, .. } => return Route::Chapter { number: *chapter },
             Self::Review(due) => due.course(),
             Self::FindOut => CourseKind::with_id("find-out"),
         };
@@ -94,6 +94,6 @@ impl Suggestion {
             course: Course::new(kind),
             seed: cx.next_seed(),
         });
-        Place::Quiz { code }
+        Route::Quiz { code }
     }
 }

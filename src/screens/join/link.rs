@@ -5,7 +5,7 @@ use std::time::Duration;
 use serde_json::Value;
 
 use crate::class::protocol::{
-    HandedIn, HostSaying, LARGEST_HAND_IN, PupilState, PupilStep, Refusal, Saying, VERSION,
+    ClientMessage, HandedIn, HostMessage, LARGEST_HAND_IN, PupilState, PupilStep, Refusal, VERSION,
 };
 use crate::class::{Said, SeatToken, Vote};
 use crate::messages::{JoinCall, JoinNews};
@@ -30,12 +30,12 @@ pub(super) struct Link {
     /// The number of the last vote on this device.
     n: u64,
     /// A vote that the host has not confirmed yet, and whether it was sent on this connection.
-    pending: Option<Saying>,
+    pending: Option<ClientMessage>,
     said: bool,
     /// The number of the last hand-in on this device.
     handed: u64,
     /// A hand-in that the host has not saved yet.
-    handing_in: Option<Saying>,
+    handing_in: Option<ClientMessage>,
 }
 
 /// The state of the connection.
@@ -116,7 +116,7 @@ impl Link {
             }
             JoinNews::Reached => {
                 self.state = LinkState::Asking;
-                let join = Saying::Join {
+                let join = ClientMessage::Join {
                     v: VERSION,
                     code: self.code.clone(),
                     name: self.name.clone(),
@@ -137,8 +137,8 @@ impl Link {
     }
 
     fn hear(&mut self, text: &str, cx: &mut Context) -> LinkNews {
-        match HostSaying::read(text) {
-            Some(HostSaying::State(state)) => {
+        match HostMessage::read(text) {
+            Some(HostMessage::State(state)) => {
                 let first = self.state != LinkState::In;
                 self.state = LinkState::In;
                 self.tries = 0;
@@ -161,11 +161,11 @@ impl Link {
                 self.hear_of_hand_in(state.handed, first, cx);
                 LinkNews::State(state)
             }
-            Some(HostSaying::No { why }) if why.is_passing() => {
+            Some(HostMessage::No { why }) if why.is_passing() => {
                 self.held_up = Some(why);
                 self.take(&JoinNews::Lost(why.words().into()), cx)
             }
-            Some(HostSaying::No { why }) => {
+            Some(HostMessage::No { why }) => {
                 self.hang_up(cx);
                 LinkNews::Refused(why)
             }
@@ -180,8 +180,11 @@ impl Link {
         let open = state.step.vote();
         match &self.pending {
             _ if self.said => {}
-            Some(Saying::Vote { q, .. }) if *q == state.q && state.step == PupilStep::Lobby => {}
-            Some(saying @ Saying::Vote { q, vote, .. }) if *q == state.q && open == Some(*vote) => {
+            Some(ClientMessage::Vote { q, .. })
+                if *q == state.q && state.step == PupilStep::Lobby => {}
+            Some(saying @ ClientMessage::Vote { q, vote, .. })
+                if *q == state.q && open == Some(*vote) =>
+            {
                 cx.join(JoinCall::Say(saying.to_text()));
                 self.said = true;
             }
@@ -203,7 +206,7 @@ impl Link {
     /// Hands in this file; returns whether it is small enough.
     pub(super) fn hand_in(&mut self, file: Value, cx: &mut Context) -> bool {
         let n = self.handed.saturating_add(1);
-        let saying = Saying::HandIn { n, file };
+        let saying = ClientMessage::HandIn { n, file };
         let text = saying.to_text();
         if text.len() > LARGEST_HAND_IN {
             return false;
@@ -221,7 +224,7 @@ impl Link {
         self.n = self.n.saturating_add(1);
         let said = said.map(Said::to_text).unwrap_or_default();
         let n = self.n;
-        let saying = Saying::Vote { q, vote, said, n };
+        let saying = ClientMessage::Vote { q, vote, said, n };
         if self.is_in() {
             cx.join(JoinCall::Say(saying.to_text()));
         }
@@ -232,7 +235,7 @@ impl Link {
     /// Leaves permanently.
     pub(super) fn hang_up(&mut self, cx: &mut Context) {
         if self.is_in() {
-            cx.join(JoinCall::Say(Saying::Leave.to_text()));
+            cx.join(JoinCall::Say(ClientMessage::Leave.to_text()));
         }
         cx.join(JoinCall::HangUp);
         self.state = LinkState::Over;

@@ -1,12 +1,12 @@
 //! A pupil's device in a class: joining, voting, and seeing the true answer.
 
-mod desk;
-mod door;
+mod form;
+mod joined;
 mod link;
 mod view;
 
 #[cfg(not(target_family = "wasm"))]
-pub(crate) use door::{code_of, host_of};
+pub(crate) use form::{code_of, host_of};
 
 use std::time::Duration;
 
@@ -14,8 +14,8 @@ use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::recall::Recall;
-use super::{Confirmation, Context, Next, Place, Screen, Settings, SharedAction, View};
-use crate::class::DoorCode;
+use super::{Confirmation, Context, Next, Route, Screen, Settings, SharedAction, View};
+use crate::class::JoinCode;
 use crate::class::protocol::{PupilStep, Refusal};
 use crate::files::tidy_name;
 use crate::game::is_player_name;
@@ -26,8 +26,8 @@ use crate::widgets::hit::WatchAction;
 use crate::widgets::input::{KeyTable, ListAction};
 use crate::widgets::panel::Panel;
 use crate::widgets::{AnswerAction, AskingAction, Role, SplitLayout};
-use desk::{Desk, Doing};
-use door::DoorForm;
+use form::JoinForm;
+use joined::{Doing, JoinedClass};
 use link::{Link, LinkNews};
 
 /// Actions on a pupil's device.
@@ -61,9 +61,9 @@ impl JoinAction {
 /// A pupil's device in a class.
 #[derive(Debug, Clone)]
 pub(crate) struct Join {
-    form: DoorForm,
+    form: JoinForm,
     link: Option<Link>,
-    desk: Option<Desk>,
+    joined: Option<JoinedClass>,
     /// The answers that the pupil gave alone; not requested before they have joined.
     history: Recall,
 }
@@ -73,7 +73,7 @@ impl Join {
     /// A pupil who joins `again` sees no form.
     pub(crate) fn new(
         address: Option<&str>,
-        code: Option<DoorCode>,
+        code: Option<JoinCode>,
         again: bool,
         cx: &mut Context,
     ) -> Self {
@@ -83,27 +83,27 @@ impl Join {
             false => player,
         };
         let mut join = Self {
-            form: DoorForm::new(address, code, name),
+            form: JoinForm::new(address, code, name),
             link: None,
-            desk: None,
+            joined: None,
             history: Recall::Asked(0),
         };
         if again {
             let entry = join.form.entry();
-            join.knock(entry, cx);
+            join.enter(entry, cx);
         }
         join
     }
 
     /// The desk, once the pupil has joined.
-    fn desk(&self) -> Option<(&Desk, &Link)> {
-        self.desk.as_ref().zip(self.link.as_ref())
+    fn joined(&self) -> Option<(&JoinedClass, &Link)> {
+        self.joined.as_ref().zip(self.link.as_ref())
     }
 
     /// Whether the round is over.
     fn is_over(&self) -> bool {
-        let desk = self.desk.as_ref();
-        desk.is_some_and(|desk| desk.state.step == PupilStep::End)
+        let joined = self.joined.as_ref();
+        joined.is_some_and(|joined| joined.state.step == PupilStep::End)
     }
 
     /// The number of answers that can be handed in.
@@ -114,14 +114,14 @@ impl Join {
 
     /// Whether they can be handed in now: not during a vote or an explanation.
     fn may_hand_in(&self) -> bool {
-        let looks = |(desk, _): (&Desk, &Link)| {
-            let is_free = matches!(desk.state.step, PupilStep::Lobby | PupilStep::End);
-            is_free && matches!(desk.doing, Doing::Look)
+        let looks = |(joined, _): (&JoinedClass, &Link)| {
+            let is_free = matches!(joined.state.step, PupilStep::Lobby | PupilStep::End);
+            is_free && matches!(joined.doing, Doing::Look)
         };
-        self.answers() > 0 && self.desk().is_some_and(looks)
+        self.answers() > 0 && self.joined().is_some_and(looks)
     }
 
-    fn knock(&mut self, entry: Option<door::Entry>, cx: &mut Context) {
+    fn enter(&mut self, entry: Option<form::Entry>, cx: &mut Context) {
         if let Some(it) = entry {
             // On a page served by the class, the player is the pupil who has joined.
             let name = tidy_name(&it.name);
@@ -138,7 +138,7 @@ impl Join {
             link.hang_up(cx);
         }
         self.link = None;
-        self.desk = None;
+        self.joined = None;
     }
 
     /// Hands in all answers that the pupil gave alone.
@@ -148,14 +148,14 @@ impl Join {
         };
         // The host replaces the name with the one used in the class.
         let hand_in = HandIn::new(&cx.settings.player, "", history.attempts.clone());
-        let told = match hand_in.value() {
+        let revealed = match hand_in.value() {
             Ok(file) => match link.hand_in(file, cx) {
                 true => return,
                 false => "There are too many answers to send. On the page Progress, h writes them to a file for your teacher.".to_owned(),
             },
             Err(reason) => format!("Your answers cannot be sent: {reason}"),
         };
-        cx.tell(told);
+        cx.notify(revealed);
     }
 }
 
@@ -166,8 +166,8 @@ impl Screen for Join {
         "class".into()
     }
 
-    fn place(&self, _cx: &Context) -> Place {
-        Place::Join {
+    fn route(&self, _cx: &Context) -> Route {
+        Route::Join {
             address: None,
             code: self.form.code(),
             again: false,
@@ -175,12 +175,12 @@ impl Screen for Join {
     }
 
     fn status(&self, _cx: &Context) -> String {
-        match &self.desk {
-            Some(desk) => format!(
+        match &self.joined {
+            Some(joined) => format!(
                 "{}  question {} of {}",
-                desk.state.name,
-                desk.state.q + 1,
-                desk.state.of
+                joined.state.name,
+                joined.state.q + 1,
+                joined.state.of
             ),
             None => String::new(),
         }
@@ -189,14 +189,14 @@ impl Screen for Join {
     fn keys(&self, _cx: &Context) -> KeyTable<JoinAction> {
         use JoinAction::{Ask, Form, HandIn, Leave, TakeBack, Watch};
         let keys = KeyTable::new("join");
-        let Some((desk, _)) = self.desk() else {
+        let Some((joined, _)) = self.joined() else {
             return match &self.link {
                 None => keys.with(self.form.keys(), Form),
                 Some(_) => keys,
             }
             .on(Key::Escape, Leave, "back");
         };
-        match &desk.doing {
+        match &joined.doing {
             Doing::Look => keys.on('h', HandIn, "hand in").when(self.may_hand_in()).on(
                 Key::Escape,
                 Leave,
@@ -204,7 +204,7 @@ impl Screen for Join {
             ),
             Doing::Vote(asking) => {
                 let (may_take_back, leave) = match asking.sure() {
-                    None => (desk.has_voted(), "leave"),
+                    None => (joined.has_voted(), "leave"),
                     Some(_) => (false, "change it"),
                 };
                 keys.with(asking.keys("join", "vote"), Ask)
@@ -233,23 +233,23 @@ impl Screen for Join {
     }
 
     fn act(&mut self, action: JoinAction, cx: &mut Context) -> Next {
-        match (action, &mut self.desk) {
+        match (action, &mut self.joined) {
             (JoinAction::Form(action), _) => {
                 let entry = self.form.act(action);
-                self.knock(entry, cx);
+                self.enter(entry, cx);
             }
-            (JoinAction::Ask(action), Some(desk)) => {
+            (JoinAction::Ask(action), Some(joined)) => {
                 if let Some(link) = &mut self.link {
-                    desk.ask(action, link, cx);
+                    joined.ask(action, link, cx);
                 }
             }
-            (JoinAction::TakeBack, Some(desk)) => {
+            (JoinAction::TakeBack, Some(joined)) => {
                 if let Some(link) = &mut self.link {
-                    desk.take_back(link, cx);
+                    joined.take_back(link, cx);
                 }
             }
-            (JoinAction::Watch(action), Some(desk)) => {
-                if let Doing::Watch(reveal) = &mut desk.doing {
+            (JoinAction::Watch(action), Some(joined)) => {
+                if let Doing::Watch(reveal) = &mut joined.doing {
                     reveal.act(action);
                 }
             }
@@ -263,8 +263,8 @@ impl Screen for Join {
                     "not yet",
                 ));
             }
-            (JoinAction::Leave, Some(desk)) => {
-                if let Doing::Vote(asking) = &mut desk.doing
+            (JoinAction::Leave, Some(joined)) => {
+                if let Doing::Vote(asking) = &mut joined.doing
                     && asking.back()
                 {
                     return Next::Stay;
@@ -287,7 +287,7 @@ impl Screen for Join {
             self.hand_in(cx);
             return Next::Stay;
         }
-        cx.class = Some(self.form.place());
+        cx.class = Some(self.form.route());
         self.hang_up(cx);
         Next::Back
     }
@@ -299,10 +299,10 @@ impl Screen for Join {
                 let pace = cx.settings.pace();
                 let came = self.link.as_mut().map(|link| link.take(news, cx));
                 match came {
-                    Some(LinkNews::State(state)) => match &mut self.desk {
-                        Some(desk) => desk.take(*state, pace),
+                    Some(LinkNews::State(state)) => match &mut self.joined {
+                        Some(joined) => joined.take(*state, pace),
                         None => {
-                            self.desk = Some(Desk::new(*state, pace));
+                            self.joined = Some(JoinedClass::new(*state, pace));
                             self.history = Recall::ask(cx);
                         }
                     },
@@ -310,7 +310,7 @@ impl Screen for Join {
                     Some(LinkNews::Refused(Refusal::Code | Refusal::Closed)) if self.is_over() => {}
                     Some(LinkNews::Refused(why)) => {
                         self.link = None;
-                        self.desk = None;
+                        self.joined = None;
                         self.form.trouble = Some(why.words().into());
                     }
                     Some(LinkNews::Nothing) | None => {}
@@ -325,8 +325,8 @@ impl Screen for Join {
     fn point(&mut self, mouse: &Mouse, picture: Rect, _cx: &mut Context) -> Next {
         let pressed = mouse.kind == MouseKind::Down;
         let on_picture = picture.contains(mouse.cell().into());
-        match &mut self.desk {
-            Some(desk) if on_picture => desk.point(mouse, picture, pressed),
+        match &mut self.joined {
+            Some(joined) if on_picture => joined.point(mouse, picture, pressed),
             _ => Next::Ignored,
         }
     }
@@ -339,8 +339,8 @@ impl Screen for Join {
         if let Some(link) = &mut self.link {
             link.advance(passed, cx);
         }
-        if let Some(desk) = &mut self.desk {
-            desk.advance(passed, cx.settings.pace());
+        if let Some(joined) = &mut self.joined {
+            joined.advance(passed, cx.settings.pace());
         }
     }
 
@@ -350,13 +350,13 @@ impl Screen for Join {
 
     fn wake(&self, cx: &Context) -> Option<Duration> {
         let link = self.link.as_ref().and_then(Link::wake);
-        let desk = self.desk.as_ref();
-        let desk = desk.and_then(|desk| desk.wake(cx.settings.pace()));
-        link.into_iter().chain(desk).min()
+        let joined = self.joined.as_ref();
+        let joined = joined.and_then(|joined| joined.wake(cx.settings.pace()));
+        link.into_iter().chain(joined).min()
     }
 
     fn view<'s>(&'s self, _cx: &'s Context) -> View<'s, JoinAction> {
-        let Some((desk, link)) = self.desk() else {
+        let Some((joined, link)) = self.joined() else {
             let mut panel = Panel::new("your class");
             match &self.link {
                 Some(link) => {
@@ -375,6 +375,6 @@ impl Screen for Join {
         } else {
             0
         };
-        view::view(desk, link, answers)
+        view::view(joined, link, answers)
     }
 }

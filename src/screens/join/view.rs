@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::JoinAction;
-use super::desk::{Desk, Doing};
+use super::joined::{Doing, JoinedClass};
 use super::link::Link;
 use crate::class::ClassStep;
 use crate::class::protocol::{PupilState, PupilStep};
@@ -19,25 +19,29 @@ use crate::widgets::{
 };
 
 /// The view, with the number of answers that can be handed in.
-pub(super) fn view<'s>(desk: &'s Desk, link: &Link, answers: usize) -> View<'s, JoinAction> {
-    let kind = { desk.question.as_ref() }.map_or("your class", |it| it.family.name());
-    let (title, name) = match &desk.doing {
+pub(super) fn view<'s>(
+    joined: &'s JoinedClass,
+    link: &Link,
+    answers: usize,
+) -> View<'s, JoinAction> {
+    let kind = { joined.question.as_ref() }.map_or("your class", |it| it.family.name());
+    let (title, name) = match &joined.doing {
         Doing::Watch(reveal) => {
             let title = reveal.watch().map(Watch::slowed_title);
             (title.unwrap_or_else(|| kind.into()), "and why")
         }
-        _ => (kind.to_owned(), step_name(desk.state.step)),
+        _ => (kind.to_owned(), step_name(joined.state.step)),
     };
     let mut panel = Panel::new(name);
-    panel.subject = subject(&desk.state);
-    write(desk, link, answers, &mut panel);
-    match &desk.question {
+    panel.subject = subject(&joined.state);
+    write(joined, link, answers, &mut panel);
+    match &joined.question {
         Some(question) if !matches!(question.picture, Illustration::Nothing) => View::picture(
             title,
-            |area, buf, look| draw(desk, question, area, buf, look),
+            |area, buf, look| draw(joined, question, area, buf, look),
             panel,
         )
-        .dragging(match &desk.doing {
+        .dragging(match &joined.doing {
             Doing::Vote(asking) => asking.input().drag(question),
             _ => None,
         }),
@@ -49,8 +53,8 @@ pub(super) fn view<'s>(desk: &'s Desk, link: &Link, answers: usize) -> View<'s, 
 }
 
 /// Draws the picture of the question, with the vote or the true result.
-fn draw(desk: &Desk, question: &Question, area: Rect, buf: &mut Buffer, look: &Look) {
-    match &desk.doing {
+fn draw(joined: &JoinedClass, question: &Question, area: Rect, buf: &mut Buffer, look: &Look) {
+    match &joined.doing {
         Doing::Watch(reveal) => match reveal.watch() {
             Some(watch) => watch.picture(area).draw(buf, look),
             None => draw_question(area, buf, look, question, None),
@@ -86,31 +90,31 @@ fn step_name(step: PupilStep) -> &'static str {
     }
 }
 
-fn write(desk: &Desk, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
+fn write(joined: &JoinedClass, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
     // After the end the host may quit.
-    if !link.is_in() && desk.state.step != PupilStep::End {
+    if !link.is_in() && joined.state.step != PupilStep::End {
         let words = "The teacher's carrom is out of reach. Trying again ..";
         panel.paragraph(words, Role::Warn);
         panel.gap();
         panel.pin();
     }
-    match (&desk.question, desk.state.step) {
-        (Some(question), PupilStep::Asked(step)) => write_step(desk, question, step, link, panel),
-        (_, PupilStep::End) => write_end(desk, link, answers, panel),
+    match (&joined.question, joined.state.step) {
+        (Some(question), PupilStep::Asked(step)) => write_step(joined, question, step, link, panel),
+        (_, PupilStep::End) => write_end(joined, link, answers, panel),
         _ => {
-            panel.paragraph(format!("You are in, {}.", desk.state.name), Role::Title);
+            panel.paragraph(format!("You are in, {}.", joined.state.name), Role::Title);
             panel.gap();
             panel.paragraph("Look at the board: the round begins soon.", Role::Text);
-            write_hand_in(desk, link, answers, panel);
+            write_hand_in(joined, link, answers, panel);
         }
     }
 }
 
 /// Writes what can be handed in, and the result.
-fn write_hand_in(desk: &Desk, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
-    let handed = desk.state.handed.map(|it| it.kept);
+fn write_hand_in(joined: &JoinedClass, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
+    let handed = joined.state.handed.map(|it| it.kept);
     let (words, role) = match (link.is_handing_in(), handed) {
-        (true, _) if !link.is_in() && desk.state.step == PupilStep::End => (
+        (true, _) if !link.is_in() && joined.state.step == PupilStep::End => (
             "Your answers will be sent when the teacher's carrom is in reach again.".to_owned(),
             Role::Warn,
         ),
@@ -134,9 +138,9 @@ fn write_hand_in(desk: &Desk, link: &Link, answers: usize, panel: &mut Panel<Joi
     }
 }
 
-fn write_end(desk: &Desk, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
+fn write_end(joined: &JoinedClass, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
     panel.paragraph("The round is over.", Role::Title);
-    if let Some((points, place)) = desk.state.score {
+    if let Some((points, place)) = joined.state.score {
         panel.gap();
         let words = format!(
             "You have {} points: place {place}.",
@@ -144,31 +148,31 @@ fn write_end(desk: &Desk, link: &Link, answers: usize, panel: &mut Panel<JoinAct
         );
         panel.paragraph(&words, Role::Text);
     }
-    write_hand_in(desk, link, answers, panel);
+    write_hand_in(joined, link, answers, panel);
     panel.gap();
     panel.prompt("use carrom on your own", JoinAction::Leave);
 }
 
 fn write_step(
-    desk: &Desk,
+    joined: &JoinedClass,
     question: &Question,
     step: ClassStep,
     link: &Link,
     panel: &mut Panel<JoinAction>,
 ) {
-    match (&desk.doing, step) {
+    match (&joined.doing, step) {
         (Doing::Vote(asking), _) => match asking.sure() {
-            None => write_answer(desk, question, asking.input(), link, panel),
+            None => write_answer(joined, question, asking.input(), link, panel),
             Some(_) => write_sure(question, asking, panel),
         },
-        (Doing::Watch(reveal), _) if reveal.is_telling() => {
+        (Doing::Watch(reveal), _) if reveal.is_explaining() => {
             panel.paragraph(&question.text, Role::Dim);
             if let Some(watch) = reveal.watch() {
                 panel.gap();
-                watch.write_telling(panel);
+                watch.write_explanation(panel);
             }
         }
-        (Doing::Watch(_), _) | (_, ClassStep::Scores) => write_told(desk, question, panel),
+        (Doing::Watch(_), _) | (_, ClassStep::Scores) => write_result(joined, question, panel),
         (Doing::Look, step) => {
             // A text that is too long is cut at its end, so the instruction comes first.
             let words = match step {
@@ -184,11 +188,11 @@ fn write_step(
             panel.paragraph(&question.text, Role::Text);
             panel.gap();
             let counts = match step {
-                ClassStep::Talk => desk.state.spread.as_slice(),
+                ClassStep::Talk => joined.state.spread.as_slice(),
                 _ => &[],
             };
             write_choices(question, counts, panel);
-            if let Some(said) = desk.said() {
+            if let Some(said) = joined.said() {
                 let said = lettered(&question.form, &said.response);
                 panel.marked("you said  ", &said, Role::Predicted);
             }
@@ -213,16 +217,20 @@ fn write_choices(question: &Question, counts: &[u32], panel: &mut Panel<JoinActi
 
 /// Whether the state of the vote appears above the question, and stays there: all pupils have
 /// to see that their votes are in, however long the text is.
-fn is_told_first(desk: &Desk, link: &Link) -> bool {
-    link.is_sending() || desk.state.misfit || desk.has_voted()
+fn is_explained_first(joined: &JoinedClass, link: &Link) -> bool {
+    link.is_sending() || joined.state.misfit || joined.has_voted()
 }
 
 /// The state of the vote, if there is one.
-fn standing(desk: &Desk, input: &AnswerInput, link: &Link) -> Option<(&'static str, Role)> {
-    let given = desk.has_voted() && desk.said().map(|said| said.response) == input.said();
-    Some(match (link.is_sending(), desk.has_voted()) {
+fn standing(
+    joined: &JoinedClass,
+    input: &AnswerInput,
+    link: &Link,
+) -> Option<(&'static str, Role)> {
+    let given = joined.has_voted() && joined.said().map(|said| said.response) == input.said();
+    Some(match (link.is_sending(), joined.has_voted()) {
         (true, _) => ("Sending your vote ..", Role::Warn),
-        (false, _) if desk.state.misfit => (
+        (false, _) if joined.state.misfit => (
             "That answer does not fit the question and was not counted. Please vote again.",
             Role::Warn,
         ),
@@ -231,7 +239,7 @@ fn standing(desk: &Desk, input: &AnswerInput, link: &Link) -> Option<(&'static s
             Role::Good,
         ),
         (false, true) => ("Your earlier vote counts until you vote again.", Role::Text),
-        (false, false) if desk.state.step == PupilStep::Asked(ClassStep::SecondVote) => {
+        (false, false) if joined.state.step == PupilStep::Asked(ClassStep::SecondVote) => {
             ("Your first vote counts unless you vote again.", Role::Text)
         }
         (false, false) => return None,
@@ -239,7 +247,7 @@ fn standing(desk: &Desk, input: &AnswerInput, link: &Link) -> Option<(&'static s
 }
 
 fn write_answer(
-    desk: &Desk,
+    joined: &JoinedClass,
     question: &Question,
     input: &AnswerInput,
     link: &Link,
@@ -247,12 +255,12 @@ fn write_answer(
 ) {
     let form = &question.form;
     let write_standing = |panel: &mut Panel<JoinAction>| {
-        if let Some((words, role)) = standing(desk, input, link) {
+        if let Some((words, role)) = standing(joined, input, link) {
             panel.paragraph(words, role);
             panel.gap();
         }
     };
-    let is_first = is_told_first(desk, link);
+    let is_first = is_explained_first(joined, link);
     if is_first {
         write_standing(panel);
         panel.pin();
@@ -291,10 +299,15 @@ fn write_sure(question: &Question, asking: &Asking, panel: &mut Panel<JoinAction
 }
 
 /// The pupil's answer beside the true one, and the explanation.
-fn write_told(desk: &Desk, question: &Question, panel: &mut Panel<JoinAction>) {
-    let said = desk.said().map(|said| said.response);
+fn write_result(joined: &JoinedClass, question: &Question, panel: &mut Panel<JoinAction>) {
+    let said = joined.said().map(|said| said.response);
     let truth = question.form.truth();
-    if let Some(points) = desk.state.told.as_ref().and_then(|told| told.points) {
+    if let Some(points) = joined
+        .state
+        .revealed
+        .as_ref()
+        .and_then(|revealed| revealed.points)
+    {
         let points = format!("{} of 10 points", numbers::points(points));
         panel.paragraph(&points, Role::Title);
         panel.gap();
@@ -313,7 +326,7 @@ fn write_told(desk: &Desk, question: &Question, panel: &mut Panel<JoinAction>) {
     }
     panel.gap();
     panel.paragraph(&question.why, Role::Text);
-    if let Some((points, place)) = desk.state.score {
+    if let Some((points, place)) = joined.state.score {
         panel.gap();
         let words = format!("{} points so far: place {place}", numbers::points(points));
         panel.paragraph(&words, Role::Title);

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use ratatui::layout::Rect;
 
-use super::{Context, Next, Place, Screen, Settings, View};
+use super::{Context, Next, Route, Screen, Settings, View};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::{CollisionSpec, Frame};
 use crate::quiz::{Rays, RaysGrade};
@@ -98,7 +98,7 @@ impl Lab {
     /// Whether the picture may be live: after enough correct predictions, and without a mystery
     /// coin.
     fn may_live(&self, cx: &Context) -> bool {
-        cx.settings.foretold >= Settings::ENOUGH_FORETOLD && !self.hides_mass()
+        cx.settings.predicted >= Settings::ENOUGH_PREDICTED && !self.hides_mass()
     }
 
     /// Whether it is.
@@ -125,7 +125,7 @@ impl Lab {
         let collision = self.settings.setup.collision();
         let truth = Rays::from(&collision.outcome());
         if said.is_some_and(|said| RaysGrade::new(&said, &truth).is_right()) {
-            cx.settings.foretold = Settings::ENOUGH_FORETOLD.min(cx.settings.foretold + 1);
+            cx.settings.predicted = Settings::ENOUGH_PREDICTED.min(cx.settings.predicted + 1);
         }
         let watch = Watch::new(collision, said, cx.settings.pace());
         self.phase = LabPhase::Watch(Box::new(watch));
@@ -139,10 +139,10 @@ impl Screen for Lab {
         "lab".into()
     }
 
-    fn place(&self, _cx: &Context) -> Place {
+    fn route(&self, _cx: &Context) -> Route {
         match self.hides_mass() {
-            true => Place::Lab,
-            false => Place::LabOf {
+            true => Route::Lab,
+            false => Route::LabOf {
                 setup: self.settings.setup,
             },
         }
@@ -193,7 +193,7 @@ impl Screen for Lab {
                 .with(rays.keys("next, then shoot"), LabAction::Say)
                 .on(Key::Escape, SetUp, "back"),
             LabPhase::Watch(watch) => {
-                let weighing = watch.is_told() && watch.frame() == Frame::Laboratory;
+                let weighing = watch.is_revealed() && watch.frame() == Frame::Laboratory;
                 let coin = self.settings.mystery.as_ref().filter(|_| weighing);
                 let mass = coin.map(Mystery::keys);
                 let takes_digits = mass.as_ref().is_some_and(|keys| !keys.rows().is_empty());

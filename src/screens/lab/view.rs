@@ -62,7 +62,7 @@ const ROOM_FOR_CURVES: u16 = 18;
 /// The collision of the settings, explained to its end.
 fn live_hit(lab: &Lab) -> Watch {
     let layers = Overlays::default().without([Overlay::Triangle, Overlay::Trails]);
-    Watch::told(lab.settings.setup.collision()).with_layers(layers)
+    Watch::revealed(lab.settings.setup.collision()).with_layers(layers)
 }
 
 /// The area of the collision in the picture: above the curves, if they are drawn.
@@ -169,10 +169,10 @@ fn prediction(lab: &Lab, rays: &RayInput) -> Panel<LabAction> {
 /// is not enough room, numbers that the player set are dropped first.
 fn shot(lab: &Lab, watch: &Watch) -> Panel<LabAction> {
     let mut panel = Panel::new("the shot");
-    if !watch.is_told() {
+    if !watch.is_revealed() {
         given(lab, &mut panel);
         panel.gap();
-        watch.write_telling(&mut panel);
+        watch.write_explanation(&mut panel);
         return panel;
     }
     if watch.frame() != Frame::Laboratory {

@@ -20,7 +20,7 @@ pub fn check(chapter: &Chapter) -> Vec<FileError> {
         for charset in [Charset::Ascii, Charset::Unicode] {
             faults.extend(formulas(chapter, page, charset));
             let checkpoint = page.checkpoint.as_ref();
-            let told = checkpoint
+            let revealed = checkpoint
                 .map(|checkpoint| answers(&checkpoint.asked))
                 .unwrap_or_default();
             let hit = page.figure.map(|figure| figure.shot.collision());
@@ -30,8 +30,8 @@ pub fn check(chapter: &Chapter) -> Vec<FileError> {
                     asks.offers_second_try(&form, it)
                 })
             };
-            let hinted = told.iter().filter(hinted).map(|it| (Some(*it), None));
-            let answered = told.iter().map(|it| (None, Some(*it)));
+            let hinted = revealed.iter().filter(hinted).map(|it| (Some(*it), None));
+            let answered = revealed.iter().map(|it| (None, Some(*it)));
             let states = std::iter::once((None, None)).chain(hinted).chain(answered);
             for (first, answer) in states {
                 let reading = Hosted::new(Reading::of_page(chapter, at, first, answer));

@@ -11,7 +11,7 @@ use strum::{EnumMessage, IntoStaticStr, VariantArray};
 
 use super::recall::Recall;
 use super::view::View;
-use super::{Context, Next, Place, Screen, SharedAction, leads};
+use super::{Context, Next, Route, Screen, SharedAction, leads};
 use crate::gradebook::HandIn;
 use crate::lessons::Book;
 use crate::messages::{History, Input, Key, Mouse, MouseKind};
@@ -171,7 +171,7 @@ impl Progress {
         let hand_in = HandIn::new(&cx.settings.player, "", history.attempts.clone());
         match hand_in.text() {
             Ok(text) => cx.export(hand_in.file_name(), text),
-            Err(reason) => cx.tell(format!("The file could not be written: {reason}")),
+            Err(reason) => cx.notify(format!("The file could not be written: {reason}")),
         }
     }
 }
@@ -206,8 +206,8 @@ impl Screen for Progress {
         "progress".into()
     }
 
-    fn place(&self, _cx: &Context) -> Place {
-        Place::Progress
+    fn route(&self, _cx: &Context) -> Route {
+        Route::Progress
     }
 
     fn status(&self, cx: &Context) -> String {
@@ -254,7 +254,7 @@ impl Screen for Progress {
                         seed: cx.next_seed(),
                     }),
                 };
-                return Next::Replace(Place::Quiz { code });
+                return Next::Replace(Route::Quiz { code });
             }
             ProgressAction::HandIn => self.hand_in(cx),
             ProgressAction::Back => return Next::Back,
@@ -269,7 +269,7 @@ impl Screen for Progress {
                 Next::Stay
             }
             Input::Exported(exported) => {
-                cx.tell_of_export("file to hand in", exported);
+                cx.notify_of_export("file to hand in", exported);
                 Next::Stay
             }
             _ => Next::Ignored,

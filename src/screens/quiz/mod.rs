@@ -15,7 +15,7 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Confirmation, Context, Next, Place, Screen, SharedAction, View, leads};
+use super::{Confirmation, Context, Next, Route, Screen, SharedAction, View, leads};
 use crate::messages::{Key, Mouse, MouseKind};
 use crate::numbers;
 use crate::physics::Collision;
@@ -29,7 +29,7 @@ use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, PAGE_ROWS};
 
 /// Returns to choosing a round.
-const CHOOSE: Next = Next::Replace(Place::Quiz { code: None });
+const CHOOSE: Next = Next::Replace(Route::Quiz { code: None });
 
 /// Actions in a round of the quiz.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
@@ -148,7 +148,7 @@ impl Quiz {
         quiz.ask();
         if let Some(last) = quiz.answers.len().checked_sub(1)
             && is_explained
-            && !quiz.tells_at_end()
+            && !quiz.feedback_at_end()
         {
             quiz.open(last, cx);
             if let QuizPhase::Watch(watched) = &mut quiz.phase {
@@ -185,8 +185,8 @@ impl Quiz {
     }
 
     /// Whether feedback comes only at the end.
-    fn tells_at_end(&self) -> bool {
-        self.round.course().tells_at_end()
+    fn feedback_at_end(&self) -> bool {
+        self.round.course().feedback_at_end()
     }
 
     /// Adds the answer to the question at hand, and returns it as it is kept.
@@ -204,7 +204,7 @@ impl Quiz {
         let attempt = self.note(&question, answer, cx);
         // Saved before the explanation is shown.
         cx.record(attempt);
-        if self.tells_at_end() {
+        if self.feedback_at_end() {
             return self.ask();
         }
         let watched = AnsweredQuestion::new(question, answer, self.layers, cx);
@@ -263,14 +263,14 @@ impl Quiz {
 
     /// A summary of the answers whose results have been shown.
     fn summary(&self) -> Summary<'_> {
-        let untold = match &self.phase {
+        let watching = match &self.phase {
             QuizPhase::Watch(watched) => {
                 usize::from(!watched.reveal.is_revealed() && watched.opened.is_none())
             }
             _ => 0,
         };
-        let told = self.attempts.len().saturating_sub(untold);
-        Summary::new(self.attempts.get(..told).unwrap_or_default())
+        let feedback = self.attempts.len().saturating_sub(watching);
+        Summary::new(self.attempts.get(..feedback).unwrap_or_default())
     }
 
     /// The page to read after a wrong answer, once its result has been shown; after a round, the
@@ -278,7 +278,7 @@ impl Quiz {
     fn passage(&self) -> Option<Passage> {
         match &self.phase {
             QuizPhase::Asked(_) => None,
-            QuizPhase::Watch(watched) if !watched.reveal.is_telling() => watched.passage(),
+            QuizPhase::Watch(watched) if !watched.reveal.is_explaining() => watched.passage(),
             QuizPhase::Watch(_) => None,
             QuizPhase::Summary(_) => self.summary().passage(),
         }
@@ -375,8 +375,8 @@ impl Screen for Quiz {
         "quiz".into()
     }
 
-    fn place(&self, _cx: &Context) -> Place {
-        Place::OpenRound {
+    fn route(&self, _cx: &Context) -> Route {
+        Route::OpenRound {
             code: self.round.code().clone(),
             answers: self.answers.clone(),
             is_explained: matches!(&self.phase, QuizPhase::Watch(it) if it.opened.is_none()),
@@ -395,7 +395,7 @@ impl Screen for Quiz {
             _ => format!("question {} of {count}", self.number()),
         };
         let scores = !course.follows_answers();
-        if scores && (!self.tells_at_end() || self.has_ended()) {
+        if scores && (!self.feedback_at_end() || self.has_ended()) {
             status += &format!("  {} points", numbers::points(self.summary().points()));
         }
         match &course.kind {
@@ -411,7 +411,7 @@ impl Screen for Quiz {
         match &self.phase {
             QuizPhase::Asked(asked) => {
                 let next = match asked.question.picture.collision() {
-                    _ if self.tells_at_end() => "next",
+                    _ if self.feedback_at_end() => "next",
                     Some(_) => "watch",
                     None => "see",
                 };
@@ -440,7 +440,7 @@ impl Screen for Quiz {
                 };
                 // Until the explanation is complete, Enter steps through it.
                 keys.on(Key::Enter, GoOn, next)
-                    .when(!watched.reveal.is_telling())
+                    .when(!watched.reveal.is_explaining())
                     .on(Key::Char('c'), ReadUp, "chapter")
                     .when(self.passage().is_some())
                     .on(Key::Escape, Leave, away)
@@ -512,7 +512,7 @@ impl Screen for Quiz {
     }
 
     fn confirmed(&mut self, _left: QuizAction, _cx: &mut Context) -> Next {
-        if self.tells_at_end() {
+        if self.feedback_at_end() {
             self.phase = QuizPhase::Summary(ListView::default());
             return Next::Stay;
         }

@@ -31,7 +31,11 @@ pub(super) fn asked(asked: &OpenQuestion, panel: &mut Panel<QuizAction>) {
 }
 
 /// The choice of confidence with its points, and the answer it is about.
-pub(super) fn confidence(asked: &OpenQuestion, told_at_end: bool, panel: &mut Panel<QuizAction>) {
+pub(super) fn confidence(
+    asked: &OpenQuestion,
+    feedback_at_end: bool,
+    panel: &mut Panel<QuizAction>,
+) {
     panel.part(QuizAction::Ask, |panel| {
         let heads = ["points if", "wrong", "right"];
         asked.asking.write_confidence(
@@ -54,7 +58,7 @@ pub(super) fn confidence(asked: &OpenQuestion, told_at_end: bool, panel: &mut Pa
     panel.worth(1, |panel| {
         panel.gap();
         let next = match asked.question.picture.collision() {
-            _ if told_at_end => "next question",
+            _ if feedback_at_end => "next question",
             Some(_) => "watch what happens",
             None => "see the answer",
         };
@@ -63,17 +67,17 @@ pub(super) fn confidence(asked: &OpenQuestion, told_at_end: bool, panel: &mut Pa
 }
 
 /// The step that the picture is showing.
-pub(super) fn untold(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>) {
+pub(super) fn watching(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>) {
     panel.paragraph(&watched.question.text, Role::Dim);
     panel.gap();
     if let Some(watch) = watched.reveal.watch() {
-        watch.write_telling(panel);
+        watch.write_explanation(panel);
     }
 }
 
 /// The points, the answer beside the true one, and the explanation, which is never cut: if
 /// there is not enough room, other things are dropped.
-pub(super) fn told(watched: &AnsweredQuestion, book: &Book, panel: &mut Panel<QuizAction>) {
+pub(super) fn feedback(watched: &AnsweredQuestion, book: &Book, panel: &mut Panel<QuizAction>) {
     let question = &watched.question;
     let grade = Grade::new(question, &watched.answer);
     let explanation = explain(question, &watched.answer);

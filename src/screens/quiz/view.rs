@@ -27,7 +27,7 @@ fn of_asked<'s>(quiz: &Quiz, asked: &'s OpenQuestion) -> View<'s, QuizAction> {
     text.subject = 2 * quiz.number() + usize::from(sure);
     match sure {
         false => panel::asked(asked, &mut text),
-        true => panel::confidence(asked, quiz.tells_at_end(), &mut text),
+        true => panel::confidence(asked, quiz.feedback_at_end(), &mut text),
     }
     beside_picture(
         question.family.name().into(),
@@ -48,12 +48,12 @@ fn of_watched<'s>(
     watched: &'s AnsweredQuestion,
     cx: &Context,
 ) -> View<'s, QuizAction> {
-    let telling = watched.reveal.is_telling();
+    let telling = watched.reveal.is_explaining();
     let mut text = Panel::new(if telling { "watch" } else { "and why" });
     text.subject = quiz.number();
     match telling {
-        true => panel::untold(watched, &mut text),
-        false => panel::told(watched, &cx.book, &mut text),
+        true => panel::watching(watched, &mut text),
+        false => panel::feedback(watched, &cx.book, &mut text),
     }
     let question = &watched.question;
     beside_picture(

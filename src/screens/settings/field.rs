@@ -109,8 +109,8 @@ pub(super) static SETTINGS: [Setting; 8] = [
         id: "foretold",
         words: &["0", "1", "2", "3"],
         shown: ("", ""),
-        at: |settings| settings.foretold.into(),
-        choose: |settings, at| settings.foretold = Settings::ENOUGH_FORETOLD.min(at as u8),
+        at: |settings| settings.predicted.into(),
+        choose: |settings, at| settings.predicted = Settings::ENOUGH_PREDICTED.min(at as u8),
     },
 ];
 

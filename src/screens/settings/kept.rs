@@ -165,7 +165,7 @@ mod tests {
             (over.charset, over.palette),
             (Charset::Unicode, Palette::Mono)
         );
-        assert_eq!((over.depth, over.foretold), (Depth::Ansi16, 3));
+        assert_eq!((over.depth, over.predicted), (Depth::Ansi16, 3));
         assert!(over.reduced_motion && !over.predict && over.player == "Ada");
     }
 

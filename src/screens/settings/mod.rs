@@ -9,7 +9,7 @@ pub use values::Settings;
 
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::{Context, Next, Place, Screen, View};
+use super::{Context, Next, Route, Screen, View};
 use crate::files::tidy_name;
 use crate::game::is_player_name;
 use crate::messages::{Input, Key};
@@ -66,7 +66,7 @@ impl SettingsScreen {
         if is_player_name(&name) {
             cx.change_player(name);
         } else if !typed.text().is_empty() {
-            cx.tell("A name has 1 to 40 visible characters.".into());
+            cx.notify("A name has 1 to 40 visible characters.".into());
         }
     }
 }
@@ -78,8 +78,8 @@ impl Screen for SettingsScreen {
         "settings".into()
     }
 
-    fn place(&self, _cx: &Context) -> Place {
-        Place::Settings
+    fn route(&self, _cx: &Context) -> Route {
+        Route::Settings
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<SettingsAction> {

@@ -24,7 +24,7 @@ pub struct Settings {
     pub predict: bool,
     /// How often the player has predicted both paths correctly in the lab, up to the number that
     /// unlocks the live picture.
-    pub foretold: u8,
+    pub predicted: u8,
     /// The player's name as shown.
     pub player: String,
     /// The keys that the player has rebound.
@@ -41,7 +41,7 @@ impl Default for Settings {
             wait_at_beats: false,
             watch_rate: None,
             predict: true,
-            foretold: 0,
+            predicted: 0,
             player: "player".into(),
             keys: Rebound::default(),
         }
@@ -50,7 +50,7 @@ impl Default for Settings {
 
 impl Settings {
     /// The number of correct predictions of both paths that unlocks the lab's live picture.
-    pub(crate) const ENOUGH_FORETOLD: u8 = 3;
+    pub(crate) const ENOUGH_PREDICTED: u8 = 3;
 
     /// The styles for the palette and colour depth.
     pub fn theme(&self) -> Theme {

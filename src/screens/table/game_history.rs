@@ -130,7 +130,7 @@ impl GameHistory {
     }
 
     /// Adds what the computer meant by a stroke it has made.
-    pub(super) fn tell(&mut self, number: usize, meant: ComputerStroke) {
+    pub(super) fn notify(&mut self, number: usize, meant: ComputerStroke) {
         if let Some(past) = self.past.get_mut(number) {
             past.meant = Some(Box::new(meant));
         }

@@ -2,6 +2,7 @@
 
 mod active_game;
 mod aim;
+mod board_report;
 mod calls;
 mod computer_stroke;
 mod game_history;
@@ -11,14 +12,13 @@ mod picture;
 mod pointer;
 mod preview;
 mod saved_games;
-mod tale;
 mod words;
 
 use std::time::Duration;
 
 use ratatui::layout::Rect;
 
-use super::{Context, Next, Place, Screen, View};
+use super::{Context, Next, Route, Screen, View};
 use crate::messages::{Input, Mouse};
 use crate::widgets::input::{FormAction, KeyTable, RayAction};
 use active_game::{
@@ -103,8 +103,8 @@ impl Screen for Table {
         "table".into()
     }
 
-    fn place(&self, _cx: &Context) -> Place {
-        Place::Table
+    fn route(&self, _cx: &Context) -> Route {
+        Route::Table
     }
 
     fn status(&self, _cx: &Context) -> String {

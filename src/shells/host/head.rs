@@ -14,7 +14,7 @@ pub(crate) const TALK: &str = "/class";
 
 /// What a request asks for.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Wish {
+pub(super) enum HttpRequest {
     /// The page.
     Page {
         /// Whether it may be compressed.
@@ -34,19 +34,24 @@ pub(super) enum Wish {
 const BY_ADDRESS: &str = "Open the address that is shown on the board.";
 
 /// Reads a complete head; `None` while it is incomplete.
-pub(super) fn read(bytes: &[u8], port: u16) -> Option<(usize, Wish)> {
+pub(super) fn read(bytes: &[u8], port: u16) -> Option<(usize, HttpRequest)> {
     let mut lines = [httparse::EMPTY_HEADER; MOST_LINES];
     let mut request = httparse::Request::new(&mut lines);
     let length = match request.parse(bytes) {
         Ok(httparse::Status::Complete(length)) => length,
         Ok(httparse::Status::Partial) if bytes.len() < LONGEST => return None,
-        Ok(httparse::Status::Partial) => return Some((0, Wish::No(431, "Too long."))),
-        Err(_) => return Some((0, Wish::No(400, "This is not a request from a browser."))),
+        Ok(httparse::Status::Partial) => return Some((0, HttpRequest::No(431, "Too long."))),
+        Err(_) => {
+            return Some((
+                0,
+                HttpRequest::No(400, "This is not a request from a browser."),
+            ));
+        }
     };
-    Some((length, wish(&request, port)))
+    Some((length, requested(&request, port)))
 }
 
-fn wish(request: &httparse::Request, port: u16) -> Wish {
+fn requested(request: &httparse::Request, port: u16) -> HttpRequest {
     // A line that occurs twice cannot be relied upon.
     let only = |name: &str| {
         let mut found = request
@@ -65,7 +70,7 @@ fn wish(request: &httparse::Request, port: u16) -> Wish {
             .any(|it| it.name.eq_ignore_ascii_case(name))
     };
     let Some(host) = only("host").filter(|host| is_own(host, port)) else {
-        return Wish::No(403, BY_ADDRESS);
+        return HttpRequest::No(403, BY_ADDRESS);
     };
     let path = request.path.unwrap_or_default();
     let path = path.split('?').next().unwrap_or_default();
@@ -74,22 +79,22 @@ fn wish(request: &httparse::Request, port: u16) -> Wish {
         ("GET", TALK) => {
             let origin = only("origin");
             if has("origin") && origin != Some(format!("http://{host}").as_str()) {
-                return Wish::No(403, BY_ADDRESS);
+                return HttpRequest::No(403, BY_ADDRESS);
             }
             let upgrades = only("upgrade").is_some_and(|it| it.eq_ignore_ascii_case("websocket"));
             let version = only("sec-websocket-version") == Some("13");
             match only("sec-websocket-key").filter(|_| upgrades && version) {
-                Some(key) => Wish::Talk(key.to_owned()),
-                None => Wish::No(426, "This address is for the devices of a class."),
+                Some(key) => HttpRequest::Talk(key.to_owned()),
+                None => HttpRequest::No(426, "This address is for the devices of a class."),
             }
         }
-        ("GET" | "HEAD", "/" | "/index.html" | "/carrom.html") => Wish::Page {
+        ("GET" | "HEAD", "/" | "/index.html" | "/carrom.html") => HttpRequest::Page {
             gzip: only("accept-encoding").is_some_and(takes_gzip),
             known: only("if-none-match").map(str::to_owned),
             head_only: method == "HEAD",
         },
-        ("GET" | "HEAD", _) => Wish::No(404, "There is nothing here. The class is at /."),
-        _ => Wish::No(405, "Only reading is possible here."),
+        ("GET" | "HEAD", _) => HttpRequest::No(404, "There is nothing here. The class is at /."),
+        _ => HttpRequest::No(405, "Only reading is possible here."),
     }
 }
 
@@ -116,7 +121,7 @@ fn takes_gzip(encodings: &str) -> bool {
 mod tests {
     use super::*;
 
-    fn wish(lines: &[&str]) -> Wish {
+    fn requested(lines: &[&str]) -> HttpRequest {
         let head = format!("{}\r\n\r\n", lines.join("\r\n"));
         read(head.as_bytes(), 8090).unwrap().1
     }
@@ -127,13 +132,13 @@ mod tests {
         "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==",
     ];
 
-    fn talk(host: &str, origin: Option<&str>) -> Wish {
+    fn talk(host: &str, origin: Option<&str>) -> HttpRequest {
         let origin = origin.map(|it| format!("Origin: {it}"));
         let host = format!("Host: {host}");
         let mut lines = vec!["GET /class HTTP/1.1", host.as_str()];
         lines.extend(UPGRADE);
         lines.extend(origin.as_deref());
-        wish(&lines)
+        requested(&lines)
     }
 
     #[test]
@@ -144,7 +149,7 @@ mod tests {
             "[::1]:8090",
             "localhost:8090",
         ] {
-            assert!(matches!(talk(host, None), Wish::Talk(_)), "{host}");
+            assert!(matches!(talk(host, None), HttpRequest::Talk(_)), "{host}");
         }
         for host in [
             "evil.example:8090",
@@ -156,15 +161,18 @@ mod tests {
             "0x7f.1:8090",
             "127.0.0.1.evil.example:8090",
         ] {
-            assert_eq!(talk(host, None), Wish::No(403, BY_ADDRESS), "{host}");
+            assert_eq!(talk(host, None), HttpRequest::No(403, BY_ADDRESS), "{host}");
         }
-        assert_eq!(wish(&["GET / HTTP/1.1"]), Wish::No(403, BY_ADDRESS));
+        assert_eq!(
+            requested(&["GET / HTTP/1.1"]),
+            HttpRequest::No(403, BY_ADDRESS)
+        );
         let twice = [
             "GET / HTTP/1.1",
             "Host: 127.0.0.1:8090",
             "Host: evil.example",
         ];
-        assert_eq!(wish(&twice), Wish::No(403, BY_ADDRESS));
+        assert_eq!(requested(&twice), HttpRequest::No(403, BY_ADDRESS));
     }
 
     #[test]
@@ -172,7 +180,7 @@ mod tests {
         let host = "192.168.1.5:8090";
         assert!(matches!(
             talk(host, Some("http://192.168.1.5:8090")),
-            Wish::Talk(_)
+            HttpRequest::Talk(_)
         ));
         for origin in [
             "null",
@@ -185,7 +193,7 @@ mod tests {
         ] {
             assert_eq!(
                 talk(host, Some(origin)),
-                Wish::No(403, BY_ADDRESS),
+                HttpRequest::No(403, BY_ADDRESS),
                 "{origin}"
             );
         }
@@ -199,22 +207,28 @@ mod tests {
             b"\0\0\0\r\n\r\n",
             b"hello there\r\n\r\n",
         ] {
-            assert!(matches!(read(bytes, 8090), Some((0, Wish::No(400, _)))));
+            assert!(matches!(
+                read(bytes, 8090),
+                Some((0, HttpRequest::No(400, _)))
+            ));
         }
         let long = format!("GET / HTTP/1.1\r\nHost: {}", "x".repeat(LONGEST));
         assert!(matches!(
             read(long.as_bytes(), 8090),
-            Some((0, Wish::No(431, _)))
+            Some((0, HttpRequest::No(431, _)))
         ));
         let host = "Host: localhost:8090";
-        assert!(matches!(wish(&["POST / HTTP/1.1", host]), Wish::No(405, _)));
         assert!(matches!(
-            wish(&["GET /../x HTTP/1.1", host]),
-            Wish::No(404, _)
+            requested(&["POST / HTTP/1.1", host]),
+            HttpRequest::No(405, _)
         ));
         assert!(matches!(
-            wish(&["GET /class HTTP/1.1", host]),
-            Wish::No(426, _)
+            requested(&["GET /../x HTTP/1.1", host]),
+            HttpRequest::No(404, _)
+        ));
+        assert!(matches!(
+            requested(&["GET /class HTTP/1.1", host]),
+            HttpRequest::No(426, _)
         ));
     }
 
@@ -223,7 +237,7 @@ mod tests {
         for (encodings, wanted) in [("gzip, br", true), ("br", false), ("gzip;q=0", false)] {
             let encodings = format!("Accept-Encoding: {encodings}");
             let lines = ["GET /?x HTTP/1.1", "Host: localhost:8090", &encodings];
-            assert!(matches!(wish(&lines), Wish::Page { gzip, .. } if gzip == wanted));
+            assert!(matches!(requested(&lines), HttpRequest::Page { gzip, .. } if gzip == wanted));
         }
     }
 }

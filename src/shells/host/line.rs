@@ -11,10 +11,12 @@ use tungstenite::protocol::frame::coding::{Data, OpCode};
 use tungstenite::protocol::{Role, WebSocketConfig};
 use tungstenite::{Error, Message, WebSocket};
 
-use super::head::{self, Wish};
+use super::head::{self, HttpRequest};
 use super::switchboard::{Line, Outgoing, Switchboard};
 use super::{hang_up, random, spawn};
-use crate::class::protocol::{HostSaying, LARGEST_HAND_IN, LARGEST_SAYING, Refusal, Saying};
+use crate::class::protocol::{
+    ClientMessage, HostMessage, LARGEST_HAND_IN, LARGEST_SAYING, Refusal,
+};
 use crate::class::{Allowance, Bucket, SeatToken, Verdict};
 use crate::messages::HostNews;
 use crate::shells::lock;
@@ -50,9 +52,9 @@ pub(super) fn serve(board: &Arc<Switchboard>, line: &Arc<Line>) {
 fn answer(board: &Arc<Switchboard>, line: &Arc<Line>) -> io::Result<()> {
     line.stream.set_nodelay(true)?;
     line.stream.set_write_timeout(Some(WRITE_TIME))?;
-    let (wish, rest) = read_head(line, board.port)?;
-    match wish {
-        Wish::Page {
+    let (request, rest) = read_head(line, board.port)?;
+    match request {
+        HttpRequest::Page {
             gzip,
             known,
             head_only,
@@ -68,7 +70,7 @@ fn answer(board: &Arc<Switchboard>, line: &Arc<Line>) -> io::Result<()> {
                 refuse(line, 200, words)
             }
         },
-        Wish::Talk(key) => {
+        HttpRequest::Talk(key) => {
             let accept = derive_accept_key(key.as_bytes());
             let head = format!(
                 "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\n\
@@ -78,18 +80,18 @@ fn answer(board: &Arc<Switchboard>, line: &Arc<Line>) -> io::Result<()> {
             talk(board, line, rest);
             Ok(())
         }
-        Wish::No(status, words) => refuse(line, status, words),
+        HttpRequest::No(status, words) => refuse(line, status, words),
     }
 }
 
 /// Reads the head of a request; also returns the bytes after it.
-fn read_head(line: &Line, port: u16) -> io::Result<(Wish, Vec<u8>)> {
+fn read_head(line: &Line, port: u16) -> io::Result<(HttpRequest, Vec<u8>)> {
     let end = Instant::now() + HEAD_TIME;
     let mut bytes = Vec::new();
     let mut piece = [0; 1024];
     loop {
-        if let Some((length, wish)) = head::read(&bytes, port) {
-            return Ok((wish, bytes.split_off(length)));
+        if let Some((length, request)) = head::read(&bytes, port) {
+            return Ok((request, bytes.split_off(length)));
         }
         line.stream.set_read_timeout(Some(left(end)?))?;
         let room = head::LONGEST - bytes.len();
@@ -198,7 +200,7 @@ fn talk(board: &Arc<Switchboard>, line: &Arc<Line>, rest: Vec<u8>) {
         Err(why) => why,
     };
     if let Some(why) = why {
-        let text = HostSaying::No { why }.to_text();
+        let text = HostMessage::No { why }.to_text();
         // If it fails, the connection is lost.
         let _ = socket.send(Message::text(text));
         let _ = socket.close(None);
@@ -208,10 +210,10 @@ fn talk(board: &Arc<Switchboard>, line: &Arc<Line>, rest: Vec<u8>) {
 }
 
 /// The next message, or the reason why there is none; `None` if the connection is lost.
-fn next(socket: &mut WebSocket<ServerStream>) -> Result<Saying, Option<Refusal>> {
+fn next(socket: &mut WebSocket<ServerStream>) -> Result<ClientMessage, Option<Refusal>> {
     loop {
         match socket.read() {
-            Ok(Message::Text(text)) => return Saying::read(&text).map_err(Some),
+            Ok(Message::Text(text)) => return ClientMessage::read(&text).map_err(Some),
             Ok(Message::Binary(_)) | Err(Error::Capacity(_) | Error::Utf8(_)) => {
                 return Err(Some(Refusal::Format));
             }
@@ -234,7 +236,7 @@ fn join(
     line: &Arc<Line>,
     socket: &mut WebSocket<ServerStream>,
 ) -> Result<(), Option<Refusal>> {
-    let Saying::Join {
+    let ClientMessage::Join {
         code, name, seat, ..
     } = next(socket)?
     else {
@@ -285,7 +287,7 @@ fn listen(
             Err(why) => return why,
         };
         let weight = match saying {
-            Saying::HandIn { .. } => HAND_IN,
+            ClientMessage::HandIn { .. } => HAND_IN,
             _ => 1.0,
         };
         thread::sleep(messages.take(weight, board.now()));

@@ -23,8 +23,8 @@ use std::time::{Duration, Instant};
 
 pub use page::ServedPage;
 
-use crate::class::DoorCode;
-use crate::messages::{HostCall, HostNews, OpenDoor};
+use crate::class::JoinCode;
+use crate::messages::{HostCall, HostNews, JoinDetails};
 use switchboard::Switchboard;
 
 /// The default port; the next ones are tried if it is in use.
@@ -107,21 +107,21 @@ impl Host {
 
     fn open(
         &mut self,
-        code: Option<DoorCode>,
+        code: Option<JoinCode>,
         before: Option<SocketAddrV4>,
-    ) -> io::Result<OpenDoor> {
+    ) -> io::Result<JoinDetails> {
         raise_limit();
         let listener = self.listen(before.map(|it| it.port()))?;
         let port = listener.local_addr()?.port();
         let code = match code {
             Some(code) => code,
-            None => DoorCode::of(random()? as u64),
+            None => JoinCode::of(random()? as u64),
         };
         let page = match &self.options.page {
             Some(page) => page.clone(),
             None => Err("this carrom contains no page for browsers".into()),
         };
-        let told = page.as_ref().map(|_| ()).map_err(Clone::clone);
+        let shown = page.as_ref().map(|_| ()).map_err(Clone::clone);
         let board = Arc::new(Switchboard::new(
             code,
             port,
@@ -130,10 +130,10 @@ impl Host {
         ));
         self.board = Some(Arc::clone(&board));
         spawn("host", move || accept(&listener, &board))?;
-        Ok(OpenDoor {
+        Ok(JoinDetails {
             code,
             addresses: addresses::own(port, before),
-            page: told,
+            page: shown,
         })
     }
 

@@ -7,9 +7,9 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::{ServedPage, hang_up};
-use crate::class::protocol::{HostSaying, PupilState, Refusal};
-use crate::class::{DoorCode, GuardedCode, SeatToken, Verdict};
-use crate::messages::{HostNews, LineId};
+use crate::class::protocol::{HostMessage, PupilState, Refusal};
+use crate::class::{GuardedCode, JoinCode, SeatToken, Verdict};
+use crate::messages::{ConnectionId, HostNews};
 use crate::shells::lock;
 
 /// Most connections at once. When there are more, the oldest one that has not joined is closed, of
@@ -28,7 +28,7 @@ pub(super) struct Switchboard {
     /// The page, if there is one.
     pub(super) page: Option<Arc<ServedPage>>,
     wake: Arc<dyn Fn() + Send + Sync>,
-    lines: Mutex<BTreeMap<LineId, Arc<Line>>>,
+    lines: Mutex<BTreeMap<ConnectionId, Arc<Line>>>,
     news: Mutex<VecDeque<HostNews>>,
     next: AtomicU64,
     closed: AtomicBool,
@@ -37,7 +37,7 @@ pub(super) struct Switchboard {
 /// One connection.
 pub(super) struct Line {
     /// Its number.
-    pub(super) id: LineId,
+    pub(super) id: ConnectionId,
     /// Where it comes from.
     pub(super) address: IpAddr,
     pub(super) stream: TcpStream,
@@ -69,7 +69,7 @@ pub(super) enum Outgoing {
 
 impl Switchboard {
     pub(super) fn new(
-        code: DoorCode,
+        code: JoinCode,
         port: u16,
         page: Option<Arc<ServedPage>>,
         wake: Arc<dyn Fn() + Send + Sync>,
@@ -112,8 +112,8 @@ impl Switchboard {
     }
 
     /// The connection to close when there are too many.
-    fn superfluous(lines: &BTreeMap<LineId, Arc<Line>>) -> Option<LineId> {
-        let mut held: BTreeMap<IpAddr, (usize, LineId)> = BTreeMap::new();
+    fn superfluous(lines: &BTreeMap<ConnectionId, Arc<Line>>) -> Option<ConnectionId> {
+        let mut held: BTreeMap<IpAddr, (usize, ConnectionId)> = BTreeMap::new();
         for (id, line) in lines.iter().filter(|(_, line)| !line.has_joined()) {
             held.entry(line.address).or_insert((0, *id)).0 += 1;
         }
@@ -122,13 +122,13 @@ impl Switchboard {
     }
 
     /// A connection was lost.
-    pub(super) fn remove(&self, id: LineId) {
+    pub(super) fn remove(&self, id: ConnectionId) {
         if let Some(line) = lock(&self.lines).remove(&id) {
             line.close();
         }
     }
 
-    fn line(&self, id: LineId) -> Option<Arc<Line>> {
+    fn line(&self, id: ConnectionId) -> Option<Arc<Line>> {
         lock(&self.lines).get(&id).cloned()
     }
 
@@ -149,18 +149,18 @@ impl Switchboard {
     }
 
     /// Sends a pupil the state.
-    pub(super) fn tell(&self, id: LineId, state: PupilState) {
+    pub(super) fn tell(&self, id: ConnectionId, state: PupilState) {
         if let Some(line) = self.line(id) {
             lock(&self.seats).insert(state.seat);
-            lock(&line.outbox).state = Some(HostSaying::State(Box::new(state)).to_text());
+            lock(&line.outbox).state = Some(HostMessage::State(Box::new(state)).to_text());
             line.filled.notify_all();
         }
     }
 
     /// Tells a pupil why the connection ends.
-    pub(super) fn refuse(&self, id: LineId, why: Refusal) {
+    pub(super) fn refuse(&self, id: ConnectionId, why: Refusal) {
         if let Some(line) = self.line(id) {
-            lock(&line.outbox).last = Some(HostSaying::No { why }.to_text());
+            lock(&line.outbox).last = Some(HostMessage::No { why }.to_text());
             line.filled.notify_all();
         }
     }

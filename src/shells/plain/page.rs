@@ -134,8 +134,8 @@ impl PlainPage {
         let mut options: Vec<_> = items
             .filter_map(|item| PlainOption::of(item, rows))
             .collect();
-        let told: Vec<_> = options.iter().filter_map(|it| it.key).collect();
-        options.extend(rows.iter().filter_map(|row| deed(row, &told)));
+        let taken: Vec<_> = options.iter().filter_map(|it| it.key).collect();
+        options.extend(rows.iter().filter_map(|row| deed(row, &taken)));
         let mut names: Vec<String> = Vec::new();
         options.retain(|option| {
             let is_new = option.kind != OptionKind::Deed || !names.contains(&option.words);
@@ -264,13 +264,13 @@ impl PlainOption {
 }
 
 /// Actions by key without an item of their own.
-fn deed(row: &KeyRow<()>, told: &[Key]) -> Option<PlainOption> {
+fn deed(row: &KeyRow<()>, taken: &[Key]) -> Option<PlainOption> {
     let mut keys = row.keys();
     let (Some(key), None) = (keys.next(), keys.next()) else {
         return None;
     };
     let is_offered = !is_by_other_means(row) && !row.name.is_empty();
-    (is_offered && !told.contains(&key)).then(|| PlainOption {
+    (is_offered && !taken.contains(&key)).then(|| PlainOption {
         label: String::new(),
         words: row.name.to_owned(),
         kind: OptionKind::Deed,

@@ -58,7 +58,7 @@ pub fn run(
         .name("listener".into())
         .spawn(listen)?;
     let talked = talk(&mut reader, &mut held, &news, &more, output);
-    let kept = held.store.pay_at_last().map_err(io::Error::other);
+    let kept = held.store.flush_at_end().map_err(io::Error::other);
     talked.and(kept)
 }
 

@@ -7,7 +7,7 @@ use super::{PlainReader, assert_spoken, spoken};
 use crate::app::App;
 use crate::lessons::{ChapterLibrary, CheckpointKind, Inline, TextBlock};
 use crate::quiz::{Answer, Confidence, Course, CourseKind, Family, Form, Round, concepts, explain};
-use crate::screens::{Place, Settings};
+use crate::screens::{Route, Settings};
 use crate::shells::Headless;
 
 #[test]
@@ -81,7 +81,7 @@ fn no_formula_of_the_chapters_is_spoken_with_a_unit() {
 #[test]
 fn a_text_that_is_asked_for_is_taken_as_it_is() {
     for text in ["q", "h", "r", "a=b", "class = 1"] {
-        let place = Place::Join {
+        let place = Route::Join {
             address: None,
             code: None,
             again: false,
@@ -101,7 +101,7 @@ fn a_text_that_is_asked_for_is_taken_as_it_is() {
 /// A number is taken as it is or refused, never as another one, and no list of values is read.
 #[test]
 fn a_number_that_cannot_be_typed_is_refused_in_a_line() {
-    let mut app = App::new(Place::Lab, Settings::default(), 1);
+    let mut app = App::new(Route::Lab, Settings::default(), 1);
     let mut reader = PlainReader::new(&mut app);
     let mut held = Headless::from(app);
     reader.begin(&mut held);

@@ -7,7 +7,7 @@ use super::{Instruction, ScreenSetting, Screenshot, Tape};
 use crate::app::App;
 use crate::files::quoted;
 use crate::messages::{Key, MouseKind};
-use crate::screens::{Place, Settings};
+use crate::screens::{Route, Settings};
 use crate::shells::classroom::Who;
 use crate::shells::{Classroom, Headless};
 use crate::widgets::recorded;
@@ -147,7 +147,7 @@ fn come(class: &mut Classroom, name: &str) -> Who {
     let size = host.buffer().area;
     let address = None;
     let app = App::new(
-        Place::Join {
+        Route::Join {
             address,
             code,
             again: false,

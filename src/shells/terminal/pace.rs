@@ -68,7 +68,7 @@ impl Pace {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::screens::{Place, Settings};
+    use crate::screens::{Route, Settings};
 
     #[test]
     fn the_first_picture_is_drawn_at_once_and_the_next_a_frame_later() {
@@ -88,7 +88,7 @@ mod tests {
         let mut pace = Pace::new(start);
         pace.drawn(start);
         assert_eq!(pace.next(None), None);
-        let mut app = App::new(Place::Home, Settings::default(), 1);
+        let mut app = App::new(Route::Home, Settings::default(), 1);
         pace.live(&mut app, start + Duration::from_secs(9));
         assert!(!pace.is_due(start + Duration::from_secs(9)));
     }

@@ -45,7 +45,7 @@ impl StoreWorker {
                 // The caller may have stopped waiting.
                 let _ = job.done.send(());
             }
-            if let Err(lost) = store.pay_at_last() {
+            if let Err(lost) = store.flush_at_end() {
                 say(&lost);
             }
         };
@@ -70,7 +70,7 @@ impl StoreWorker {
             tell(request.refused("the store has stopped"), sender);
             return false;
         }
-        let patience = match request.wish {
+        let patience = match request.request {
             StoreRequest::Save(_) | StoreRequest::SaveClass(_) => PATIENCE,
             StoreRequest::Record(_) => ANSWER_PATIENCE,
             _ => return false,
@@ -107,9 +107,9 @@ impl Drop for StoreWorker {
 }
 
 fn tell(answer: StoreAnswer, sender: &Sender<Message>) {
-    let told = sender.send(Message::Input(Input::Kept(Box::new(answer))));
+    let shown = sender.send(Message::Input(Input::Kept(Box::new(answer))));
     // Nobody listens any more only when carrom is leaving anyway.
-    if let Err(mpsc::SendError(Message::Input(Input::Kept(answer)))) = told
+    if let Err(mpsc::SendError(Message::Input(Input::Kept(answer)))) = shown
         && let StoreReply::Saved(Err(reason)) = answer.done
     {
         say(&format!("the last changes could not be saved: {reason}"));
@@ -162,7 +162,7 @@ mod tests {
         };
         let star = |ticket| StoreCall {
             ticket,
-            wish: StoreRequest::Star("Ada".into(), starred.clone()),
+            request: StoreRequest::Star("Ada".into(), starred.clone()),
         };
         assert!(
             !store_worker.ask(&star(1), &sender),
@@ -173,7 +173,7 @@ mod tests {
         other.execute_batch("BEGIN IMMEDIATE").unwrap();
         let record = |ticket| StoreCall {
             ticket,
-            wish: StoreRequest::Record(Box::new(attempt.clone())),
+            request: StoreRequest::Record(Box::new(attempt.clone())),
         };
         assert!(store_worker.ask(&record(2), &sender), "it is being saved");
         let start = Instant::now();

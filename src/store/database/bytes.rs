@@ -71,9 +71,9 @@ impl Database {
     /// # Errors
     /// If they are damaged, not carrom's, or of a newer one; then nothing is added.
     pub(in crate::store) fn take_in(&mut self, bytes: &[u8]) -> Result<(), String> {
-        let told = |trouble: DatabaseError| trouble.to_string();
-        let mut other = open(bytes).map_err(told)?;
-        let (theirs, _) = tables::attempts(&other, None).map_err(|error| told(error.into()))?;
+        let reported = |trouble: DatabaseError| trouble.to_string();
+        let mut other = open(bytes).map_err(reported)?;
+        let (theirs, _) = tables::attempts(&other, None).map_err(|error| reported(error.into()))?;
         let own = self.attempts(None)?;
         // The tables are there from here on.
         self.change(|transaction| {
@@ -83,7 +83,7 @@ impl Database {
                 .collect::<rusqlite::Result<Vec<_>>>()
         })?;
         match &mut self.location {
-            Location::Memory(Some(connection)) => add(connection, &mut other).map_err(told),
+            Location::Memory(Some(connection)) => add(connection, &mut other).map_err(reported),
             _ => Ok(()),
         }
     }

@@ -81,7 +81,7 @@ fn mended(folder: &Path, damaged: &Path) -> Result<(String, PathBuf), DatabaseEr
             remove(draft.path())?;
             let copy = Draft::beside(damaged, COPY)?;
             copy_damaged(damaged, copy.path())?;
-            salvaged(folder, copy.path(), draft.path())?.told()
+            salvaged(folder, copy.path(), draft.path())?.reported()
         }
     };
     let kept = put_in_place(damaged, draft.path())?;
@@ -144,7 +144,7 @@ pub(super) fn mended_bytes(
     let saved = refilled(&mut new, version, Cursor::new(damaged))?;
     schema::prepare(&mut new)?;
     schema::check(&new)?;
-    Ok((new, notice(&saved.told(), kept, trouble)))
+    Ok((new, notice(&saved.reported(), kept, trouble)))
 }
 
 /// Makes an empty database one of this version, with every row that can be read of a damaged

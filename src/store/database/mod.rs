@@ -62,7 +62,7 @@ pub(super) struct Database {
     was_busy: bool,
     notice: Option<String>,
     /// Whether the player has been notified of answers that are left out.
-    told_of_misfits: bool,
+    reported_misfits: bool,
 }
 
 enum Location {
@@ -93,7 +93,7 @@ impl Database {
             checked: None,
             was_busy: false,
             notice: None,
-            told_of_misfits: false,
+            reported_misfits: false,
         }
     }
 
@@ -166,7 +166,7 @@ impl Database {
                     was_mended = true;
                     self.checked = None;
                 }
-                Err(trouble) => return Err(self.told(&trouble)),
+                Err(trouble) => return Err(self.reported(&trouble)),
             }
         }
     }
@@ -256,7 +256,7 @@ impl Database {
         transact(&mut connection, TransactionBehavior::Deferred, look)
     }
 
-    fn told(&self, trouble: &DatabaseError) -> String {
+    fn reported(&self, trouble: &DatabaseError) -> String {
         match &self.location {
             Location::Memory(_) | Location::Newer(..) => trouble.to_string(),
             Location::Folder(folder) => {

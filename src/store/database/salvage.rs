@@ -270,9 +270,9 @@ impl Saved {
     }
 
     /// What was saved and what was not, in sentences.
-    pub(super) fn told(&self) -> String {
+    pub(super) fn reported(&self) -> String {
         let saved = listed(&self.tables);
-        let mut told = match (saved.is_empty(), self.damaged.is_empty()) {
+        let mut reported = match (saved.is_empty(), self.damaged.is_empty()) {
             (true, true) => return "There was nothing in it.".into(),
             (false, true) => return format!("Everything in it could be saved: {saved}."),
             (true, false) => "Nothing in it could be read.".into(),
@@ -287,9 +287,9 @@ impl Saved {
                 nothing if nothing.is_empty() => "nothing that was missing".into(),
                 taken => taken,
             };
-            told += &format!(" Taken from {copy}: {taken}.");
+            reported += &format!(" Taken from {copy}: {taken}.");
         }
-        told
+        reported
     }
 
     /// What is lost of a damaged table.
@@ -340,13 +340,13 @@ mod tests {
             ..Saved::default()
         };
         assert_eq!(
-            saved.told(),
+            saved.reported(),
             "Everything in it could be saved: 730 answers, 1 level won."
         );
         saved.damaged = vec![ANSWERS.into(), "star".into()];
         saved.lost_answers = 1;
         assert_eq!(
-            saved.told(),
+            saved.reported(),
             "Saved: 730 answers, 1 level won. Could not be read: 1 answer, some of the levels won."
         );
         saved.damaged.truncate(1);
@@ -356,7 +356,7 @@ mod tests {
             vec![(ANSWERS.into(), 7)],
         ));
         assert_eq!(
-            saved.told(),
+            saved.reported(),
             "Saved: 730 answers, 1 level won. Could not be read: 1 answer or more. Taken from \
              progress-backup-2026-11-21.db: 7 answers."
         );

@@ -28,8 +28,8 @@ impl Database {
         player: Option<&str>,
     ) -> Result<Vec<Attempt>, String> {
         let (attempts, misfits) = self.look_up(|transaction| attempts(transaction, player))?;
-        if misfits > 0 && !self.told_of_misfits && self.notice.is_none() {
-            self.told_of_misfits = true;
+        if misfits > 0 && !self.reported_misfits && self.notice.is_none() {
+            self.reported_misfits = true;
             self.notice = Some(format!(
                 "carrom left out {} in {NAME} that fit no question. Damage, or another \
                  program, has changed the file.",

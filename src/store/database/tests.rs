@@ -302,9 +302,9 @@ fn a_damaged_database_is_mended_and_the_damaged_file_kept() {
         // A letter of the name of the format.
         (with(3, b"j"), "Everything in it", 200),
     ];
-    for (i, (damaged, told, least)) in cases.into_iter().enumerate() {
+    for (i, (damaged, reported, least)) in cases.into_iter().enumerate() {
         let (notice, answers) = mended(&scratch, &damaged);
-        assert!(notice.contains(told), "{i}: {notice}");
+        assert!(notice.contains(reported), "{i}: {notice}");
         assert!(answers >= least, "{i}: {answers}");
         let name = format!("progress-damaged-{}.db", i + 1);
         assert!(notice.contains(&name), "{notice}");

@@ -2,8 +2,8 @@
 //! every enlarged impact use it.
 
 mod after;
-mod beat;
 mod explain;
+mod explanation_step;
 mod layers;
 mod moment;
 mod names;

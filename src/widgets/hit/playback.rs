@@ -164,7 +164,7 @@ impl Playback {
     }
 
     /// Whether the last step of the explanation has been reached.
-    pub(crate) fn is_told(&self) -> bool {
+    pub(crate) fn is_revealed(&self) -> bool {
         self.step_reached() == Some(self.last())
     }
 
@@ -228,15 +228,15 @@ impl Playback {
     }
 
     /// Goes to the contact at once, with the whole explanation.
-    pub(crate) fn tell(&mut self) {
+    pub(crate) fn reveal(&mut self) {
         self.stage = PlaybackStage::at_step(self.last());
     }
 
     /// To the end of the explanation, and from there to the end.
     pub(crate) fn finish(&mut self) {
-        match self.is_told() {
+        match self.is_revealed() {
             true => self.stage = PlaybackStage::Halted(self.end),
-            false => self.tell(),
+            false => self.reveal(),
         }
     }
 
@@ -339,7 +339,7 @@ mod tests {
         }
         // The last one stays.
         run(&mut clock, HitPace::Flowing, 100.0);
-        assert!(clock.at_contact() && clock.is_told());
+        assert!(clock.at_contact() && clock.is_revealed());
         assert_eq!(clock.wake(HitPace::Flowing), None);
     }
 
@@ -378,7 +378,7 @@ mod tests {
     #[test]
     fn with_no_motion_it_goes_from_the_contact_to_the_end_at_once() {
         let mut clock = clock(HitPace::Still);
-        clock.tell();
+        clock.reveal();
         clock.go_on();
         clock.advance(FRAME, HitPace::Still);
         assert!(clock.is_over());
@@ -391,7 +391,7 @@ mod tests {
     fn from_the_contact_it_goes_on_to_the_end() {
         let mut clock = clock(HitPace::Flowing);
         clock.finish();
-        assert!(clock.at_contact() && clock.is_told() && !clock.is_moving());
+        assert!(clock.at_contact() && clock.is_revealed() && !clock.is_moving());
         clock.go_on();
         assert!(clock.is_moving());
         run(&mut clock, HitPace::Flowing, 10.0);
@@ -404,13 +404,13 @@ mod tests {
         clock.scrub(0.05);
         assert!(clock.has_met() && !clock.at_contact());
         clock.scrub(-0.2);
-        assert!(clock.at_contact() && clock.is_told());
+        assert!(clock.at_contact() && clock.is_revealed());
         clock.scrub(-0.2);
         assert!(!clock.has_met());
         clock.scrub(-9.0);
         assert!(clock.time() == 0.0);
         clock.scrub(0.9);
-        assert!(clock.at_contact() && !clock.is_told());
+        assert!(clock.at_contact() && !clock.is_revealed());
         clock.scrub(9.0);
         assert!(clock.is_over());
     }

@@ -17,7 +17,7 @@ impl Reveal {
     /// Before it is watched; without a collision it is already revealed.
     pub(crate) fn new(watch: Option<Watch>) -> Self {
         Self {
-            revealed: watch.as_ref().is_none_or(Watch::is_told),
+            revealed: watch.as_ref().is_none_or(Watch::is_revealed),
             watch,
         }
     }
@@ -34,9 +34,9 @@ impl Reveal {
 
     /// Whether the picture is just explaining itself, step by step: for the first time, or
     /// looked at again.
-    pub(crate) fn is_telling(&self) -> bool {
+    pub(crate) fn is_explaining(&self) -> bool {
         let watch = self.watch.as_ref();
-        let at_step = watch.is_some_and(|watch| watch.has_met() && !watch.is_told());
+        let at_step = watch.is_some_and(|watch| watch.has_met() && !watch.is_revealed());
         at_step || !self.revealed
     }
 
@@ -60,7 +60,7 @@ impl Reveal {
     pub(crate) fn act(&mut self, action: WatchAction) {
         if let Some(watch) = &mut self.watch {
             watch.act(action);
-            self.revealed |= watch.is_told();
+            self.revealed |= watch.is_revealed();
         }
     }
 
@@ -68,7 +68,7 @@ impl Reveal {
     pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         if let Some(watch) = &mut self.watch {
             watch.advance(passed, pace);
-            self.revealed |= watch.is_told();
+            self.revealed |= watch.is_revealed();
         }
     }
 
@@ -80,7 +80,7 @@ impl Reveal {
     /// Reveals what happened at once.
     pub(crate) fn at_once(&mut self) {
         if let Some(watch) = &mut self.watch {
-            watch.tell();
+            watch.reveal();
         }
         self.revealed = true;
     }

@@ -78,10 +78,10 @@ fn labels(picture: &Picture) -> Vec<String> {
         .collect()
 }
 
-fn told(collision: &Collision) -> Picture {
+fn revealed(collision: &Collision) -> Picture {
     let mut layers = Overlays::default();
     layers.toggle(Overlay::Triangle);
-    let watch = Watch::told(*collision).with_layers(layers);
+    let watch = Watch::revealed(*collision).with_layers(layers);
     watch.with_measures().picture(AREA)
 }
 
@@ -100,10 +100,10 @@ fn every_hit_can_be_printed_before_it_and_after_it() {
             assert!(marks >= 1, "{angle} {before:?} {collision:?}");
         }
         if collision.alpha().is_some() {
-            let is_told = before.iter().any(|it| it.starts_with("α = "));
-            assert!(is_told, "{before:?} {collision:?}");
+            let is_revealed = before.iter().any(|it| it.starts_with("α = "));
+            assert!(is_revealed, "{before:?} {collision:?}");
         }
-        let after = labels(&told(&collision));
+        let after = labels(&revealed(&collision));
         let masses = after.iter().filter(|it| it.ends_with(" g")).count();
         assert_eq!(masses, 2, "{after:?} {collision:?}");
     }
@@ -169,7 +169,7 @@ fn letters_and_numbers_are_those_of_the_hit() {
     let piece = Disc::from_g_mm(15.0, 15.0);
     let hit = Collision::at_angle(piece, piece, dvec2(4.0, 0.0), 30_f64.to_radians());
     // 4 m/s sin 30° and cos 30°.
-    let mut found = labels(&told(&hit));
+    let mut found = labels(&revealed(&hit));
     found.sort();
     let mut expected = [
         "S",
@@ -204,11 +204,11 @@ fn letters_and_numbers_are_those_of_the_hit() {
 fn what_stands_still_and_what_misses_is_said() {
     let piece = Disc::from_g_mm(15.0, 15.0);
     let head_on = Collision::at_offset(piece, piece, dvec2(4.0, 0.0), 0.0);
-    let found = labels(&told(&head_on));
+    let found = labels(&revealed(&head_on));
     let still = "v₁ = 0: it stands still".to_owned();
     assert!(found.contains(&still), "{found:?}");
     let miss = Collision::at_offset(piece, piece, dvec2(4.0, 0.0), 0.04);
-    assert!(!labels(&told(&miss)).iter().any(|it| it.contains('α')));
+    assert!(!labels(&revealed(&miss)).iter().any(|it| it.contains('α')));
 }
 
 /// A picture in cells, on the background of its theme.

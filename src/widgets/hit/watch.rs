@@ -5,7 +5,7 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
-use super::beat::{Beat, BeatWords};
+use super::explanation_step::{ExplanationStep, StepWords};
 use super::playback::{HitPace, Playback};
 use super::{HitLayout, Overlay, Overlays, moment::Moment, stage::time_in_sight};
 use crate::messages::Key;
@@ -31,7 +31,7 @@ pub(crate) struct Watch {
     pub(super) measured: bool,
     pub(super) faces: [Face; 2],
     /// The explanation at the contact, step by step.
-    beats: &'static [Beat],
+    steps: &'static [ExplanationStep],
     /// The layer that was switched by the last key.
     switched: Option<Overlay>,
 }
@@ -85,9 +85,9 @@ impl Watch {
         let (contact, end) = times(&collision);
         let outcome = collision.outcome();
         let (frame, faces) = (Frame::Laboratory, Face::STRIKER_AND_COIN);
-        let beats = Beat::of(outcome.meeting, collision.bond);
-        let words = BeatWords::new(&collision, &outcome, frame, faces);
-        let holds = beats.iter().map(|beat| words.hold(*beat)).collect();
+        let steps = ExplanationStep::of(outcome.meeting, collision.bond);
+        let words = StepWords::new(&collision, &outcome, frame, faces);
+        let holds = steps.iter().map(|step| words.hold(*step)).collect();
         Self {
             collision,
             outcome,
@@ -99,15 +99,15 @@ impl Watch {
             wanted: None,
             measured: false,
             faces,
-            beats,
+            steps,
             switched: None,
         }
     }
 
     /// The collision at its contact, with the whole explanation.
-    pub(crate) fn told(collision: Collision) -> Self {
+    pub(crate) fn revealed(collision: Collision) -> Self {
         let mut watch = Self::new(collision, None, HitPace::Still);
-        watch.tell();
+        watch.reveal();
         watch
     }
 
@@ -115,7 +115,7 @@ impl Watch {
     #[must_use]
     pub(crate) fn at_once(self) -> Self {
         Self {
-            beats: &[Beat::Whole],
+            steps: &[ExplanationStep::Whole],
             clock: self.clock.in_one_step(),
             ..self
         }
@@ -182,10 +182,10 @@ impl Watch {
     }
 
     /// The step of the explanation that has been reached; none before the contact.
-    pub(super) fn beat(&self) -> Option<Beat> {
+    pub(super) fn step(&self) -> Option<ExplanationStep> {
         self.clock
             .step_reached()
-            .and_then(|step| self.beats.get(step).copied())
+            .and_then(|step| self.steps.get(step).copied())
     }
 
     /// Whether the contact has been reached.
@@ -194,8 +194,8 @@ impl Watch {
     }
 
     /// Whether the outcome may be revealed: once all steps at the contact have been shown.
-    pub(crate) fn is_told(&self) -> bool {
-        self.clock.is_told()
+    pub(crate) fn is_revealed(&self) -> bool {
+        self.clock.is_revealed()
     }
 
     /// The title of the picture. In the laboratory frame it is `name`. After a layer was switched,
@@ -225,8 +225,8 @@ impl Watch {
     }
 
     /// Writes the step of the explanation and its words, until the explanation is complete.
-    pub(crate) fn write_telling<A>(&self, panel: &mut Panel<A>) {
-        let (heading, words) = self.telling();
+    pub(crate) fn write_explanation<A>(&self, panel: &mut Panel<A>) {
+        let (heading, words) = self.explanation();
         if let Some(heading) = heading {
             panel.paragraph(heading, Role::Title);
             panel.gap();
@@ -240,9 +240,9 @@ impl Watch {
         offset(&self.collision, panel);
         impact_angle(&self.collision, panel);
         masses(&self.collision, secret, panel);
-        if !self.is_told() {
+        if !self.is_revealed() {
             panel.gap();
-            self.write_telling(panel);
+            self.write_explanation(panel);
             return false;
         }
         separation(&self.collision, panel);
@@ -263,17 +263,17 @@ impl Watch {
     }
 
     /// The present words of the explanation, with a heading after the contact.
-    pub(crate) fn telling(&self) -> (Option<String>, String) {
-        let words = BeatWords::new(&self.collision, &self.outcome, self.frame, self.faces);
-        match self.beat() {
-            Some(beat) => (Some(words.heading(beat)), words.of(beat)),
+    pub(crate) fn explanation(&self) -> (Option<String>, String) {
+        let words = StepWords::new(&self.collision, &self.outcome, self.frame, self.faces);
+        match self.step() {
+            Some(step) => (Some(words.heading(step)), words.of(step)),
             None => (None, "Watch the contact …".into()),
         }
     }
 
     /// Goes to the contact at once and reveals the outcome.
-    pub(crate) fn tell(&mut self) {
-        self.clock.tell();
+    pub(crate) fn reveal(&mut self) {
+        self.clock.reveal();
     }
 
     /// The keys that work it.
@@ -287,15 +287,15 @@ impl Watch {
         let last = if self.said.is_some() { '7' } else { '6' };
         KeyTable::new("hit")
             .on(' ', GoOn, "go on")
-            .or((!self.is_told()).then_some((Key::Enter, GoOn)))
+            .or((!self.is_revealed()).then_some((Key::Enter, GoOn)))
             .when(!self.clock.is_over())
             .by([',', '.'], Step, [-1, 1], "step")
             .or([(Key::Left, Step(-1)), (Key::Right, Step(1))])
-            .on('a', Again, if self.is_told() { "again" } else { "" })
+            .on('a', Again, if self.is_revealed() { "again" } else { "" })
             .on('f', Frame, "frame")
             .each(('1'..=last).map(layer), "layers")
             .by(['<', '>'], Scrub, [-1, 1], "")
-            .on(Key::End, End, if self.is_told() { "" } else { "all" })
+            .on(Key::End, End, if self.is_revealed() { "" } else { "all" })
             .on(Key::Home, Start, "")
     }
 

@@ -364,13 +364,13 @@ mod tests {
     #[test]
     fn a_row_tells_its_keys_name_and_help() {
         let table = table();
-        let told: Vec<_> = table
+        let shown: Vec<_> = table
             .rows()
             .iter()
             .map(|row| (row.id.as_str(), row.shown(), row.name, row.help))
             .collect();
         assert_eq!(
-            told,
+            shown,
             [
                 ("lab.next-set", "s".into(), "pieces", "next set of pieces"),
                 ("lab.choose", "Up Down".into(), "choose", "choose a setting"),

@@ -99,8 +99,8 @@ mod tests {
     #[test]
     fn only_what_was_asked_for_is_told() {
         let said = Rays::new(1.0, 0.5);
-        let told = table(1.0, said, [None, Some("coin")], false);
-        assert!(!told.contains("60.0") && told.contains("30.0"), "{told}");
+        let shown = table(1.0, said, [None, Some("coin")], false);
+        assert!(!shown.contains("60.0") && shown.contains("30.0"), "{shown}");
     }
 
     #[test]
@@ -109,7 +109,7 @@ mod tests {
             striker: Some(1.0),
             target: None,
         };
-        let told = table(1.0, said, [Some("striker"), Some("coin")], true);
-        assert!(told.contains("2.7") && told.contains("still"), "{told}");
+        let shown = table(1.0, said, [Some("striker"), Some("coin")], true);
+        assert!(shown.contains("2.7") && shown.contains("still"), "{shown}");
     }
 }

@@ -1,6 +1,6 @@
 //! The pages about pupils on their own devices: how to join, and who has joined.
 
-mod door;
+mod joining;
 mod people;
 mod qr;
 
@@ -20,7 +20,7 @@ use people::People;
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum HostingAction {
     /// show how to join: the address and the code
-    Door,
+    Joining,
     /// show who is in, and who has voted
     Names,
     /// go on with the round
@@ -47,33 +47,33 @@ pub(crate) enum HostingAction {
 #[derive(Debug, Clone)]
 pub(super) enum HostPage {
     /// How to join.
-    Door,
+    Joining,
     People(People),
 }
 
 /// The keys that there are at every step.
 pub(super) fn step_keys() -> KeyTable<HostingAction> {
     KeyTable::new("class")
-        .on('j', HostingAction::Door, "how to join")
+        .on('j', HostingAction::Joining, "how to join")
         .on('w', HostingAction::Names, "who is in")
 }
 
 impl HostPage {
     pub(super) fn keys(&self, session: &Session) -> KeyTable<HostingAction> {
-        use HostingAction::{Door, GoOn, Names, Shut};
+        use HostingAction::{GoOn, Joining, Names, Shut};
         let shut = match session.is_shut() {
             true => "let them in",
             false => "no newcomers",
         };
         match self {
-            Self::Door => KeyTable::new("class")
+            Self::Joining => KeyTable::new("class")
                 .on(Key::Enter, GoOn, "back to the round")
                 .or([(Key::Char(' '), GoOn), (Key::Char('j'), GoOn)])
                 .on('w', Names, "who is in")
                 .on('c', Shut, shut),
             Self::People(people) => {
                 let keys = people.keys(session, shut);
-                keys.or([(Key::Char('j'), Door)])
+                keys.or([(Key::Char('j'), Joining)])
             }
         }
     }
@@ -82,7 +82,7 @@ impl HostPage {
     pub(super) fn typed(&mut self, key: Key) -> bool {
         match self {
             Self::People(people) => people.typed(key),
-            Self::Door => false,
+            Self::Joining => false,
         }
     }
 
@@ -100,7 +100,7 @@ impl HostPage {
                 ))
             }
             (Self::People(people), _) => people.confirmation(action, session),
-            (Self::Door, _) => None,
+            (Self::Joining, _) => None,
         }
     }
 
@@ -111,13 +111,13 @@ impl HostPage {
         session: &mut Session,
     ) -> Option<Self> {
         match (action, page) {
-            (HostingAction::Door, _) => Some(Self::Door),
+            (HostingAction::Joining, _) => Some(Self::Joining),
             (HostingAction::Names, _) => Some(Self::People(People::new(session))),
             (HostingAction::GoOn, Some(_)) => {
                 session.begin();
                 None
             }
-            (HostingAction::Back, _) => session.gathers().then_some(Self::Door),
+            (HostingAction::Back, _) => session.gathers().then_some(Self::Joining),
             (HostingAction::Shut, page) => {
                 session.turn_key();
                 page
@@ -145,7 +145,7 @@ impl HostPage {
 
     pub(super) fn view<'s>(&'s self, session: &'s Session, cx: &Context) -> View<'s, ClassAction> {
         match self {
-            Self::Door => door::view(session, cx),
+            Self::Joining => joining::view(session, cx),
             Self::People(people) => {
                 let panel = people.panel(session);
                 View::alone(|room| SplitLayout::text_of(room, WIDEST), panel)

@@ -7,7 +7,7 @@ use strum::{EnumMessage, IntoStaticStr};
 use crate::files::FileError;
 use crate::lessons::{Book, Chapter, Forget};
 use crate::messages::{Input, Key, StoreReply};
-use crate::screens::{Confirmation, Context, Next, Place, Screen, View};
+use crate::screens::{Confirmation, Context, Next, Route, Screen, View};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 
 /// What keys do in the contents.
@@ -87,10 +87,10 @@ fn open(book: &Book) -> Next {
     let number = match chosen(book) {
         ContentsLine::Chapter(_) => Some(book.at),
         ContentsLine::Summary => book.next(),
-        ContentsLine::Glossary => return Next::Open(Place::Glossary),
+        ContentsLine::Glossary => return Next::Open(Route::Glossary),
         ContentsLine::Problem(_) => None,
     };
-    number.map_or(Next::Stay, |number| Next::Open(Place::Chapter { number }))
+    number.map_or(Next::Stay, |number| Next::Open(Route::Chapter { number }))
 }
 
 impl Screen for Contents {
@@ -100,8 +100,8 @@ impl Screen for Contents {
         "learn".into()
     }
 
-    fn place(&self, _cx: &Context) -> Place {
-        Place::Learn
+    fn route(&self, _cx: &Context) -> Route {
+        Route::Learn
     }
 
     fn status(&self, cx: &Context) -> String {
@@ -140,7 +140,7 @@ impl Screen for Contents {
                 book.at = book.next().unwrap_or(book.at);
                 return Next::Stay;
             }
-            ContentsAction::Glossary => return Next::Open(Place::Glossary),
+            ContentsAction::Glossary => return Next::Open(Route::Glossary),
             ContentsAction::Leave => return Next::Back,
             ContentsAction::ForgetAll => ("all chapters".to_owned(), "all chapters"),
             ContentsAction::Forget => {

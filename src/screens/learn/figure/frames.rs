@@ -13,7 +13,7 @@ use crate::widgets::{Lines, Look, Role, areas};
 pub(super) fn watches(collision: &Collision) -> [Watch; 2] {
     let layers = Overlays::default().without([Overlay::Triangle, Overlay::Lines]);
     [Frame::Laboratory, Frame::CentreOfMass].map(|frame| {
-        let watch = Watch::told(*collision).at_once();
+        let watch = Watch::revealed(*collision).at_once();
         watch.with_layers(layers).seen_from(frame)
     })
 }
@@ -39,20 +39,20 @@ pub(super) fn lay_out(
     look: &Look,
 ) -> Vec<Picture> {
     let names = ["the board", "centre of mass"];
-    let words = watches.first().map(|board| told(board.collision()));
+    let words = watches.first().map(|board| revealed(board.collision()));
     let words = names.into_iter().zip(words.into_iter().flatten());
     let each = watches.iter().zip(halves(area)).zip(words);
-    each.map(|((watch, half), (name, told))| {
+    each.map(|((watch, half), (name, revealed))| {
         let mut lines = Lines::new(half, buf, *look);
         lines.line(name, Role::Dim);
-        lines.line(&told, Role::Text);
+        lines.line(&revealed, Role::Text);
         watch.picture(areas::upper(half, lines.written())[1])
     })
     .collect()
 }
 
 /// V, which relates the two pictures, and the scattering angle Θ.
-fn told(collision: &Collision) -> [String; 2] {
+fn revealed(collision: &Collision) -> [String; 2] {
     let speed = collision.centre_of_mass_velocity().length();
     let angle = collision
         .alpha()

@@ -20,7 +20,7 @@ use crate::physics::units::{deg_from_rad, rad_from_deg};
 use crate::physics::{Bond, Collision, CollisionSpec, ImpactPoint, Meeting};
 use crate::quiz::{Hit, Rays};
 use crate::screens::foil::{FoilFigure, FoilFigureAction};
-use crate::screens::place::FoilPage;
+use crate::screens::route::FoilPage;
 use crate::widgets::hit::{
     Face, HitPace, Markings, Overlay, Overlays, Watch, WatchAction, point_at, setup_picture,
 };
@@ -100,7 +100,7 @@ impl LiveFigure {
     fn set_up(&mut self, said: Option<Rays>, pace: HitPace) {
         let watch = || match said {
             Some(_) => Watch::new(self.collision, said, pace),
-            None => Watch::told(self.collision),
+            None => Watch::revealed(self.collision),
         };
         let hit = |watch| FigureState::Hits(vec![watch]);
         self.state = match self.figure.kind {
@@ -182,9 +182,9 @@ impl LiveFigure {
     }
 
     /// Shows the whole explanation of its collision at once.
-    pub(super) fn tell(&mut self) {
+    pub(super) fn explain(&mut self) {
         if let FigureState::Hits(hits) = &mut self.state {
-            hits.iter_mut().for_each(Watch::tell);
+            hits.iter_mut().for_each(Watch::reveal);
         }
     }
 

@@ -22,9 +22,9 @@ pub(in crate::screens::learn) fn describe(
     let Some((page, figure)) = page.and_then(|page| Some((page, page.figure.as_ref()?))) else {
         return Vec::new();
     };
-    let told = answered || page.checkpoint.is_none();
+    let revealed = answered || page.checkpoint.is_none();
     let figure = &Figure {
-        shot: if told { figure.after } else { figure.shot },
+        shot: if revealed { figure.after } else { figure.shot },
         ..*figure
     };
     let later = chapter.pages.get(at + 1..).unwrap_or_default();
@@ -35,12 +35,12 @@ pub(in crate::screens::learn) fn describe(
              go. carrom foil does so on a screen."
                 .into(),
         ],
-        FigureKind::Shots { space, beyond_deg } => shots(space, beyond_deg, told),
+        FigureKind::Shots { space, beyond_deg } => shots(space, beyond_deg, revealed),
         // These are words already.
         FigureKind::Worked { .. } | FigureKind::Solve => Vec::new(),
         kind => {
             let mut lines = vec![format!("Figure: {}", set_up(&figure.shot, &collision))];
-            if told {
+            if revealed {
                 lines.push(weighed(&collision));
                 lines.extend(outcome(kind, &collision, is_asked(later, &figure.shot)));
             } else {
@@ -113,14 +113,14 @@ fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
 }
 
 /// Unaimed shots between equal discs.
-fn shots(space: bool, beyond_deg: f64, told: bool) -> Vec<String> {
+fn shots(space: bool, beyond_deg: f64, revealed: bool) -> Vec<String> {
     let (beam, over) = if space {
         (Beam::Space, "a round target of radius r₁ + r₂")
     } else {
         (Beam::Board, "a line, from 0 to r₁ + r₂ on either side")
     };
     let mut lines = vec![format!("Figure: shots evenly spread over {over}.")];
-    if told {
+    if revealed {
         let share = beam.share_within(rad_from_deg(beyond_deg).cos());
         lines.push(format!(
             "{} % of them are deflected by more than {beyond_deg}°.",
@@ -182,11 +182,11 @@ fn every_ten(
     collision: &Collision,
     line: impl Fn(u32, &CollisionOutcome) -> String,
 ) -> Vec<String> {
-    let told = |alpha_deg: u32| {
+    let revealed = |alpha_deg: u32| {
         let alpha = rad_from_deg(alpha_deg.into());
         line(alpha_deg, &collision.with_alpha(alpha).outcome())
     };
-    (0..90).step_by(10).map(told).collect()
+    (0..90).step_by(10).map(revealed).collect()
 }
 
 /// The lines at the contact and, unless only the `lines` are shown, the two components of the

@@ -178,10 +178,10 @@ fn without_result(line: &str) -> String {
     let equality = || line.match_indices('=').map(|(at, _)| at);
     let value = equality().find(|at| is_value(&line[at + 1..]));
     // θ₁: undefined, or a separation.
-    let told = line
+    let revealed = line
         .find(": ")
         .filter(|at| value.is_none_or(|value| *at < value));
-    match (told, value) {
+    match (revealed, value) {
         (Some(at), _) | (None, Some(at)) => format!("{} {GAP}", &line[..=at]),
         (None, None) if line.contains('=') => line.into(),
         (None, None) => GAP.into(),

@@ -14,7 +14,7 @@ use super::record;
 use crate::lessons::{Bookmark, Chapter, Forget};
 use crate::messages::{Input, Key, Mouse, StoreReply};
 use crate::quiz::Response;
-use crate::screens::{Confirmation, Context, Next, Place, Screen, SharedAction, View};
+use crate::screens::{Confirmation, Context, Next, Route, Screen, SharedAction, View};
 use crate::widgets::input::{KeyTable, RayAction};
 use crate::widgets::panel::Panel;
 use crate::widgets::{
@@ -199,7 +199,7 @@ impl Reading {
         }
         let right = form.is_right(&answer);
         let mark = Bookmark::answering(&open.page, &question.checkpoint, (answer, first), right);
-        open.tell(answer, cx.settings.pace());
+        open.reveal(answer, cx.settings.pace());
         self.mark(mark, cx);
     }
 
@@ -213,7 +213,7 @@ impl Reading {
         {
             let checkpoint = &question.checkpoint;
             let mark = Bookmark::answering(&open.page, checkpoint, (answer, None), false);
-            open.tell(answer, cx.settings.pace());
+            open.reveal(answer, cx.settings.pace());
             self.mark(mark, cx);
         }
     }
@@ -288,14 +288,14 @@ impl Reading {
         match figure.foil_page() {
             None => {
                 let setup = figure.setup();
-                Next::Open(Place::LabOf { setup })
+                Next::Open(Route::LabOf { setup })
             }
             // It would show the answer.
             Some(_) if self.is_asking() => {
                 self.notice = Some(SAY_FIRST);
                 Next::Stay
             }
-            Some(page) => Next::Open(Place::FoilAt { page }),
+            Some(page) => Next::Open(Route::FoilAt { page }),
         }
     }
 
@@ -330,14 +330,14 @@ impl Screen for Reading {
         format!("{} {}", self.chapter.number, self.chapter.title)
     }
 
-    fn place(&self, _cx: &Context) -> Place {
+    fn route(&self, _cx: &Context) -> Route {
         let number = self.number;
         match self.visited {
-            Some(visited) => Place::Page {
+            Some(visited) => Route::Page {
                 number,
                 page: self.open.as_ref().map_or(visited, |_| self.at),
             },
-            None => Place::Chapter { number },
+            None => Route::Chapter { number },
         }
     }
 
@@ -358,7 +358,7 @@ impl Screen for Reading {
         let Some(open) = &self.open else {
             return keys().on(Key::Escape, Leave, away);
         };
-        let (asking, telling) = (open.is_asking(), open.telling().is_some());
+        let (asking, explaining) = (open.is_asking(), open.explaining().is_some());
         // Enter and Escape belong to a number that is being typed.
         let typing = self.figure().is_some_and(LiveFigure::is_typing);
         let on = match self.at + 1 >= self.chapter.pages.len() {
@@ -373,10 +373,10 @@ impl Screen for Reading {
             .when(asking && open.on_figure)
             .on(Key::Enter, Next, on)
             .or([(Key::Char('n'), Next)])
-            .when(!asking && !telling && !typing)
+            .when(!asking && !explaining && !typing)
             // Enter and Space step through the explanation of the collision.
             .on(Key::Char('n'), Next, on)
-            .when(telling)
+            .when(explaining)
             .on(Key::Escape, Leave, away)
             .when(!typing)
             .on(Key::Char('n'), Next, "skip")
@@ -474,7 +474,7 @@ impl Screen for Reading {
                 Next::Ignored
             }
             Input::Exported(exported) if self.open.is_some() => {
-                cx.tell_of_export("figure", exported);
+                cx.notify_of_export("figure", exported);
                 Next::Stay
             }
             _ => Next::Ignored,
@@ -503,8 +503,8 @@ impl Screen for Reading {
         let rays = open.rays();
         let title = rays.map_or_else(|| figure.title(), |_| "where will they go?".into());
         let draw = move |area: Rect, buf: &mut Buffer, look: &Look| {
-            let is_told = !open.is_asking();
-            sheet::next_picture_shows(|| words::describe(&self.chapter, self.at, is_told));
+            let is_revealed = !open.is_asking();
+            sheet::next_picture_shows(|| words::describe(&self.chapter, self.at, is_revealed));
             figure.draw(area, buf, look, rays);
         };
         let view = View::picture(title, draw, panel).square();

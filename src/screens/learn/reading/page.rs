@@ -33,7 +33,7 @@ pub(super) enum Stage {
     /// It waits for its answer, or after a hint for the second one.
     Asking(AnswerInput),
     /// It was answered, and the right answer is shown.
-    Told(Response),
+    Answered(Response),
 }
 
 /// A checkpoint as a question of the quiz.
@@ -93,8 +93,8 @@ impl OpenPage {
         open.on_figure = open.is_open_to_figure();
         if let (Some((answer, first)), Some(question)) = (tries, &mut open.question) {
             question.first = first;
-            open.tell(answer, HitPace::Still);
-            open.figure.iter_mut().for_each(LiveFigure::tell);
+            open.reveal(answer, HitPace::Still);
+            open.figure.iter_mut().for_each(LiveFigure::explain);
         }
         open
     }
@@ -113,7 +113,7 @@ impl OpenPage {
     pub(super) fn input(&self) -> Option<&AnswerInput> {
         match &self.question.as_ref()?.stage {
             Stage::Asking(input) => Some(input),
-            Stage::Told(_) => None,
+            Stage::Answered(_) => None,
         }
     }
 
@@ -121,7 +121,7 @@ impl OpenPage {
     pub(super) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
         match &mut self.question.as_mut()?.stage {
             Stage::Asking(input) => Some(input),
-            Stage::Told(_) => None,
+            Stage::Answered(_) => None,
         }
     }
 
@@ -141,15 +141,15 @@ impl OpenPage {
     }
 
     /// The collision that is being explained step by step.
-    pub(super) fn telling(&self) -> Option<&Watch> {
+    pub(super) fn explaining(&self) -> Option<&Watch> {
         let watch = self.figure.as_ref().and_then(LiveFigure::watch);
-        watch.filter(|watch| !self.is_asking() && !watch.is_told())
+        watch.filter(|watch| !self.is_asking() && !watch.is_revealed())
     }
 
     /// Shows the result of an answer.
-    pub(super) fn tell(&mut self, answer: Response, pace: HitPace) {
+    pub(super) fn reveal(&mut self, answer: Response, pace: HitPace) {
         if let Some(question) = &mut self.question {
-            question.stage = Stage::Told(answer);
+            question.stage = Stage::Answered(answer);
         }
         if let Some(figure) = &mut self.figure {
             figure.reveal(answer.rays(), pace);

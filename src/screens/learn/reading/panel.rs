@@ -34,8 +34,8 @@ pub(super) fn panel(
         figure: open.collision(),
         charset,
     };
-    if let Some(watch) = open.telling() {
-        watch.write_telling(&mut panel);
+    if let Some(watch) = open.explaining() {
+        watch.write_explanation(&mut panel);
         return panel;
     }
     let Some(question) = &open.question else {
@@ -50,7 +50,7 @@ pub(super) fn panel(
             panel.from_top = *input == AnswerInput::new(&form);
             asking(open, question, (&form, input), prose, &mut panel);
         }
-        Stage::Told(answer) => {
+        Stage::Answered(answer) => {
             panel.subject += 2;
             // The text stays above it, if there is room for both.
             panel.worth(READ, |panel| {
@@ -61,7 +61,7 @@ pub(super) fn panel(
                 }
                 panel.gap();
             });
-            told(open, question, (&form, answer), prose, &mut panel);
+            revealed(open, question, (&form, answer), prose, &mut panel);
         }
     }
     panel
@@ -127,7 +127,7 @@ fn asking(
 }
 
 /// The feedback on an answer.
-fn told(
+fn revealed(
     open: &OpenPage,
     question: &PageQuestion,
     (form, answer): (&Form, &Response),
@@ -143,7 +143,7 @@ fn told(
     match (answer, &checkpoint.asked, &open.figure) {
         (Response::Rays(rays), _, Some(figure)) => {
             if let Some(watch) = figure.watch() {
-                rays_told(rays, watch, figure, panel);
+                write_rays(rays, watch, figure, panel);
             }
         }
         (Response::Choice(chosen), CheckpointKind::Choice(choices), _) => {
@@ -161,7 +161,7 @@ fn told(
                 panel.flow("✓", prose.runs(&true_one.text, Role::Good));
             }
         }
-        _ => number_told((form, answer), right, panel),
+        _ => write_number((form, answer), right, panel),
     }
     if question.first.is_some() && right {
         panel.paragraph("On the second try: half the credit.", Role::Dim);
@@ -173,7 +173,7 @@ fn told(
 }
 
 /// Both rays beside the truth, and the explanation that starts from them.
-fn rays_told<A>(rays: &Rays, watch: &Watch, figure: &LiveFigure, panel: &mut Panel<A>) {
+fn write_rays<A>(rays: &Rays, watch: &Watch, figure: &LiveFigure, panel: &mut Panel<A>) {
     let names = ["striker", "coin"].map(Some);
     said_and_true(watch.collision(), rays, names, false, panel);
     panel.gap();
@@ -185,7 +185,7 @@ fn rays_told<A>(rays: &Rays, watch: &Watch, figure: &LiveFigure, panel: &mut Pan
 }
 
 /// A number beside the right one.
-fn number_told<A>((form, answer): (&Form, &Response), right: bool, panel: &mut Panel<A>) {
+fn write_number<A>((form, answer): (&Form, &Response), right: bool, panel: &mut Panel<A>) {
     let role = if right { Role::Good } else { Role::Warn };
     panel.pair(("you said", Role::Dim), (form.words(answer), role));
     match form.truth() {

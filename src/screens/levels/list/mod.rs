@@ -4,7 +4,7 @@ mod view;
 
 use crate::levels::Shelf;
 use crate::messages::{Input, Key, StoreReply, StoreRequest};
-use crate::screens::{Context, Next, Place, Screen, View};
+use crate::screens::{Context, Next, Route, Screen, View};
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 
@@ -46,7 +46,7 @@ impl Levels {
         shelf.at = list.chosen(choices(shelf));
         self.moved = true;
         match outcome {
-            Outcome::Done(number) if number < shelf.count() => Next::Open(Place::Level { number }),
+            Outcome::Done(number) if number < shelf.count() => Next::Open(Route::Level { number }),
             _ => Next::Stay,
         }
     }
@@ -64,8 +64,8 @@ impl Screen for Levels {
         "levels".into()
     }
 
-    fn place(&self, _cx: &Context) -> Place {
-        Place::Levels
+    fn route(&self, _cx: &Context) -> Route {
+        Route::Levels
     }
 
     fn status(&self, cx: &Context) -> String {

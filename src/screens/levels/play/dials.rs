@@ -164,8 +164,8 @@ fn number(dial: Dial, setting: f64) -> String {
         Dial::Speed | Dial::Restitution => 2,
     };
     let short = format!("{setting:.decimals$}");
-    let told = short.parse::<f64>();
-    match told.is_ok_and(|told| (told - setting).abs() < 0.01 * dial.step()) {
+    let watched = short.parse::<f64>();
+    match watched.is_ok_and(|watched| (watched - setting).abs() < 0.01 * dial.step()) {
         true => short,
         false => format!("{setting:.*}", decimals + 1),
     }

@@ -47,7 +47,7 @@ pub(super) struct MadeShot {
     /// The kind of win, if it was won.
     pub(super) win: Option<Win>,
     /// Whether it was watched to its end, so that its outcome may be shown.
-    pub(super) told: bool,
+    pub(super) watched: bool,
 }
 
 impl MadeShot {
@@ -83,7 +83,7 @@ impl MadeShot {
             win: verdict.won().then_some(win),
             verdict,
             said,
-            told: clock.is_over(),
+            watched: clock.is_over(),
             player,
         }
     }
@@ -92,14 +92,14 @@ impl MadeShot {
     pub(super) fn watch(&mut self, action: ShotAction, level: usize, cx: &mut Context) {
         let pace = cx.settings.pace();
         self.player.act(action, &mut cx.settings.watch_rate, pace);
-        self.keep_if_told(level, cx);
+        self.keep_if_watched(level, cx);
     }
 
     /// Notes whether the shot has been watched to its end, and then saves a win in the level of
     /// this number.
-    pub(super) fn keep_if_told(&mut self, level: usize, cx: &mut Context) {
-        self.told |= self.player.zoom().is_none() && self.player.clock().is_over();
-        if self.told {
+    pub(super) fn keep_if_watched(&mut self, level: usize, cx: &mut Context) {
+        self.watched |= self.player.zoom().is_none() && self.player.clock().is_over();
+        if self.watched {
             self.keep(level, cx);
         }
     }
@@ -116,6 +116,6 @@ impl MadeShot {
         let findings = &self.verdict.findings;
         let unmet = findings.iter().find(|finding| !finding.met);
         let finding = unmet.or(findings.first())?;
-        Some(finding.told.clone())
+        Some(finding.text.clone())
     }
 }

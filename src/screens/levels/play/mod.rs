@@ -15,7 +15,7 @@ use crate::messages::{Key, Mouse, MouseKind};
 use crate::physics::Shot;
 use crate::quiz::Ray;
 use crate::screens::levels::words;
-use crate::screens::{Context, Next, Place, Screen, SharedAction, View};
+use crate::screens::{Context, Next, Route, Screen, SharedAction, View};
 use crate::widgets::hit::point_at;
 use crate::widgets::input::{FormAction, KeyTable, RayAction, SettingsForm};
 use crate::widgets::replay::{ShotAction, ShotImpact, impacts};
@@ -59,7 +59,7 @@ struct EarlierShot {
     number: u32,
     set: String,
     /// The result: the first goal that was missed.
-    told: String,
+    watched: String,
 }
 
 /// The next shot, and the prediction being entered for its first impact.
@@ -169,14 +169,14 @@ impl LevelPlay {
         let watched = (settings.watch_rate, settings.reduced_motion);
         let count = (self.shots, self.hints);
         let mut made = MadeShot::new(self.level(), shot, count, to_say, said, watched);
-        made.keep_if_told(self.number, cx);
+        made.keep_if_watched(self.number, cx);
         self.phase = LevelPhase::Watch(Box::new(made));
     }
 
     fn next_level(&self, cx: &Context) -> Next {
         let number = self.number + 1;
         if number < cx.shelf.count() {
-            Next::Replace(Place::Level { number })
+            Next::Replace(Route::Level { number })
         } else {
             Next::Back
         }
@@ -190,8 +190,8 @@ impl Screen for LevelPlay {
         self.level().title.clone()
     }
 
-    fn place(&self, _cx: &Context) -> Place {
-        Place::Level {
+    fn route(&self, _cx: &Context) -> Route {
+        Route::Level {
             number: self.number,
         }
     }
@@ -238,19 +238,19 @@ impl Screen for LevelPlay {
             }
             LevelPhase::Watch(made) => {
                 let end = LevelAction::Watch(ShotAction::Seek(f64::INFINITY));
-                let (told, won) = (made.told, made.win.is_some());
+                let (watched, won) = (made.watched, made.win.is_some());
                 table
                     .on(Key::Enter, NextLevel, "next level")
                     .or([(Key::Char('n'), NextLevel)])
-                    .when(told && won)
+                    .when(watched && won)
                     .on(Key::Enter, AimAgain, "try again")
-                    .when(told && !won)
+                    .when(watched && !won)
                     .on(Key::Char('h'), Hint, "hint")
-                    .when(told && !won)
+                    .when(watched && !won)
                     .with(made.player.keys(), LevelAction::Watch)
                     .on(Key::Escape, AimAgain, "aim")
                     .on(Key::Enter, end, "")
-                    .when(!told)
+                    .when(!watched)
             }
         }
     }
@@ -285,12 +285,12 @@ impl Screen for LevelPlay {
             (phase, LevelAction::AimAgain) => {
                 if let LevelPhase::Watch(made) = std::mem::replace(phase, LevelPhase::Aim) {
                     made.keep(self.number, cx);
-                    let told = made.in_short().map(|told| EarlierShot {
+                    let watched = made.in_short().map(|watched| EarlierShot {
                         number: self.shots,
                         set: self.dials.setting(),
-                        told,
+                        watched,
                     });
-                    self.earlier.extend(told);
+                    self.earlier.extend(watched);
                 }
             }
             (_, LevelAction::Back) => return Next::Back,
@@ -338,7 +338,7 @@ impl Screen for LevelPlay {
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
         if let LevelPhase::Watch(made) = &mut self.phase {
             made.player.advance(passed, cx.settings.pace());
-            made.keep_if_told(self.number, cx);
+            made.keep_if_watched(self.number, cx);
         }
     }
 

@@ -69,7 +69,7 @@ fn panel(play: &LevelPlay, cx: &Context) -> LevelPanel {
         LevelPhase::Predict(pending) => say(play, pending),
         LevelPhase::Watch(made) => match made.player.zoom() {
             Some(watch) => enlarged(play, made, watch),
-            None if made.told => outcome(play, made, cx),
+            None if made.watched => outcome(play, made, cx),
             None => watching(play, made),
         },
     };
@@ -112,7 +112,7 @@ fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
     for made in play.earlier.iter().skip(hidden) {
         panel.gap();
         panel.line(format!("shot {}: {}", made.number, made.set), Role::Dim);
-        panel.paragraph(format!("{}.", numbers::capital(&made.told)), Role::Dim);
+        panel.paragraph(format!("{}.", numbers::capital(&made.watched)), Role::Dim);
     }
     if !play.earlier.is_empty() {
         panel.gap();
@@ -202,7 +202,7 @@ fn outcome(play: &LevelPlay, made: &MadeShot, cx: &Context) -> LevelPanel {
             true => ("✓ ", Role::Good),
             false => ("✗ ", Role::Warn),
         };
-        panel.marked(mark, format!("{}.", numbers::capital(&finding.told)), role);
+        panel.marked(mark, format!("{}.", numbers::capital(&finding.text)), role);
     }
     if let Some(impact) = made.player.impacts().first() {
         answers(play, made, impact, &mut panel);

@@ -12,7 +12,7 @@ use crate::progress::Due;
 use crate::quiz::concepts::Library;
 use crate::quiz::{ChaptersRead, Code, Course, CourseKind, Family};
 use crate::screens::recall::Recall;
-use crate::screens::{Context, Next, Place, Screen, View};
+use crate::screens::{Context, Next, Route, Screen, View};
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 
 /// Actions while choosing a round.
@@ -183,7 +183,7 @@ impl Choosing {
 
 /// The first question of a round.
 fn begin(code: Code) -> Next {
-    Next::Replace(Place::Quiz { code: Some(code) })
+    Next::Replace(Route::Quiz { code: Some(code) })
 }
 
 /// The finished chapters, if there are questions about any of them.
@@ -204,8 +204,8 @@ impl Screen for Choosing {
         "quiz".into()
     }
 
-    fn place(&self, _cx: &Context) -> Place {
-        Place::Quiz { code: None }
+    fn route(&self, _cx: &Context) -> Route {
+        Route::Quiz { code: None }
     }
 
     fn status(&self, _cx: &Context) -> String {

@@ -6,7 +6,7 @@ use super::{ActiveGame, After, GameAction, score};
 use crate::game::{Game, GameStage, Move, Rules, Seat, Team};
 use crate::messages::Key;
 use crate::numbers::{capital, counted};
-use crate::screens::table::tale::{BoardTale, TeamTale, run_words};
+use crate::screens::table::board_report::{BoardReport, TeamReport, run_words};
 use crate::screens::table::{TableAction, words};
 use crate::screens::{Context, Next};
 use crate::widgets::Role;
@@ -54,7 +54,7 @@ impl ActiveGame {
                 After::Phase(self.turn(cx))
             }
             OverAction::WatchBest => {
-                let best = BoardTale::of(&self.history).best;
+                let best = BoardReport::of(&self.history).best;
                 self.look_at(best, cx.settings.reduced_motion, cx).into()
             }
         }
@@ -72,8 +72,8 @@ impl ActiveGame {
     /// Writes the result of the board, and what can be done next.
     pub(super) fn write_end(&self, panel: &mut Panel<TableAction>) {
         let game = self.game();
-        let tale = BoardTale::of(&self.history);
-        panel.paragraph(self.headline(&tale), Role::Title);
+        let report = BoardReport::of(&self.history);
+        panel.paragraph(self.headline(&report), Role::Title);
         panel.gap();
         if let Some(last) = self.history.moves().last() {
             last.write_rulings(panel);
@@ -91,10 +91,10 @@ impl ActiveGame {
             panel.fact("games before this", games);
         }
         if !self.is_practice() {
-            self.write_teams(&tale, panel);
+            self.write_teams(&report, panel);
         }
         score::write_calls(self, panel);
-        self.write_best(&tale, panel);
+        self.write_best(&report, panel);
         if let Some(notice) = &self.notice {
             panel.paragraph(notice, Role::Warn);
         }
@@ -113,7 +113,7 @@ impl ActiveGame {
             "look at the strokes again",
             TableAction::Game(GameAction::LookBack),
         );
-        if tale.best.is_some() {
+        if report.best.is_some() {
             panel.prompt(
                 "watch the best stroke",
                 TableAction::Over(OverAction::WatchBest),
@@ -122,8 +122,8 @@ impl ActiveGame {
     }
 
     /// Who won the match, the game or the board, and with how many hints, if with any.
-    fn headline(&self, tale: &BoardTale) -> String {
-        let hints = |team: Team| match tale.teams[team].hints {
+    fn headline(&self, report: &BoardReport) -> String {
+        let hints = |team: Team| match report.teams[team].hints {
             0 => String::new(),
             hints => format!(", with {}", counted(hints as usize, "hint")),
         };
@@ -141,29 +141,30 @@ impl ActiveGame {
     }
 
     /// Writes what both teams did on the board, beside each other.
-    fn write_teams<A>(&self, tale: &BoardTale, panel: &mut Panel<A>) {
+    fn write_teams<A>(&self, report: &BoardReport, panel: &mut Panel<A>) {
         panel.gap();
-        let both = |value: fn(&TeamTale) -> String| words::versus(|team| value(&tale.teams[team]));
+        let both =
+            |value: fn(&TeamReport) -> String| words::versus(|team| value(&report.teams[team]));
         let names = words::versus(|team| self.options.team_name(team));
         panel.pair(("", Role::Dim), (names, Role::Title));
         panel.fact("strokes", both(|team| team.strokes.to_string()));
         panel.fact("pocketing", both(|team| format!("{} %", team.share())));
         panel.fact("striker fell", both(|team| team.fouls.to_string()));
         panel.fact("coins put back", both(|team| team.put_back.to_string()));
-        if Team::BOTH.iter().any(|team| tale.teams[*team].hints > 0) {
+        if Team::BOTH.iter().any(|team| report.teams[*team].hints > 0) {
             panel.fact("hints", both(|team| team.hints.to_string()));
         }
-        if self.game().setup().rules == Rules::Tournament && tale.run.len() > 1 {
-            let run = format!("board by board {}", run_words(&tale.run));
+        if self.game().setup().rules == Rules::Tournament && report.run.len() > 1 {
+            let run = format!("board by board {}", run_words(&report.run));
             panel.paragraph(run, Role::Text);
         }
     }
 
     /// Writes which stroke of the board was the best.
-    fn write_best<A>(&self, tale: &BoardTale, panel: &mut Panel<A>) {
+    fn write_best<A>(&self, report: &BoardReport, panel: &mut Panel<A>) {
         let history = &self.history;
         let past = |number| Some((number, history.past(number)?));
-        let Some((number, past)) = tale.best.and_then(past) else {
+        let Some((number, past)) = report.best.and_then(past) else {
             return;
         };
         let what = past.story.and_then(|story| story.brief());

@@ -227,10 +227,10 @@ fn answer(picture: &mut Picture, share: f64, corner: usize) {
 /// striker, of the coin it met first and of what fell.
 fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
     let (player, shot) = (&replay.player, replay.player.shot());
-    let (now, told) = (player.clock().time(), player.clock().is_over());
+    let (now, shown) = (player.clock().time(), player.clock().is_over());
     let first = player.impacts().first().map(|impact| impact.discs[1]);
     let fell = || shot.at(disc, now).state == DiscState::Pocketed;
-    if told && disc != 0 && first != Some(disc) && !fell() {
+    if shown && disc != 0 && first != Some(disc) && !fell() {
         return;
     }
 
@@ -238,7 +238,7 @@ fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
     let role = piece.map_or(Role::Trail, |piece| words::role(*piece));
     let pen = Pen::new(role).on(DrawLayer::Trail);
     for leg in shot.path(disc).filter(|leg| leg.start < now) {
-        if told {
+        if shown {
             picture.line(leg.from, leg.to, pen.dotted());
             continue;
         }

@@ -185,7 +185,7 @@ impl ActiveGame {
         let number = self.history.len();
         for strike in stroke.strikes() {
             if let Some(watching) = self.play(Move::Strike(Strike { call, ..strike }), cx) {
-                self.history.tell(number, stroke.clone());
+                self.history.notify(number, stroke.clone());
                 self.notice = None;
                 return watching;
             }

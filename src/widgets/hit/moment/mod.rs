@@ -7,7 +7,7 @@ mod velocities;
 
 use glam::DVec2;
 
-use super::beat::Beat;
+use super::explanation_step::ExplanationStep;
 use super::names::VelocityNames;
 use super::sketch::{ArrowScale, Root, Sketch};
 use super::{HitLayout, Overlay, Watch};
@@ -48,7 +48,7 @@ impl Moment<'_> {
 
     /// Whether lines and arrows are on the discs at the contact.
     fn is_explaining(&self) -> bool {
-        self.watch.clock.at_contact() && self.watch.beat() > Some(Beat::Contact)
+        self.watch.clock.at_contact() && self.watch.step() > Some(ExplanationStep::Contact)
     }
 
     /// Whether they move on as one body.
@@ -100,11 +100,11 @@ impl Moment<'_> {
     }
 
     /// The step whose velocities are drawn with their components in the whole picture.
-    fn split_step(&self) -> Option<Beat> {
-        let beat = self.watch.beat()?;
-        match beat {
-            Beat::Split | Beat::Coin | Beat::Striker => Some(beat),
-            Beat::Whole if self.is_split_alone() => Some(Beat::Split),
+    fn split_step(&self) -> Option<ExplanationStep> {
+        let step = self.watch.step()?;
+        match step {
+            ExplanationStep::Split | ExplanationStep::Coin | ExplanationStep::Striker => Some(step),
+            ExplanationStep::Whole if self.is_split_alone() => Some(ExplanationStep::Split),
             _ => None,
         }
     }
@@ -123,22 +123,22 @@ impl Moment<'_> {
         }
         let before = self.before();
         let after = self.after(time);
-        let (beat, split) = (self.watch.beat(), self.split_step());
-        let told = beat == Some(Beat::Whole);
+        let (step, split) = (self.watch.step(), self.split_step());
+        let revealed = step == Some(ExplanationStep::Whole);
         let in_lab = self.watch.frame == Frame::Laboratory;
         // In the centre-of-mass frame there is no triangle, because the momenta cancel.
         let flat = self.watch.frame == Frame::CentreOfMass || !self.watch.outcome.hit();
-        if told && self.shows(Overlay::Triangle) && !flat {
+        if revealed && self.shows(Overlay::Triangle) && !flat {
             self.triangle(&mut sketch, before, after);
         }
         let outcome = &self.watch.outcome;
         let axes = outcome.normal.zip(outcome.tangent).map(|(n, t)| [n, t]);
         if let Some(axes @ [n, t]) = axes {
-            if beat >= Some(Beat::Line) && (!told || self.shows(Overlay::Lines)) {
+            if step >= Some(ExplanationStep::Line) && (!revealed || self.shows(Overlay::Lines)) {
                 self.axes(&mut sketch, split.is_some(), n, t);
             }
-            if let Some(beat) = split {
-                self.parts(&mut sketch, beat, [before, after], axes);
+            if let Some(step) = split {
+                self.parts(&mut sketch, step, [before, after], axes);
             }
         }
         if let Some(wanted) = &self.watch.wanted
@@ -152,7 +152,7 @@ impl Moment<'_> {
             let at = if met { self.stage.centres } else { now };
             self.incoming(&mut sketch, &scale, before, at);
         }
-        if told {
+        if revealed {
             if let Some(axes) = axes.filter(|_| split.is_none() && self.shows(Overlay::Split)) {
                 let centre = Root::From(self.stage.centres[0]);
                 self.split_before(&mut sketch, &scale, (0, centre), before[0], axes);
@@ -161,7 +161,7 @@ impl Moment<'_> {
         }
         if met && self.watch.outcome.hit() {
             sketch.picture.reserve(DVec2::ZERO);
-            if split.is_none() && !told {
+            if split.is_none() && !revealed {
                 sketch.picture.text(DVec2::ZERO, CONTACT, Role::Contact);
             }
         }

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::Moment;
 use crate::widgets::Role;
-use crate::widgets::hit::beat::Beat;
+use crate::widgets::hit::explanation_step::ExplanationStep;
 use crate::widgets::hit::names::part_name;
 use crate::widgets::hit::sketch::{ArrowScale, NamedVelocity, Root, Sketch};
 
@@ -13,7 +13,7 @@ impl Moment<'_> {
     pub(super) fn parts(
         &self,
         sketch: &mut Sketch,
-        beat: Beat,
+        step: ExplanationStep,
         [before, after]: [[DVec2; 2]; 2],
         axes: [DVec2; 2],
     ) {
@@ -36,15 +36,15 @@ impl Moment<'_> {
             DVec2::ZERO
         };
         let scale = ArrowScale::fit_rooted(&self.stage, along, &all);
-        match beat {
-            Beat::Coin => {
+        match step {
+            ExplanationStep::Coin => {
                 if self.target_rests() {
                     let [along, _] = self.parts_before(0, before[0], axes);
                     sketch.velocity(&scale, self.root_before(0, before[0]), &along);
                 }
                 self.split_after(sketch, &scale, (1, after_root(1)), after[1], axes);
             }
-            Beat::Striker => {
+            ExplanationStep::Striker => {
                 self.split_after(sketch, &scale, (0, after_root(0)), after[0], axes);
                 sketch.velocity(&scale, after_root(1), &self.velocity_after(1, after[1]));
             }

@@ -1,12 +1,12 @@
 //! The routes of the app.
 
-use crate::class::DoorCode;
+use crate::class::JoinCode;
 use crate::physics::CollisionSpec;
 use crate::quiz::{Answer, Code};
 
 /// A screen to open, with its contents.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Place {
+pub enum Route {
     /// The first screen.
     Home,
     /// The lab.
@@ -67,7 +67,7 @@ pub enum Place {
         /// The address of the class, if it is known; `None` if its host has served the page.
         address: Option<String>,
         /// Its code, if that is known.
-        code: Option<DoorCode>,
+        code: Option<JoinCode>,
         /// Whether the pupil had joined and returns without a question.
         again: bool,
     },

@@ -1,6 +1,6 @@
 //! The states that pupils on devices receive.
 
-use super::asked::{AskedQuestion, ToldTruth};
+use super::asked::{AskedQuestion, RevealedTruth};
 use super::ballot::{Said, Vote};
 use super::protocol::{PupilState, PupilStep, VERSION};
 use super::round::{ClassRound, Participant};
@@ -9,7 +9,7 @@ use super::step::ClassStep;
 use crate::quiz::{Answer, Confidence, Form, Question, Response, explain};
 
 /// The part of the state that is the same for all pupils.
-pub(super) struct Told<'r> {
+pub(super) struct PupilView<'r> {
     round: &'r ClassRound,
     step: PupilStep,
     question: Option<&'r Question>,
@@ -19,7 +19,7 @@ pub(super) struct Told<'r> {
     scores: Vec<Option<(f64, usize)>>,
 }
 
-impl<'r> Told<'r> {
+impl<'r> PupilView<'r> {
     /// The common state at a step, when this many questions have points.
     pub(super) fn new(round: &'r ClassRound, step: PupilStep, with_points: usize) -> Self {
         let number = round.place().question;
@@ -77,14 +77,14 @@ impl<'r> Told<'r> {
             second: text(Vote::Second),
             question: self.asked.clone(),
             spread: self.spread.clone(),
-            told: self.question.map(|it| self.truth(it, person, one)),
+            revealed: self.question.map(|it| self.truth(it, person, one)),
             score: self.scores.get(person).copied().flatten(),
             handed: one.device.handed,
         })
     }
 
     /// The right answer, with the feedback on this pupil's answer.
-    fn truth(&self, question: &Question, person: usize, one: &Participant) -> ToldTruth {
+    fn truth(&self, question: &Question, person: usize, one: &Participant) -> RevealedTruth {
         let number = self.round.place().question;
         let said = one.ballot(number).counts();
         let why = match said {
@@ -92,6 +92,6 @@ impl<'r> Told<'r> {
             None => question.why.clone(),
         };
         let points = said.map(|_| self.round.points(number, person));
-        ToldTruth::new(question, why, points)
+        RevealedTruth::new(question, why, points)
     }
 }

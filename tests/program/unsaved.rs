@@ -63,9 +63,9 @@ fn leave(mut pty: Pty) {
 
 /// The numbers of the questions that were answered, as they are kept.
 fn kept(folder: &Path) -> Vec<u32> {
-    let wish = StoreRequest::Recall(None);
+    let request = StoreRequest::Recall(None);
     let mut store = Store::in_folder(folder).only_looking();
-    match store.answer(&StoreCall { ticket: 0, wish }).done {
+    match store.answer(&StoreCall { ticket: 0, request }).done {
         StoreReply::Recalled(Ok(history)) => history.attempts.iter().map(|it| it.number).collect(),
         other => panic!("{other:?}"),
     }

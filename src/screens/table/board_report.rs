@@ -6,8 +6,8 @@ use crate::game::{ByTeam, Move, Piece, RulingEffect, Team};
 use crate::physics::units::deg_from_rad;
 
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct BoardTale {
-    pub(super) teams: ByTeam<TeamTale>,
+pub(super) struct BoardReport {
+    pub(super) teams: ByTeam<TeamReport>,
     /// The number of the move that was the best stroke; `None` if nothing fell.
     pub(super) best: Option<usize>,
     /// The points of both in this game after each of its boards.
@@ -16,7 +16,7 @@ pub(super) struct BoardTale {
 
 /// What a team did on a board.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct TeamTale {
+pub(super) struct TeamReport {
     pub(super) strokes: u32,
     /// Those in which something wanted fell, and the striker did not.
     pub(super) pocketing: u32,
@@ -27,20 +27,20 @@ pub(super) struct TeamTale {
     pub(super) hints: u32,
 }
 
-impl TeamTale {
+impl TeamReport {
     /// The share of strokes that pocketed something, in per cent.
     pub(super) fn share(&self) -> u32 {
         (100 * self.pocketing + self.strokes / 2) / self.strokes.max(1)
     }
 }
 
-impl BoardTale {
+impl BoardReport {
     /// The summary of the last board of a game.
     pub(super) fn of(history: &GameHistory) -> Self {
         let moves = history.record().moves();
         let last_pack = moves.iter().rposition(|made| *made == Move::NextBoard);
         let first = last_pack.map_or(0, |number| number + 1);
-        let mut tale = Self {
+        let mut report = Self {
             teams: ByTeam::default(),
             best: None,
             run: run(history),
@@ -48,13 +48,13 @@ impl BoardTale {
         let mut best = 0.0;
         let moves = history.moves().iter().enumerate().skip(first);
         for (number, past) in moves.filter(|(number, _)| history.strike(*number).is_some()) {
-            tale.count(past, history.hints().contains(&number));
+            report.count(past, history.hints().contains(&number));
             let rank = rank(past);
             if rank > best {
-                (best, tale.best) = (rank, Some(number));
+                (best, report.best) = (rank, Some(number));
             }
         }
-        tale
+        report
     }
 
     fn count(&mut self, past: &Past, hinted: bool) {
@@ -62,12 +62,12 @@ impl BoardTale {
         let own = past.before.colour(team).piece();
         let is_own = |effect: &&RulingEffect| matches!(effect, RulingEffect::PutBack(coin) if coin.piece == own);
         let effects = past.rulings.iter().flat_map(|ruling| &ruling.effects);
-        let tale = &mut self.teams[team];
-        tale.strokes += 1;
-        tale.pocketing += u32::from(rank(past) > 0.0);
-        tale.fouls += u32::from(past.fallen.contains(&Piece::Striker));
-        tale.put_back += effects.filter(is_own).count() as u32;
-        tale.hints += u32::from(hinted);
+        let report = &mut self.teams[team];
+        report.strokes += 1;
+        report.pocketing += u32::from(rank(past) > 0.0);
+        report.fouls += u32::from(past.fallen.contains(&Piece::Striker));
+        report.put_back += effects.filter(is_own).count() as u32;
+        report.hints += u32::from(hinted);
     }
 }
 

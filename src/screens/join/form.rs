@@ -1,8 +1,8 @@
 //! The form for joining: the address of the class, its code and the pupil's name.
 
-use crate::class::{DoorCode, LONGEST_NAME};
+use crate::class::{JoinCode, LONGEST_NAME};
 use crate::messages::Key;
-use crate::screens::Place;
+use crate::screens::Route;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role};
@@ -14,7 +14,7 @@ const LONGEST_ADDRESS: usize = 80;
 
 /// The form for joining a class.
 #[derive(Debug, Clone)]
-pub(super) struct DoorForm {
+pub(super) struct JoinForm {
     /// The address of the class; `None` if the host has served the page.
     address: Option<TextField>,
     code: TextField,
@@ -25,7 +25,7 @@ pub(super) struct DoorForm {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum DoorRow {
+enum JoinRow {
     Address,
     Code,
     Name,
@@ -39,9 +39,9 @@ pub(super) struct Entry {
     pub(super) name: String,
 }
 
-impl DoorForm {
+impl JoinForm {
     /// The form with the known values filled in.
-    pub(super) fn new(address: Option<&str>, code: Option<DoorCode>, name: &str) -> Self {
+    pub(super) fn new(address: Option<&str>, code: Option<JoinCode>, name: &str) -> Self {
         let code = code.map(|code| code.to_string()).unwrap_or_default();
         let mut form = Self {
             address: address.map(|it| TextField::new(it, LONGEST_ADDRESS)),
@@ -60,55 +60,55 @@ impl DoorForm {
     }
 
     /// The place that rejoins the class of the form.
-    pub(super) fn place(&self) -> Place {
-        Place::Join {
+    pub(super) fn route(&self) -> Route {
+        Route::Join {
             address: self.address.as_ref().map(|it| it.text().to_owned()),
             code: self.code.text().parse().ok(),
             again: true,
         }
     }
 
-    fn rows(&self) -> Vec<DoorRow> {
+    fn rows(&self) -> Vec<JoinRow> {
         let mut rows = vec![
-            DoorRow::Address,
-            DoorRow::Code,
-            DoorRow::Name,
-            DoorRow::Enter,
+            JoinRow::Address,
+            JoinRow::Code,
+            JoinRow::Name,
+            JoinRow::Enter,
         ];
-        rows.retain(|row| *row != DoorRow::Address || self.address.is_some());
+        rows.retain(|row| *row != JoinRow::Address || self.address.is_some());
         rows
     }
 
-    fn at(&self) -> DoorRow {
+    fn at(&self) -> JoinRow {
         let rows = self.rows();
         rows[self.list.chosen(rows.len())]
     }
 
-    fn field_of(&self, row: DoorRow) -> Option<&TextField> {
+    fn field_of(&self, row: JoinRow) -> Option<&TextField> {
         match row {
-            DoorRow::Address => self.address.as_ref(),
-            DoorRow::Code => Some(&self.code),
-            DoorRow::Name => Some(&self.name),
-            DoorRow::Enter => None,
+            JoinRow::Address => self.address.as_ref(),
+            JoinRow::Code => Some(&self.code),
+            JoinRow::Name => Some(&self.name),
+            JoinRow::Enter => None,
         }
     }
 
     fn field(&mut self) -> Option<&mut TextField> {
         match self.at() {
-            DoorRow::Address => self.address.as_mut(),
-            DoorRow::Code => Some(&mut self.code),
-            DoorRow::Name => Some(&mut self.name),
-            DoorRow::Enter => None,
+            JoinRow::Address => self.address.as_mut(),
+            JoinRow::Code => Some(&mut self.code),
+            JoinRow::Name => Some(&mut self.name),
+            JoinRow::Enter => None,
         }
     }
 
     pub(super) fn keys(&self) -> KeyTable<ListAction> {
         let enter = match self.at() {
-            DoorRow::Enter => "join",
+            JoinRow::Enter => "join",
             _ => "next",
         };
         let ends: &[Key] = match self.at() {
-            DoorRow::Enter => &[],
+            JoinRow::Enter => &[],
             _ => &[Key::Home, Key::End, Key::Char(' ')],
         };
         ListView::keys(enter).without_keys(ends)
@@ -134,14 +134,14 @@ impl DoorForm {
         let rows = self.rows();
         let outcome = match (action, self.list.act(action, rows.len())) {
             // One click is enough to join.
-            (ListAction::Point(at), _) if rows.get(at) == Some(&DoorRow::Enter) => {
+            (ListAction::Point(at), _) if rows.get(at) == Some(&JoinRow::Enter) => {
                 Outcome::Done(at)
             }
             (ListAction::Point(_), _) => Outcome::Used,
             (_, outcome) => outcome,
         };
         match outcome {
-            Outcome::Done(at) if rows[at] == DoorRow::Enter => self.entry(),
+            Outcome::Done(at) if rows[at] == JoinRow::Enter => self.entry(),
             Outcome::Done(at) => {
                 self.list.choose(at + 1);
                 None
@@ -151,7 +151,7 @@ impl DoorForm {
     }
 
     /// The code of the class, once it is one.
-    pub(super) fn code(&self) -> Option<DoorCode> {
+    pub(super) fn code(&self) -> Option<JoinCode> {
         self.code.text().parse().ok()
     }
 
@@ -162,7 +162,7 @@ impl DoorForm {
                 Some(address) => address,
                 None => {
                     return self.refuse(
-                        DoorRow::Address,
+                        JoinRow::Address,
                         "The address is on the board, such as 192.168.43.117:8090.",
                     );
                 }
@@ -171,13 +171,13 @@ impl DoorForm {
         };
         let Some(code) = self.code() else {
             return self.refuse(
-                DoorRow::Code,
+                JoinRow::Code,
                 "The code is the six letters on the board, such as BCDFGH.",
             );
         };
         let name = self.name.text().trim().to_owned();
         if name.is_empty() {
-            return self.refuse(DoorRow::Name, "Enter your name. A nickname is fine.");
+            return self.refuse(JoinRow::Name, "Enter your name. A nickname is fine.");
         }
         let code = code.to_string();
         Some(Entry {
@@ -187,7 +187,7 @@ impl DoorForm {
         })
     }
 
-    fn refuse<T>(&mut self, row: DoorRow, words: &str) -> Option<T> {
+    fn refuse<T>(&mut self, row: JoinRow, words: &str) -> Option<T> {
         let at = self.rows().iter().position(|it| *it == row);
         self.list.choose(at.unwrap_or(0));
         self.trouble = Some(words.into());
@@ -200,10 +200,10 @@ impl DoorForm {
         panel.gap();
         for (i, row) in self.rows().into_iter().enumerate() {
             let name = match row {
-                DoorRow::Address => "address",
-                DoorRow::Code => "code",
-                DoorRow::Name => "name",
-                DoorRow::Enter => "Join the class",
+                JoinRow::Address => "address",
+                JoinRow::Code => "code",
+                JoinRow::Name => "name",
+                JoinRow::Enter => "Join the class",
             };
             let (chosen, point) = (row == at, ListAction::Point(i));
             match self.field_of(row) {
@@ -244,7 +244,7 @@ pub(crate) fn host_of(address: &str) -> Option<String> {
 
 #[cfg(not(target_family = "wasm"))]
 /// The code in the link of a QR code.
-pub(crate) fn code_of(address: &str) -> Option<DoorCode> {
+pub(crate) fn code_of(address: &str) -> Option<JoinCode> {
     address.split_once("#code=")?.1.parse().ok()
 }
 
@@ -255,7 +255,7 @@ mod tests {
     #[test]
     fn one_click_comes_in_wherever_the_mark_is() {
         let code = "BCDFGH".parse().ok();
-        let mut form = DoorForm::new(None, code, "Ada");
+        let mut form = JoinForm::new(None, code, "Ada");
         for at in [2, 1] {
             form.list.choose(at);
             let entry = form.act(ListAction::Point(2));

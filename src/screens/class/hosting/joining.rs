@@ -4,8 +4,8 @@ use ratatui::layout::Rect;
 
 use super::qr::Qr;
 use super::{ClassAction, HostingAction};
-use crate::class::{DoorState, Session};
-use crate::messages::OpenDoor;
+use crate::class::{HostingState, Session};
+use crate::messages::JoinDetails;
 use crate::screens::view::WIDEST;
 use crate::screens::{Context, View};
 use crate::widgets::big::Big;
@@ -32,13 +32,13 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     let mut panel = Panel::new("");
     panel.open = true;
     let column = |room: Room| SplitLayout::open(Rect::default(), areas::middle(room.area, WIDEST));
-    let door = match session.door() {
-        DoorState::Open(door) => door,
-        DoorState::Opening => {
+    let joining = match session.hosting() {
+        HostingState::Open(joining) => joining,
+        HostingState::Opening => {
             panel.line("Getting ready ..", Role::Text);
             return View::alone(column, panel);
         }
-        DoorState::Failed(reason) => {
+        HostingState::Failed(reason) => {
             panel.paragraph(format!("Pupils cannot join: {reason}."), Role::Warn);
             panel.gap();
             let words = "The round can also be played with teams or with cards.";
@@ -49,16 +49,16 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
         }
     };
     let (look, area) = (cx.settings.look(), cx.body);
-    let address = address(door);
-    let link = format!("http://{address}/#code={}", door.code);
+    let address = address(joining);
+    let link = format!("http://{address}/#code={}", joining.code);
     let rows = text::wrap(OPENLY, area.width.saturating_sub(2).into()).len() as u16;
     let [body, _] = areas::upper(area, area.height.saturating_sub(rows));
-    let qr = Qr::of(&link, &look).filter(|_| door.page.is_ok());
+    let qr = Qr::of(&link, &look).filter(|_| joining.page.is_ok());
     let beside = qr.and_then(|qr| BesideQr::new(qr, &address, body, &look));
     let is_below = beside.as_ref().is_some_and(|it| it.address_is_below);
     // Beside a QR code there is room for the hint if nobody joins.
     let waits = session.waits_long();
-    write(session, door, (&address, is_below), &mut panel);
+    write(session, joining, (&address, is_below), &mut panel);
     if waits && beside.is_some() {
         panel.gap();
         panel.paragraph(HINT, Role::Warn);
@@ -67,7 +67,7 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     if is_below {
         foot.large([address.as_str()], Role::Title, 0);
     }
-    if let Err(reason) = &door.page {
+    if let Err(reason) = &joining.page {
         let words = format!("Browsers cannot join: {reason}. Other computers: carrom join ADDRESS");
         foot.paragraph(words, Role::Warn);
     }
@@ -96,7 +96,7 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
 /// Writes the address, unless it is below, the code, and the number of participants.
 fn write(
     session: &Session,
-    door: &OpenDoor,
+    joining: &JoinDetails,
     (address, is_below): (&str, bool),
     panel: &mut Panel<ClassAction>,
 ) {
@@ -112,7 +112,7 @@ fn write(
         panel.gap();
     }
     panel.line("and the code of this class", Role::Key);
-    panel.large([door.code.to_string().as_str()], Role::Title, LARGE_FROM);
+    panel.large([joining.code.to_string().as_str()], Role::Title, LARGE_FROM);
     panel.gap();
     let in_words = match (session.present(), session.round().participants().len()) {
         (0, 0) => "Nobody is in yet.".to_owned(),
@@ -124,7 +124,7 @@ fn write(
     if session.is_shut() {
         panel.line("The round is closed: nobody new can join.", Role::Warn);
     }
-    for other in door.addresses.iter().skip(1).take(2) {
+    for other in joining.addresses.iter().skip(1).take(2) {
         panel.line(format!("or {other}"), Role::Dim);
     }
 }
@@ -135,8 +135,8 @@ fn in_lines(address: &str) -> [String; 2] {
 }
 
 /// The address that is shown first.
-fn address(door: &OpenDoor) -> String {
-    let first = door.addresses.first();
+fn address(joining: &JoinDetails) -> String {
+    let first = joining.addresses.first();
     first.map(ToString::to_string).unwrap_or_default()
 }
 

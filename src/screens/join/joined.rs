@@ -15,7 +15,7 @@ use crate::widgets::{AnswerInput, Asking, AskingAction, Outcome};
 
 /// A pupil's seat in the class.
 #[derive(Debug, Clone)]
-pub(super) struct Desk {
+pub(super) struct JoinedClass {
     /// The latest state from the host.
     pub(super) state: PupilState,
     /// The current question, with the true answer once it is revealed.
@@ -31,21 +31,21 @@ pub(super) enum Doing {
     Watch(Box<Reveal>),
 }
 
-impl Desk {
+impl JoinedClass {
     /// The seat in this state from the host.
     pub(super) fn new(state: PupilState, pace: HitPace) -> Self {
         let question = state.question.as_ref().and_then(|asked| asked.question());
-        let question = match (&state.told, question) {
-            (Some(told), Some(question)) => told.told(question),
+        let question = match (&state.revealed, question) {
+            (Some(revealed), Some(question)) => revealed.revealed(question),
             (_, question) => question,
         };
-        let mut desk = Self {
+        let mut joined = Self {
             doing: Doing::Look,
             question,
             state,
         };
-        desk.begin(pace);
-        desk
+        joined.begin(pace);
+        joined
     }
 
     /// Takes in a new state. An answer that is being typed stays, as long as the class is at the
@@ -71,7 +71,7 @@ impl Desk {
                     None => AnswerInput::new(&question.form),
                 }))
             }
-            PupilStep::Asked(ClassStep::Shot) if self.state.told.is_some() => {
+            PupilStep::Asked(ClassStep::Shot) if self.state.revealed.is_some() => {
                 Doing::Watch(Box::new(Reveal::new(self.watch(question, pace))))
             }
             _ => Doing::Look,

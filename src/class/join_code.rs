@@ -6,16 +6,16 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-/// The letters of a [`DoorCode`]: consonants that look and sound different, so that codes do not
+/// The letters of a [`JoinCode`]: consonants that look and sound different, so that codes do not
 /// spell words.
 const LETTERS: &[u8; 20] = b"BCDFGHJKLMNPQRSTVWXZ";
 
 /// The code for joining a class: six consonants, new for each round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
-pub struct DoorCode([u8; Self::LENGTH]);
+pub struct JoinCode([u8; Self::LENGTH]);
 
-impl DoorCode {
+impl JoinCode {
     /// How many letters it has.
     pub const LENGTH: usize = 6;
 
@@ -29,7 +29,7 @@ impl DoorCode {
     }
 }
 
-impl fmt::Display for DoorCode {
+impl fmt::Display for JoinCode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0
             .iter()
@@ -37,40 +37,40 @@ impl fmt::Display for DoorCode {
     }
 }
 
-/// The message for a text that is not a [`DoorCode`].
+/// The message for a text that is not a [`JoinCode`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("expected the six letters of a class, such as BCDFGH")]
-pub struct NoDoorCode;
+pub struct NoJoinCode;
 
-impl FromStr for DoorCode {
-    type Err = NoDoorCode;
+impl FromStr for JoinCode {
+    type Err = NoJoinCode;
 
     /// Reads any case, with blanks or hyphens between the letters.
-    fn from_str(text: &str) -> Result<Self, NoDoorCode> {
+    fn from_str(text: &str) -> Result<Self, NoJoinCode> {
         let mut code = [0; Self::LENGTH];
         let mut letters = text.chars().filter(|it| !matches!(it, ' ' | '-'));
         for place in &mut code {
-            let letter = letters.next().ok_or(NoDoorCode)?.to_ascii_uppercase();
+            let letter = letters.next().ok_or(NoJoinCode)?.to_ascii_uppercase();
             let known = LETTERS.iter().find(|it| char::from(**it) == letter);
-            *place = *known.ok_or(NoDoorCode)?;
+            *place = *known.ok_or(NoJoinCode)?;
         }
         match letters.next() {
             None => Ok(Self(code)),
-            Some(_) => Err(NoDoorCode),
+            Some(_) => Err(NoJoinCode),
         }
     }
 }
 
-impl TryFrom<String> for DoorCode {
-    type Error = NoDoorCode;
+impl TryFrom<String> for JoinCode {
+    type Error = NoJoinCode;
 
-    fn try_from(text: String) -> Result<Self, NoDoorCode> {
+    fn try_from(text: String) -> Result<Self, NoJoinCode> {
         text.parse()
     }
 }
 
-impl From<DoorCode> for String {
-    fn from(code: DoorCode) -> Self {
+impl From<JoinCode> for String {
+    fn from(code: JoinCode) -> Self {
         code.to_string()
     }
 }
@@ -134,15 +134,15 @@ mod tests {
 
     #[test]
     fn a_code_is_read_as_people_write_it() {
-        let code = DoorCode::of(0);
+        let code = JoinCode::of(0);
         assert_eq!(code.to_string(), "BBBBBB");
         assert_eq!(" b-b bbBb ".parse(), Ok(code));
         for random in [1, 19, 20, 63_999_999, u64::MAX] {
-            let code = DoorCode::of(random);
+            let code = JoinCode::of(random);
             assert_eq!(code.to_string().parse(), Ok(code));
         }
         for text in ["", "BCDFG", "BCDFGHJ", "BCDFGA", "BCDFG1", "ÄCDFGH"] {
-            assert_eq!(text.parse::<DoorCode>(), Err(NoDoorCode), "{text}");
+            assert_eq!(text.parse::<JoinCode>(), Err(NoJoinCode), "{text}");
         }
     }
 

@@ -16,7 +16,7 @@ const ALIKE: f64 = 0.005;
 
 /// One step of the explanation. Each adds to the picture of those before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Beat {
+pub(crate) enum ExplanationStep {
     /// The rims touch.
     Contact,
     /// Line of impact and tangent.
@@ -31,10 +31,10 @@ pub(crate) enum Beat {
     Whole,
 }
 
-impl Beat {
+impl ExplanationStep {
     /// The steps of a hit, in order.
     pub(super) const fn of(meeting: Meeting, bond: Bond) -> &'static [Self] {
-        use Beat::{Coin, Contact, Line, Split, Striker, Whole};
+        use ExplanationStep::{Coin, Contact, Line, Split, Striker, Whole};
         match (meeting, bond) {
             (Meeting::Miss, _) => &[Whole],
             (Meeting::Graze, _) => &[Contact, Line, Whole],
@@ -56,7 +56,7 @@ impl Beat {
 }
 
 /// The words for the steps of one collision, in a frame.
-pub(super) struct BeatWords<'a> {
+pub(super) struct StepWords<'a> {
     collision: &'a Collision,
     outcome: &'a CollisionOutcome,
     frame: Frame,
@@ -70,7 +70,7 @@ struct Parts {
     t: f64,
 }
 
-impl<'a> BeatWords<'a> {
+impl<'a> StepWords<'a> {
     pub(super) fn new(
         collision: &'a Collision,
         outcome: &'a CollisionOutcome,
@@ -87,44 +87,50 @@ impl<'a> BeatWords<'a> {
 
     /// Seconds that a step lasts without a key: time to read its words and to find them in the
     /// picture.
-    pub(super) fn hold(&self, beat: Beat) -> f64 {
-        let words = self.of(beat).split_whitespace().count() as f64;
+    pub(super) fn hold(&self, step: ExplanationStep) -> f64 {
+        let words = self.of(step).split_whitespace().count() as f64;
         (LOOK + WORD * words).max(SHORTEST)
     }
 
     /// The number of a step among all, and its name.
-    pub(super) fn heading(&self, beat: Beat) -> String {
-        let beats = Beat::of(self.outcome.meeting, self.collision.bond);
-        let number = beats.iter().position(|it| *it == beat).map_or(1, |i| i + 1);
-        let name = match beat {
-            Beat::Coin => format!("what the {} gets", self.names[1]),
-            Beat::Striker => format!("what the {} keeps", self.names[0]),
-            _ => beat.name().to_owned(),
+    pub(super) fn heading(&self, step: ExplanationStep) -> String {
+        let steps = ExplanationStep::of(self.outcome.meeting, self.collision.bond);
+        let number = steps.iter().position(|it| *it == step).map_or(1, |i| i + 1);
+        let name = match step {
+            ExplanationStep::Coin => format!("what the {} gets", self.names[1]),
+            ExplanationStep::Striker => format!("what the {} keeps", self.names[0]),
+            _ => step.name().to_owned(),
         };
-        format!("{number} of {}: {name}", beats.len())
+        format!("{number} of {}: {name}", steps.len())
     }
 
     /// The words of a step. Each screen explains the last one in its own way.
-    pub(super) fn of(&self, beat: Beat) -> String {
+    pub(super) fn of(&self, step: ExplanationStep) -> String {
         let sticks = self.collision.bond == Bond::Stick;
-        match beat {
-            Beat::Contact if self.outcome.meeting == Meeting::Graze => {
+        match step {
+            ExplanationStep::Contact if self.outcome.meeting == Meeting::Graze => {
                 "A graze: the rims only just touch, and no force acts.".into()
             }
-            Beat::Contact => "The rims touch at one point. At this instant each disc exerts a \
+            ExplanationStep::Contact => {
+                "The rims touch at one point. At this instant each disc exerts a \
                               force on the other: equal in size, opposite in direction."
-                .into(),
-            Beat::Line if sticks => "The line of impact n joins the two centres; the tangent t is \
+                    .into()
+            }
+            ExplanationStep::Line if sticks => {
+                "The line of impact n joins the two centres; the tangent t is \
                                      at right angles to it. Smooth rims exert a force along n \
                                      only. These rims are joined, so a force acts along t as well."
-                .into(),
-            Beat::Line => "The line of impact n joins the two centres: the force acts only along \
+                    .into()
+            }
+            ExplanationStep::Line => {
+                "The line of impact n joins the two centres: the force acts only along \
                            n. The tangent t is at right angles to it."
-                .into(),
-            Beat::Split => self.split(sticks),
-            Beat::Coin => self.coin(),
-            Beat::Striker => self.striker(),
-            Beat::Whole => String::new(),
+                    .into()
+            }
+            ExplanationStep::Split => self.split(sticks),
+            ExplanationStep::Coin => self.coin(),
+            ExplanationStep::Striker => self.striker(),
+            ExplanationStep::Whole => String::new(),
         }
     }
 
@@ -274,9 +280,9 @@ mod tests {
     use super::*;
     use crate::physics::Disc;
 
-    fn words(collision: &Collision, frame: Frame, beat: Beat) -> String {
+    fn words(collision: &Collision, frame: Frame, step: ExplanationStep) -> String {
         let outcome = collision.outcome();
-        BeatWords::new(collision, &outcome, frame, Face::STRIKER_AND_COIN).of(beat)
+        StepWords::new(collision, &outcome, frame, Face::STRIKER_AND_COIN).of(step)
     }
 
     fn hit(m1: f64, m2: f64, alpha_deg: f64) -> Collision {
@@ -287,22 +293,26 @@ mod tests {
     /// 4 m/s at 30°: uₙ = 3.46, uₜ = 2; then 2 m₁/(m₁ + m₂) and (m₁ − m₂)/(m₁ + m₂) of uₙ.
     #[test]
     fn the_figures_are_those_of_the_closed_forms() {
-        let lab = |m2, beat| words(&hit(15.0, m2, 30.0), Frame::Laboratory, beat);
-        assert!(lab(15.0, Beat::Split).contains("uₙ = 3.46 m/s along n"));
-        assert!(lab(15.0, Beat::Split).contains("uₜ = 2.00 m/s along t"));
-        assert!(lab(15.0, Beat::Coin).contains("all of uₙ: v₂ = 3.46 m/s"));
-        assert!(lab(15.0, Beat::Striker).contains("v₁ = uₜ = 2.00 m/s"));
-        assert!(lab(45.0, Beat::Coin).contains("0.50 of uₙ: v₂ = 1.73 m/s"));
-        assert!(lab(45.0, Beat::Striker).contains("rebounds at 1.73 m/s"));
-        assert!(lab(5.0, Beat::Coin).contains("1.50 of uₙ: v₂ = 5.20 m/s"));
-        assert!(lab(5.0, Beat::Striker).contains("1.73 m/s left"));
+        let lab = |m2, step| words(&hit(15.0, m2, 30.0), Frame::Laboratory, step);
+        assert!(lab(15.0, ExplanationStep::Split).contains("uₙ = 3.46 m/s along n"));
+        assert!(lab(15.0, ExplanationStep::Split).contains("uₜ = 2.00 m/s along t"));
+        assert!(lab(15.0, ExplanationStep::Coin).contains("all of uₙ: v₂ = 3.46 m/s"));
+        assert!(lab(15.0, ExplanationStep::Striker).contains("v₁ = uₜ = 2.00 m/s"));
+        assert!(lab(45.0, ExplanationStep::Coin).contains("0.50 of uₙ: v₂ = 1.73 m/s"));
+        assert!(lab(45.0, ExplanationStep::Striker).contains("rebounds at 1.73 m/s"));
+        assert!(lab(5.0, ExplanationStep::Coin).contains("1.50 of uₙ: v₂ = 5.20 m/s"));
+        assert!(lab(5.0, ExplanationStep::Striker).contains("1.73 m/s left"));
         // √(4 + 3): both parts together.
-        assert!(lab(5.0, Beat::Striker).contains("v₁ = 2.65 m/s"));
+        assert!(lab(5.0, ExplanationStep::Striker).contains("v₁ = 2.65 m/s"));
     }
 
     #[test]
     fn from_the_centre_of_mass_the_part_along_n_turns_round() {
-        let seen = words(&hit(15.0, 15.0, 30.0), Frame::CentreOfMass, Beat::Striker);
+        let seen = words(
+            &hit(15.0, 15.0, 30.0),
+            Frame::CentreOfMass,
+            ExplanationStep::Striker,
+        );
         assert!(seen.contains("was 1.73 m/s forwards"), "{seen}");
         assert!(seen.contains("is now 1.73 m/s backwards"), "{seen}");
         assert!(seen.contains("stays at 1.00 m/s"), "{seen}");
@@ -312,24 +322,24 @@ mod tests {
     fn every_step_stands_long_enough_to_be_read() {
         let collision = hit(15.0, 15.0, 30.0);
         let outcome = collision.outcome();
-        let all = BeatWords::new(
+        let all = StepWords::new(
             &collision,
             &outcome,
             Frame::Laboratory,
             Face::STRIKER_AND_COIN,
         );
-        for beat in Beat::of(Meeting::Hit, Bond::Slip) {
-            let words = all.of(*beat).split_whitespace().count() as f64;
+        for step in ExplanationStep::of(Meeting::Hit, Bond::Slip) {
+            let words = all.of(*step).split_whitespace().count() as f64;
             // 200 words a minute is a quick reader's pace.
-            assert!(all.hold(*beat) >= f64::max(5.0, words / 200.0 * 60.0));
+            assert!(all.hold(*step) >= f64::max(5.0, words / 200.0 * 60.0));
         }
     }
 
     #[test]
     fn head_on_nothing_is_said_of_a_part_that_is_not_there() {
         let head_on = hit(15.0, 15.0, 0.0);
-        assert!(words(&head_on, Frame::Laboratory, Beat::Split).contains("all along n"));
-        let striker = words(&head_on, Frame::Laboratory, Beat::Striker);
+        assert!(words(&head_on, Frame::Laboratory, ExplanationStep::Split).contains("all along n"));
+        let striker = words(&head_on, Frame::Laboratory, ExplanationStep::Striker);
         assert!(striker.contains("the striker stops"), "{striker}");
     }
 }
