@@ -26,7 +26,7 @@ use crate::screens::{
     SharedAction,
     class::Class,
     foil::FoilScreen,
-    glossary::Glossary,
+    glossary::GlossaryScreen,
     home::Home,
     join::Join,
     lab::Lab,
@@ -561,7 +561,7 @@ impl App {
             Route::Lab => hosted(Lab::resume(cx)),
             Route::LabOf { setup } => hosted(Lab::of(setup)),
             Route::Learn => hosted(Contents::new(cx)),
-            Route::Glossary => hosted(Glossary::default()),
+            Route::Glossary => hosted(GlossaryScreen::default()),
             Route::Chapter { number } => match Reading::new(number, cx) {
                 Some(reading) => hosted(reading),
                 None => return,

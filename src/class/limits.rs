@@ -148,7 +148,7 @@ pub struct GuardedCode {
 
 /// The reply to a code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub enum CodeVerdict {
     /// It is the code of the class.
     Right,
     /// It is not; the reply is delayed by this time.
@@ -174,7 +174,7 @@ impl GuardedCode {
     }
 
     /// Checks a code from an address, and counts it if it is wrong.
-    pub fn judge(&mut self, typed: &str, address: IpAddr, now: Duration) -> Verdict {
+    pub fn judge(&mut self, typed: &str, address: IpAddr, now: Duration) -> CodeVerdict {
         let own = self.addresses.of(address, now);
         let first = self.firsts.of(address, now);
         let shared = match first.has_one(now) {
@@ -182,15 +182,15 @@ impl GuardedCode {
             false => &mut self.all,
         };
         if !own.has_one(now) || !shared.has_one(now) {
-            return Verdict::Unseen;
+            return CodeVerdict::Unseen;
         }
         if typed.parse() == Ok(self.code) {
-            return Verdict::Right;
+            return CodeVerdict::Right;
         }
         let wrong = WRONG_CODES.at_once - own.left(now);
         own.take(1.0, now);
         shared.take(1.0, now);
-        Verdict::Wrong(WRONG_CODE_DELAY.mul_f64(1.0 + wrong / DELAY_STEP))
+        CodeVerdict::Wrong(WRONG_CODE_DELAY.mul_f64(1.0 + wrong / DELAY_STEP))
     }
 }
 
@@ -220,9 +220,9 @@ mod tests {
             let typed = JoinCode::of(u64::from(guess)).to_string();
             let from = address((guess % u32::from(addresses)) as u8);
             match code.judge(&typed, from, now) {
-                Verdict::Wrong(_) => looked_at += 1,
-                Verdict::Unseen => {}
-                Verdict::Right => panic!("the code is another one"),
+                CodeVerdict::Wrong(_) => looked_at += 1,
+                CodeVerdict::Unseen => {}
+                CodeVerdict::Right => panic!("the code is another one"),
             }
         }
         looked_at
@@ -252,11 +252,14 @@ mod tests {
         for pupil in 0..40 {
             let now = Duration::from_millis(1500) * pupil;
             let wrong = code.judge("BBBBBB", address(1), now);
-            let Verdict::Wrong(delay) = wrong else {
+            let CodeVerdict::Wrong(delay) = wrong else {
                 panic!("{pupil}: {wrong:?}");
             };
             assert!(delay < Duration::from_secs(6), "{pupil}: {delay:?}");
-            assert_eq!(code.judge(&right, address(1), now + delay), Verdict::Right);
+            assert_eq!(
+                code.judge(&right, address(1), now + delay),
+                CodeVerdict::Right
+            );
             assert!(seats.has_one(address(1), now + delay));
             seats.take(address(1), now + delay);
         }
@@ -272,18 +275,18 @@ mod tests {
             let now = Duration::from_secs(second);
             for host in 0..200 {
                 let verdict = code.judge("BBBBBB", address(host), now);
-                said += u32::from(matches!(verdict, Verdict::Wrong(_)));
+                said += u32::from(matches!(verdict, CodeVerdict::Wrong(_)));
             }
         }
         assert!(said > 1000, "{said}");
         let now = Duration::from_secs(600);
         assert!(matches!(
             code.judge("BBBBBC", address(250), now),
-            Verdict::Wrong(_)
+            CodeVerdict::Wrong(_)
         ));
         let right = JoinCode::of(7).to_string();
-        assert_eq!(code.judge(&right, address(250), now), Verdict::Right);
-        assert_eq!(code.judge(&right, address(0), now), Verdict::Unseen);
+        assert_eq!(code.judge(&right, address(250), now), CodeVerdict::Right);
+        assert_eq!(code.judge(&right, address(0), now), CodeVerdict::Unseen);
     }
 
     #[test]

@@ -47,7 +47,7 @@ pub use device::ConnectionId;
 pub use host::{HostCall, HostNews, JoinDetails};
 pub use items::{ItemAnalysis, items};
 pub use join_code::{JoinCode, NoJoinCode, SeatToken};
-pub use limits::{Allowance, Bucket, GuardedCode, NewSeats, Verdict};
+pub use limits::{Allowance, Bucket, CodeVerdict, GuardedCode, NewSeats};
 pub use names::{LONGEST_NAME, MOST_PEOPLE, MOST_TEAMS, NameTrouble, team_names};
 pub use round::{ClassRound, Participant};
 pub use scores::{Standing, standings};

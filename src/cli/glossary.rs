@@ -26,7 +26,7 @@ pub(super) struct Args {
 
 /// The printed object.
 #[derive(Serialize)]
-struct Report {
+struct GlossaryReport {
     entries: Vec<&'static GlossaryEntry>,
 }
 
@@ -40,7 +40,10 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
         return Err(Failure::input(message));
     }
     if args.json {
-        return Ok(print_report(Some(&Report { entries }), String::new)?);
+        return Ok(print_report(
+            Some(&GlossaryReport { entries }),
+            String::new,
+        )?);
     }
     let book = options.book();
     let mut text = String::new();

@@ -28,8 +28,10 @@ const panels = (() => {
   // again, `fresh` makes one with a function `update`.
   function sync(parent, list, kind, fresh) {
     list.forEach((it, i) => {
-      const told = JSON.stringify(it);
       let node = parent.children[i];
+      // A section that has not changed is the same object as before.
+      if (node?.carromItem === it) return;
+      const told = JSON.stringify(it);
       if (!node || node.carromKind !== kind(it)) {
         const made = fresh(it);
         made.carromKind = kind(it);
@@ -37,6 +39,7 @@ const panels = (() => {
         else parent.append(made);
         node = made;
       }
+      node.carromItem = it;
       if (node.carromTold === told) return;
       node.carromTold = told;
       node.update(it);
@@ -504,7 +507,7 @@ const panels = (() => {
     const [under, ...over] = sheets;
     write(document.getElementById("title"), under.title);
     write(document.getElementById("status"), under.status.replace(/ {2,}/g, " · "));
-    document.title = `${under.title} · carrom`;
+    write(document.querySelector("title"), `${under.title} · carrom`);
     const prompts = under.sections.flatMap(({ items }) => items.filter(({ is }) => is === "prompt"));
     prompt = prompts.find(({ key }) => ["Enter", "Space"].includes(key)) || prompts[0] || null;
     const hasPicture = under.sections.some(({ items }) => items.some(({ is }) => is === "picture"));
@@ -517,7 +520,9 @@ const panels = (() => {
     const [left, right] = [screen.firstElementChild, screen.lastElementChild];
     sync(left, under.sections.filter((it) => isPicture(it)), () => "section", fresh);
     sync(right, under.sections.filter((it) => !isPicture(it)), () => "section", fresh);
-    const at = [under.title, ...under.sections.map(({ title }) => title)].join("\n");
+    // The time that passes in a title does not make another screen.
+    const titles = under.sections.map(({ title }) => title.replace(/^[\d.]+ s\b/, ""));
+    const at = [under.title, ...titles].join("\n");
     const isNew = at !== wasAt;
     if (isNew) for (const node of [screen, left, right]) node.scrollTop = 0;
     wasAt = at;

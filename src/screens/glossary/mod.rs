@@ -23,11 +23,11 @@ pub(crate) enum GlossaryAction {
 
 /// The glossary.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Glossary {
+pub(crate) struct GlossaryScreen {
     list: ListView,
 }
 
-impl Glossary {
+impl GlossaryScreen {
     /// The chosen entry, and its number from 0.
     fn chosen(&self) -> (usize, Option<&'static GlossaryEntry>) {
         let all = GlossaryEntry::all();
@@ -42,7 +42,7 @@ impl Glossary {
     }
 }
 
-impl Screen for Glossary {
+impl Screen for GlossaryScreen {
     type Action = GlossaryAction;
 
     fn title(&self) -> String {

@@ -17,7 +17,7 @@ use super::{hang_up, random, spawn};
 use crate::class::protocol::{
     ClientMessage, HostMessage, LARGEST_HAND_IN, LARGEST_SAYING, Refusal,
 };
-use crate::class::{Allowance, Bucket, SeatToken, Verdict};
+use crate::class::{Allowance, Bucket, CodeVerdict, SeatToken};
 use crate::messages::HostNews;
 use crate::shells::lock;
 
@@ -243,12 +243,12 @@ fn join(
         return Err(Some(Refusal::Join));
     };
     match board.judge(line, &code, seat) {
-        Verdict::Right => {}
-        Verdict::Wrong(delay) => {
+        CodeVerdict::Right => {}
+        CodeVerdict::Wrong(delay) => {
             thread::sleep(delay);
             return Err(Some(Refusal::Code));
         }
-        Verdict::Unseen => {
+        CodeVerdict::Unseen => {
             thread::sleep(LATER);
             return Err(Some(Refusal::Later));
         }

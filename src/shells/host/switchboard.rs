@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use super::{ServedPage, hang_up};
 use crate::class::protocol::{HostMessage, PupilState, Refusal};
-use crate::class::{GuardedCode, JoinCode, SeatToken, Verdict};
+use crate::class::{CodeVerdict, GuardedCode, JoinCode, SeatToken};
 use crate::messages::{ConnectionId, HostNews};
 use crate::shells::lock;
 
@@ -139,11 +139,11 @@ impl Switchboard {
 
     /// Checks a typed code. A device that has joined before can always return, however many others
     /// guess.
-    pub(super) fn judge(&self, line: &Line, typed: &str, seat: Option<SeatToken>) -> Verdict {
+    pub(super) fn judge(&self, line: &Line, typed: &str, seat: Option<SeatToken>) -> CodeVerdict {
         let was_in = seat.is_some_and(|seat| lock(&self.seats).contains(&seat));
         let mut code = lock(&self.code);
         if was_in && code.is(typed) {
-            return Verdict::Right;
+            return CodeVerdict::Right;
         }
         code.judge(typed, line.address, self.now())
     }

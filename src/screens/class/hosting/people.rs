@@ -12,8 +12,8 @@ use crate::widgets::{Outcome, Role};
 pub(in crate::screens::class) struct People {
     list: ListView,
     /// The row at the mark.
-    marked: Option<Row>,
-    doing: Doing,
+    marked: Option<PersonRow>,
+    doing: PersonEdit,
     /// The participant whom the question is about. By the time it is answered, others may have
     /// joined or left.
     asked: Option<String>,
@@ -21,14 +21,14 @@ pub(in crate::screens::class) struct People {
 
 /// A row of the list, by its unique name.
 #[derive(Debug, Clone, PartialEq, Eq)]
-enum Row {
+enum PersonRow {
     Person(String),
     Removed(String),
 }
 
 /// The action in progress on the chosen row.
 #[derive(Debug, Clone)]
-enum Doing {
+enum PersonEdit {
     Nothing,
     /// Another name is typed.
     Rename(String, TextField),
@@ -37,7 +37,7 @@ enum Doing {
 }
 
 /// The rows in their order: those who have not voted first, those who were removed last.
-fn rows(session: &Session) -> Vec<Row> {
+fn rows(session: &Session) -> Vec<PersonRow> {
     let round = session.round();
     let question = round.place().question;
     let voted = |it: &&Participant| {
@@ -46,8 +46,10 @@ fn rows(session: &Session) -> Vec<Row> {
     };
     let mut people: Vec<_> = round.participants().iter().collect();
     people.sort_by_key(voted);
-    let people = people.into_iter().map(|it| Row::Person(it.name().into()));
-    let removed = round.removed().map(|name| Row::Removed(name.into()));
+    let people = people
+        .into_iter()
+        .map(|it| PersonRow::Person(it.name().into()));
+    let removed = round.removed().map(|name| PersonRow::Removed(name.into()));
     people.chain(removed).collect()
 }
 
@@ -62,7 +64,7 @@ impl People {
         let mut people = Self {
             list: ListView::default(),
             marked: None,
-            doing: Doing::Nothing,
+            doing: PersonEdit::Nothing,
             asked: None,
         };
         people.renew(session);
@@ -80,19 +82,21 @@ impl People {
         }
         self.marked = rows.get(self.list.chosen(rows.len())).cloned();
         let gone = match &self.doing {
-            Doing::Rename(name, _) | Doing::Merge(name) => number(session, name).is_none(),
-            Doing::Nothing => false,
+            PersonEdit::Rename(name, _) | PersonEdit::Merge(name) => {
+                number(session, name).is_none()
+            }
+            PersonEdit::Nothing => false,
         };
         if gone {
-            self.doing = Doing::Nothing;
+            self.doing = PersonEdit::Nothing;
         }
     }
 
     /// The one at the mark, if they are on the list.
     fn at(&self) -> Option<&str> {
         match self.marked.as_ref()? {
-            Row::Person(name) => Some(name),
-            Row::Removed(_) => None,
+            PersonRow::Person(name) => Some(name),
+            PersonRow::Removed(_) => None,
         }
     }
 
@@ -101,18 +105,18 @@ impl People {
         use HostingAction::{Back, List, Merge, NotYet, Remove, RemoveAway, Rename, Shut};
         let keys = KeyTable::new("class");
         match &self.doing {
-            Doing::Rename(..) => {
+            PersonEdit::Rename(..) => {
                 keys.on(Key::Enter, Rename, "use this name")
                     .on(Key::Escape, NotYet, "cancel")
             }
-            Doing::Merge(_) => {
+            PersonEdit::Merge(_) => {
                 let list = ListView::keys("it is this one");
                 keys.with(list, List).on(Key::Escape, NotYet, "cancel")
             }
-            Doing::Nothing => keys
+            PersonEdit::Nothing => keys
                 .with(
                     ListView::keys(match self.marked {
-                        Some(Row::Removed(_)) => "let in again",
+                        Some(PersonRow::Removed(_)) => "let in again",
                         _ => "rename",
                     }),
                     List,
@@ -133,7 +137,7 @@ impl People {
     /// Handles a typing key; returns whether it was one.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         match &mut self.doing {
-            Doing::Rename(_, field) => field.update(key),
+            PersonEdit::Rename(_, field) => field.update(key),
             _ => false,
         }
     }
@@ -155,12 +159,12 @@ impl People {
         self.asked = self.at().map(str::to_owned);
         let asked = self.asked.as_ref();
         match (&self.doing, action) {
-            (Doing::Nothing, HostingAction::Remove) => Some(format!(
+            (PersonEdit::Nothing, HostingAction::Remove) => Some(format!(
                 "Remove {} with all their votes? They stay out until you let them in \
                  again.",
                 asked?
             )),
-            (Doing::Merge(from), _) if opens => {
+            (PersonEdit::Merge(from), _) if opens => {
                 let into = asked.filter(|into| *into != from)?;
                 Some(format!("{from} is {into}? The two become one."))
             }
@@ -171,25 +175,28 @@ impl People {
     /// Carries out an action; returns the change of the round.
     pub(super) fn act(&mut self, action: HostingAction, session: &Session) -> Option<ClassChange> {
         let asked = self.asked.take().and_then(|name| number(session, &name));
-        match (action, std::mem::replace(&mut self.doing, Doing::Nothing)) {
+        match (
+            action,
+            std::mem::replace(&mut self.doing, PersonEdit::Nothing),
+        ) {
             (HostingAction::List(action), doing) => {
                 let rows = rows(session);
                 let outcome = self.list.act(action, rows.len());
                 self.marked = rows.get(self.list.chosen(rows.len())).cloned();
                 match (outcome, doing) {
-                    (Outcome::Done(_), Doing::Merge(from)) => {
+                    (Outcome::Done(_), PersonEdit::Merge(from)) => {
                         let into = asked?;
                         let from = number(session, &from).filter(|from| *from != into)?;
                         return Some(ClassChange::Merge { from, into });
                     }
                     (Outcome::Done(_), _) => match self.marked.as_ref()? {
-                        Row::Removed(name) => {
+                        PersonRow::Removed(name) => {
                             let removed = session.round().removed().position(|it| it == name)?;
                             return Some(ClassChange::Readmit { removed });
                         }
-                        Row::Person(name) => {
+                        PersonRow::Person(name) => {
                             let field = TextField::new(name, 2 * LONGEST_NAME);
-                            self.doing = Doing::Rename(name.clone(), field);
+                            self.doing = PersonEdit::Rename(name.clone(), field);
                         }
                     },
                     (_, doing) => self.doing = doing,
@@ -197,13 +204,13 @@ impl People {
                 None
             }
             (HostingAction::Merge, _) => {
-                self.doing = Doing::Merge(self.at()?.to_owned());
+                self.doing = PersonEdit::Merge(self.at()?.to_owned());
                 None
             }
-            (HostingAction::Rename, Doing::Rename(old, field)) => {
+            (HostingAction::Rename, PersonEdit::Rename(old, field)) => {
                 let person = number(session, &old)?;
                 let name = session.round().renamed(person, field.text())?;
-                self.marked = Some(Row::Person(name.clone()));
+                self.marked = Some(PersonRow::Person(name.clone()));
                 Some(ClassChange::Rename { person, name })
             }
             (HostingAction::Remove, _) => Some(ClassChange::Remove { person: asked? }),
@@ -220,12 +227,12 @@ impl People {
             handed => format!("{present} in, {all} on the list, {handed} handed in"),
         });
         let words = match &self.doing {
-            Doing::Merge(from) => format!("Who is \"{from}\" really? Choose the name."),
-            Doing::Rename(..) => "Type the name.".into(),
-            Doing::Nothing if session.is_shut() => {
+            PersonEdit::Merge(from) => format!("Who is \"{from}\" really? Choose the name."),
+            PersonEdit::Rename(..) => "Type the name.".into(),
+            PersonEdit::Nothing if session.is_shut() => {
                 "The round is closed: nobody new can join.".into()
             }
-            Doing::Nothing => match session.handed_in_where() {
+            PersonEdit::Nothing => match session.handed_in_where() {
                 Some(folder) => format!("Handed in: carrom gather \"{folder}\" --out class.html"),
                 None => String::new(),
             },
@@ -242,14 +249,14 @@ impl People {
         for (at, row) in rows.iter().enumerate() {
             let chosen = self.marked.as_ref() == Some(row);
             let (name, state) = match row {
-                Row::Person(name) => {
+                PersonRow::Person(name) => {
                     let one = number(session, name).and_then(|it| round.participants().get(it));
                     (name, one.map(|it| state_of(it, round)).unwrap_or_default())
                 }
-                Row::Removed(name) => (name, "removed".to_owned()),
+                PersonRow::Removed(name) => (name, "removed".to_owned()),
             };
             match &self.doing {
-                Doing::Rename(_, field) if chosen => {
+                PersonEdit::Rename(_, field) if chosen => {
                     panel.text_field("name", field.around_cursor(), true, None);
                 }
                 _ => {

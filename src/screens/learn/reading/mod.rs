@@ -21,7 +21,7 @@ use crate::widgets::{
     AnswerAction, AnswerInput, Look, Outcome, PAGE_ROWS, Role, SplitLayout, sheet,
 };
 
-use page::{OpenPage, Stage};
+use page::{CheckpointStage, OpenPage};
 
 /// What keys do in a chapter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -519,7 +519,7 @@ impl Screen for Reading {
         let used = picture.contains(mouse.cell().into())
             && self.open.as_mut().is_some_and(|open| {
                 let rays = match open.question.as_mut().map(|question| &mut question.stage) {
-                    Some(Stage::Asking(AnswerInput::Rays(rays))) => Some(rays),
+                    Some(CheckpointStage::Asking(AnswerInput::Rays(rays))) => Some(rays),
                     _ => None,
                 };
                 let figure = open.figure.as_mut();

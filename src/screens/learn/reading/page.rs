@@ -22,14 +22,14 @@ pub(super) struct OpenPage {
 #[derive(Debug, Clone)]
 pub(super) struct PageQuestion {
     pub(super) checkpoint: Checkpoint,
-    pub(super) stage: Stage,
+    pub(super) stage: CheckpointStage,
     /// The wrong answer before, after which there was a hint.
     pub(super) first: Option<Response>,
 }
 
 /// The state of a question.
 #[derive(Debug, Clone)]
-pub(super) enum Stage {
+pub(super) enum CheckpointStage {
     /// It waits for its answer, or after a hint for the second one.
     Asking(AnswerInput),
     /// It was answered, and the right answer is shown.
@@ -50,7 +50,7 @@ impl PageQuestion {
         let input = AnswerInput::new(&form_of(checkpoint, figure));
         Self {
             checkpoint: checkpoint.clone(),
-            stage: Stage::Asking(input),
+            stage: CheckpointStage::Asking(input),
             first: None,
         }
     }
@@ -63,7 +63,7 @@ impl PageQuestion {
     /// Begins the second try: the rays stay as they were, to be changed.
     pub(super) fn ask_again(&mut self, first: Response, form: &Form) {
         self.first = Some(first);
-        self.stage = Stage::Asking(match first {
+        self.stage = CheckpointStage::Asking(match first {
             Response::Rays(_) => AnswerInput::saying(form, &first),
             _ => AnswerInput::new(form),
         });
@@ -112,16 +112,16 @@ impl OpenPage {
     /// The answer being entered.
     pub(super) fn input(&self) -> Option<&AnswerInput> {
         match &self.question.as_ref()?.stage {
-            Stage::Asking(input) => Some(input),
-            Stage::Answered(_) => None,
+            CheckpointStage::Asking(input) => Some(input),
+            CheckpointStage::Answered(_) => None,
         }
     }
 
     /// The same, for changing.
     pub(super) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
         match &mut self.question.as_mut()?.stage {
-            Stage::Asking(input) => Some(input),
-            Stage::Answered(_) => None,
+            CheckpointStage::Asking(input) => Some(input),
+            CheckpointStage::Answered(_) => None,
         }
     }
 
@@ -149,7 +149,7 @@ impl OpenPage {
     /// Shows the result of an answer.
     pub(super) fn reveal(&mut self, answer: Response, pace: HitPace) {
         if let Some(question) = &mut self.question {
-            question.stage = Stage::Answered(answer);
+            question.stage = CheckpointStage::Answered(answer);
         }
         if let Some(figure) = &mut self.figure {
             figure.reveal(answer.rays(), pace);

@@ -1,7 +1,7 @@
 //! The text of a page: its words and question, or the feedback on an answer.
 
 use super::ReadingAction;
-use super::page::{OpenPage, PageQuestion, Stage};
+use super::page::{CheckpointStage, OpenPage, PageQuestion};
 use crate::lessons::CheckpointKind;
 use crate::quiz::{Form, Rays, Response, why_of_hit};
 use crate::screens::learn::figure::LiveFigure;
@@ -44,13 +44,13 @@ pub(super) fn panel(
     };
     let form = question.form(prose.figure);
     match &question.stage {
-        Stage::Asking(input) => {
+        CheckpointStage::Asking(input) => {
             panel.subject += usize::from(question.first.is_some());
             // It is read from its beginning, until it is answered.
             panel.from_top = *input == AnswerInput::new(&form);
             asking(open, question, (&form, input), prose, &mut panel);
         }
-        Stage::Answered(answer) => {
+        CheckpointStage::Answered(answer) => {
             panel.subject += 2;
             // The text stays above it, if there is room for both.
             panel.worth(READ, |panel| {
