@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Margin, Rect};
 use strum::{EnumMessage, IntoStaticStr};
 
 use super::view::{Part, View};
@@ -11,7 +11,9 @@ use super::{Context, Next, Route, Screen};
 use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::{Panel, Placed, Writing};
-use crate::widgets::{Item, Look, PAGE_ROWS, Role, SplitLayout, Words, scroll_keys, sheet, text};
+use crate::widgets::{
+    Item, Lines, Look, PAGE_ROWS, Role, SplitLayout, Words, areas, scroll_keys, sheet, text,
+};
 
 /// What keys do on every screen that has no use of its own for them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
@@ -95,6 +97,9 @@ pub trait AnyScreen {
     /// Draws it into [`Context::body`].
     fn draw(&self, buf: &mut Buffer, cx: &Context);
 }
+
+/// Fewest rows of an inset in which the two discs of a collision are round.
+const INSET_ROWS: u16 = 6;
 
 /// A screen, the action that awaits confirmation, and the scroll positions of its panels.
 pub struct Hosted<S: Screen> {
@@ -450,6 +455,17 @@ impl<S: Screen> AnyScreen for Hosted<S> {
             }
             for (_, shown) in panels {
                 shown.placed.draw(shown.rows, buf, writing);
+            }
+            if let (Some((title, draw)), Some((_, shown))) = (&view.inset, panels.last())
+                && cx.room().pictures.is_none()
+            {
+                let area = shown.area.inner(Margin::new(1, 0));
+                let [_, below] = areas::upper(area, shown.placed.rows() + 1);
+                let [head, below] = areas::upper(below, 1);
+                if below.height >= INSET_ROWS && below.width >= 2 * INSET_ROWS {
+                    Lines::new(head, buf, *look).line(title, Role::Dim);
+                    draw(below, buf, look);
+                }
             }
         });
     }

@@ -22,6 +22,8 @@ pub struct View<'s, A> {
     pub(super) first: Part<'s, A>,
     /// What stands beside it.
     pub(super) second: Panel<A>,
+    /// A small picture below the second part, in cells where it has left enough of them.
+    pub(super) inset: Option<(&'static str, DrawPicture<'s>)>,
     /// What stays in sight below both, in as many rows as it takes.
     pub(super) foot: Option<Panel<A>>,
     /// Whether keys go to the larger part first, where they may go to either.
@@ -112,10 +114,25 @@ impl<'s, A> View<'s, A> {
             layout: Layout::At(Box::new(layout)),
             first,
             second,
+            inset: None,
             foot: None,
             focus: None,
             drag: None,
         }
+    }
+
+    /// The same with a small picture under a title below the panel, where the panel has left enough
+    /// cells. Pages, whose pictures are not made of cells, have no need of it.
+    pub(super) fn with_inset(
+        self,
+        title: &'static str,
+        picture: Option<impl Fn(Rect) -> Picture + 's>,
+    ) -> Self {
+        let inset = picture.map(|picture| {
+            let draw: DrawPicture = Box::new(move |area, buf, look| picture(area).draw(buf, look));
+            (title, draw)
+        });
+        Self { inset, ..self }
     }
 
     /// The same with a picture in which something can be dragged.

@@ -25,6 +25,8 @@ pub(crate) use names::VelocityNames;
 pub(crate) use pencil::{protractor_picture, scale_picture};
 pub(crate) use playback::{FRAME, HitPace};
 pub(crate) use reveal::Reveal;
-pub(crate) use setup::{Markings, aim_picture, drag_offset, point_at, setup_picture};
+pub(crate) use setup::{
+    CONTACT, Markings, aim_picture, contact_picture, drag_offset, point_at, setup_picture,
+};
 pub(crate) use stage::HitLayout;
 pub(crate) use watch::{Face, Watch, WatchAction};

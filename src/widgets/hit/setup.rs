@@ -7,7 +7,7 @@ use super::sketch::Sketch;
 use super::{Face, HitLayout, VelocityNames};
 use crate::physics::{Collision, Frame};
 use crate::quiz::{AimTask, Ray};
-use crate::widgets::picture::{Pen, Picture};
+use crate::widgets::picture::{Pen, Picture, View};
 use crate::widgets::{RayInput, Role};
 
 pub(crate) use crate::quiz::Markings;
@@ -29,6 +29,28 @@ pub(crate) fn setup_picture(
         turned(&mut sketch, faces, rays);
     }
     sketch.picture
+}
+
+/// The title of [`contact_picture`].
+pub(crate) const CONTACT: &str = "the contact, enlarged";
+
+/// The striker, as an outline, where it meets the target, and its path to there: an aim at a
+/// board on which the discs are small.
+pub(crate) fn contact_picture(area: Rect, faces: [Face; 2], collision: &Collision) -> Picture {
+    let [striker, target]: [DVec2; 2] = collision.placed_at_contact().into();
+    let [r1, r2] = [collision.striker, collision.target].map(|disc| disc.radius);
+    let rims = [(striker, r1), (target, r2)];
+    let low = rims.map(|(at, r)| at - r).into_iter().reduce(DVec2::min);
+    let high = rims.map(|(at, r)| at + r).into_iter().reduce(DVec2::max);
+    let [low, high] = [low, high].map(|corner| corner.unwrap_or(DVec2::ZERO));
+    let mut picture = Picture::new(View::fit(area, low, high));
+    let along = collision.relative_velocity().normalize_or_zero();
+    let start = striker - 2.0 * (high - low).length() * along;
+    picture.line(start, striker, Pen::new(Role::Aim).dotted());
+    let [_, face] = faces;
+    picture.disc(target, r2, face.role, face.letter);
+    picture.circle(striker, r1, Role::Predicted);
+    picture
 }
 
 /// A striker and a coin about to meet at an offset in metres, with the required path of one of

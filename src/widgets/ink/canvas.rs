@@ -191,6 +191,7 @@ impl Canvas {
             let upon = glyph.upon && self.charset == Charset::Unicode;
             let mut style = match upon {
                 true if is_faint => theme.style(glyph.role).bg(self.paper_of(cell, theme)),
+                true if self.has_shades => theme.on(glyph.role).bg(self.paper_of(cell, theme)),
                 true => theme.on(glyph.role),
                 false => theme.style(glyph.role),
             };

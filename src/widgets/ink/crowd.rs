@@ -9,9 +9,8 @@ use crate::widgets::{Charset, Role, picture::Body};
 /// How far from its own cell a token may have to go, in cells.
 const FARTHEST: i32 = 4;
 
-/// Columns reserved for a small round disc, so that its letter is in its middle and no neighbour
-/// covers part of it.
-const SMALL_WIDTH: i32 = 3;
+/// Width of an [`outline`] in columns.
+const OUTLINE_WIDTH: i32 = 3;
 
 /// Below this radius, in columns, a disc is as wide as its [`outline`].
 const OUTLINED: f64 = 2.0;
@@ -32,28 +31,24 @@ impl Canvas {
     /// Discs of one scale: round ones if even the smallest has room for it, else
     /// [tokens](token) for all.
     ///
-    /// Every token and every small disc with a letter has cells of its own. Where two would
-    /// share one, the one that lies farther from the cell's middle moves over to the nearest
-    /// free cell; the queen never does. No stroke and no arrow hides a token, whatever is drawn when.
+    /// A round disc is at its true position; its letter is in the cell that holds its centre.
+    /// Every token and every outline has cells of its own. Where two would share one, the one that
+    /// lies farther from the cell's middle moves over to the nearest free cell; the queen never
+    /// does. No stroke and no arrow hides a token, whatever is drawn when.
     pub(super) fn discs(&mut self, bodies: &[Body]) {
         let smallest = bodies.iter().map(|body| body.radius);
         let smallest = smallest.fold(f64::INFINITY, f64::min);
         if 2.0 * smallest / self.view().per_row() >= fewest_rows(self.charset) {
-            let (small, large): (Vec<_>, Vec<_>) = bodies
-                .iter()
-                .filter(|body| body.radius > 0.0)
-                .partition(|body| self.is_small(body));
-            for body in large {
-                self.round(body);
+            let real = bodies.iter().filter(|body| body.radius > 0.0);
+            // Without colours adjacent blocks merge, so small discs are outlines with their token.
+            let is_outline =
+                |body: &&Body| self.is_mono && body.radius / self.view().per_column() < OUTLINED;
+            let (outlined, round): (Vec<_>, Vec<_>) = real.partition(is_outline);
+            for (place, body) in self.places(outlined, |_| OUTLINE_WIDTH) {
+                self.stamp(middle(place), &outline(body.role), body.role, false);
             }
-            // Without colours adjacent blocks merge, so small discs are outlines with their token,
-            // if those have the same width.
-            let outlined = self.is_mono && smallest / self.view().per_column() < OUTLINED;
-            for (place, body) in self.places(small, |_| SMALL_WIDTH) {
-                match outlined {
-                    true => self.stamp(middle(place), &outline(body.role), body.role, false),
-                    false => self.round_at(middle(place), body),
-                }
+            for body in round {
+                self.round(body);
             }
             for body in bodies.iter().filter(|body| body.pointed_out) {
                 self.circle(body.at, RING * body.radius, Role::Good);

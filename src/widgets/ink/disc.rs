@@ -16,9 +16,6 @@ pub(super) const fn token_rows(charset: Charset) -> f64 {
     }
 }
 
-/// A disc of a smaller radius, in columns, is moved to where it looks round.
-const SMALL: f64 = 3.0;
-
 impl Canvas {
     /// A disc with a letter in its middle (a space for none): filled in Unicode, a
     /// rim in ASCII. It hides what lies on lower layers. A disc too small to be
@@ -39,26 +36,9 @@ impl Canvas {
         2.0 * body.radius / self.view().per_row() < token_rows(self.charset)
     }
 
-    /// Whether a disc is so small that it has to be where it looks round, with its letter in its
-    /// middle.
-    pub(super) fn is_small(&self, body: &Body) -> bool {
-        self.charset == Charset::Unicode
-            && body.letter != ' '
-            && body.radius / self.view().per_column() < SMALL
-    }
-
-    /// A disc in its own shape, however small it is.
+    /// A disc in its own shape and at its true position, however small it is.
     pub(super) fn round(&mut self, body: &Body) {
-        let place = self.paper(body.at);
-        // On halves of cells it is as round to the left as to the right; a letter stands
-        // in the middle of a cell.
-        let half = dvec2(0.5, 1.0);
-        let place = match body.radius / self.view().per_column() < SMALL {
-            false => place,
-            true if body.letter == ' ' => (place / half).round() * half,
-            true => (place / half / 2.0).floor() * half * 2.0 + half,
-        };
-        self.round_at(place, body);
+        self.round_at(self.paper(body.at), body);
     }
 
     /// A disc in its own shape with its middle at a point on paper.

@@ -10,6 +10,7 @@ use crate::physics::units::m_from_mm;
 use crate::quiz::Ray;
 use crate::screens::levels::words::face;
 use crate::widgets::picture::{Body, DrawLayer, LabelSide, Pen, Picture, View};
+use crate::widgets::replay::{ShotImpact, impacts};
 use crate::widgets::{Role, board, sheet};
 
 /// Length of the arrow of the shot, in metres for each m/s.
@@ -134,10 +135,10 @@ pub(super) fn of_aim(level: &Level, scene: &Scene, met: Option<FirstMet>, area: 
     if let Some(piece) = scene.pieces.get(aimed)
         && let Some(heading) = velocity.try_normalize()
     {
-        if let Some((end, touches)) = met {
-            picture.line(piece.at, end, Pen::new(Role::Aim).dotted());
-            if touches {
-                board::ghost(&mut picture, end, piece.disc.radius, Role::Predicted);
+        if let Some(met) = met {
+            picture.line(piece.at, met.at, Pen::new(Role::Aim).dotted());
+            if met.impact.is_some() {
+                board::ghost(&mut picture, met.at, piece.disc.radius, Role::Predicted);
             }
         }
         discs(level, &mut picture, &places);
@@ -150,8 +151,13 @@ pub(super) fn of_aim(level: &Level, scene: &Scene, met: Option<FirstMet>, area: 
     picture
 }
 
-/// Where a disc first meets something or stops, and whether it is another disc.
-pub(super) type FirstMet = (DVec2, bool);
+/// Where a disc first meets something or stops.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FirstMet {
+    at: DVec2,
+    /// The impact, if it meets another disc.
+    pub(super) impact: Option<ShotImpact>,
+}
 
 /// Where the disc of a scene's shot first meets something, or stops.
 pub(super) fn first_met(scene: &Scene) -> Option<FirstMet> {
@@ -160,7 +166,10 @@ pub(super) fn first_met(scene: &Scene) -> Option<FirstMet> {
         let touches = event.kind.partner(aimed).is_some();
         (touches || event.kind.discs().0 == aimed).then_some((event.time, touches))
     })?;
-    Some((shot.at(aimed, time).position, touches))
+    Some(FirstMet {
+        at: shot.at(aimed, time).position,
+        impact: impacts(&shot, aimed).next().filter(|_| touches),
+    })
 }
 
 /// A shot at the time of its clock, with the paths so far.

@@ -8,7 +8,7 @@ use crate::numbers;
 use crate::quiz::{Ray, why};
 use crate::screens::levels::words;
 use crate::screens::{Context, View};
-use crate::widgets::hit::{Markings, Watch, setup_picture};
+use crate::widgets::hit::{CONTACT, Markings, Watch, contact_picture, setup_picture};
 use crate::widgets::input::SettingsForm;
 use crate::widgets::panel::Panel;
 use crate::widgets::panels::{
@@ -30,7 +30,14 @@ pub(super) fn view<'s>(play: &'s LevelPlay, cx: &Context) -> View<'s, LevelActio
         LevelPhase::Aim => {
             let scene = level.aimed(&play.dials.aim);
             let board = move |area| board::of_aim(level, &scene, play.dials.met, area);
-            View::drawn("aim", board, panel).dragging(play.dials.drag_words())
+            let impact = play.dials.met.and_then(|met| met.impact);
+            let contact = impact.map(|impact| {
+                let faces = impact.discs.map(|disc| words::face_of(&level.scene, disc));
+                move |area| contact_picture(area, faces, &impact.collision)
+            });
+            View::drawn("aim", board, panel)
+                .with_inset(CONTACT, contact)
+                .dragging(play.dials.drag_words())
         }
         LevelPhase::Predict(pending) => {
             let faces = pending

@@ -5,11 +5,11 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 
 use super::{ActiveGame, After, GameAction, GamePhase, pictures, trays};
-use crate::game::{GameStage, Rules};
+use crate::game::{GameStage, Piece, Rules};
 use crate::messages::{Key, Mouse, StoreRequest};
 use crate::screens::table::{TableAction, picture, words};
 use crate::screens::{Confirmation, Context, Next, View};
-use crate::widgets::hit::HitPace;
+use crate::widgets::hit::{CONTACT, HitPace, contact_picture};
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 use crate::widgets::picture::Picture;
@@ -213,6 +213,13 @@ impl Playing {
         if phase.is_enlarged() {
             return View::drawn(title, |area| phase.picture(game, area), panel);
         }
+        let hit = { game.first_hit() }.filter(|_| matches!(phase, GamePhase::Aim));
+        let hit = hit.filter(|_| game.options.aids.ghost);
+        let contact = hit.and_then(|hit| {
+            let coin = game.game().coins().get(hit.coin)?;
+            let faces = [Piece::Striker, coin.piece].map(words::face);
+            Some(move |area| contact_picture(area, faces, &hit.impact.collision))
+        });
         let draw = |area: Rect, buf: &mut _, look: &_| {
             phase.picture(game, area).draw(buf, look);
             let replay = match phase {
@@ -223,6 +230,7 @@ impl Playing {
         };
         View::picture(title, draw, panel)
             .square()
+            .with_inset(CONTACT, contact)
             .dragging(match phase {
                 GamePhase::Aim => Some(
                     "Touch the board to aim. Drag the striker along its base line; pull it back \
