@@ -19,7 +19,7 @@ use crate::quiz::{
 pub struct AskedQuestion {
     /// The id of its family.
     family: String,
-    /// The question in words.
+    /// The text of the question.
     text: String,
     /// How it is answered.
     form: AskedForm,
@@ -33,7 +33,7 @@ pub struct AskedQuestion {
 enum AskedForm {
     /// By two rays: the side of the target, and what it is called.
     Rays { side: f64, target: String },
-    /// By a number that measures this, by its name in files.
+    /// By a number; `measure` is the name of its quantity in files.
     Number { measure: String },
     /// By choosing.
     Choice { options: Vec<String> },
@@ -69,7 +69,7 @@ enum AskedPicture {
     },
 }
 
-/// The visible properties of two discs about to meet, without e and the kind of contact.
+/// The visible properties of two discs about to collide, without e and the kind of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct AskedHit {
     masses: [f64; 2],
@@ -91,7 +91,7 @@ impl AskedHit {
         }
     }
 
-    /// The collision, if a device accepts it.
+    /// The collision; `None` if the numbers are invalid.
     fn collision(&self) -> Option<Collision> {
         let all = self.masses.iter().chain(&self.radii);
         let numbers = self
@@ -161,8 +161,8 @@ impl AskedQuestion {
         }
     }
 
-    /// A question that can be drawn and answered, from what was sent alone: its right answer is
-    /// meaningless. `None` if the message makes no sense.
+    /// A question that can be drawn and answered, built only from what was sent: its right answer
+    /// is meaningless. `None` if the message is invalid.
     pub fn question(&self) -> Option<Question> {
         Some(Question {
             family: Family::with_id(&self.family)?,
@@ -250,7 +250,7 @@ fn hit_of_angles([theta1, theta2]: [f64; 2], radii: [f64; 2], along: DVec2) -> O
     Some(Collision::at_angle(striker, target, along, theta2))
 }
 
-/// The right answer, once it is revealed, and its explanation in words for this pupil.
+/// The right answer, once it is revealed, and its explanation for this pupil.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RevealedTruth {
     /// The right answer, as [`Said::to_text`] writes it.

@@ -13,11 +13,11 @@ use super::round::ClassRound;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ClassChange {
-    /// A vote was given, or taken back.
+    /// A vote was given or withdrawn.
     Vote {
         /// The question.
         question: usize,
-        /// Which vote.
+        /// The first or the second vote.
         vote: Vote,
         /// The voter.
         person: usize,
@@ -25,11 +25,11 @@ pub enum ClassChange {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         said: Option<Said>,
     },
-    /// Hands were counted, or the count was taken back.
+    /// Hands were counted, or the count was withdrawn.
     Count {
         /// The question.
         question: usize,
-        /// Which vote.
+        /// The first or the second vote.
         vote: Vote,
         /// The number of votes for each choice.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -45,14 +45,14 @@ pub enum ClassChange {
     },
     /// A participant was renamed.
     Rename {
-        /// Who.
+        /// The participant.
         person: usize,
         /// Their new name.
         name: String,
     },
     /// A participant was removed with all votes and stays out; later ones move up.
     Remove {
-        /// Who.
+        /// The participant.
         person: usize,
     },
     /// A removed participant may join again.
@@ -62,7 +62,7 @@ pub enum ClassChange {
     },
     /// A participant's seat was freed, and they may join again; later ones move up.
     Vacate {
-        /// Who.
+        /// The participant.
         person: usize,
     },
     /// A participant had joined twice.
@@ -77,14 +77,14 @@ pub enum ClassChange {
 impl ClassChange {
     /// The line of JSON that stores it.
     pub fn line(&self) -> String {
-        // There is nothing in it that could not be written.
+        // Every field can be written as JSON.
         serde_json::to_string(self).unwrap_or_default()
     }
 
-    /// Reads such a line.
+    /// Reads a change from its line.
     ///
     /// # Errors
-    /// If it is none, in words.
+    /// The reason, if the line is not a change.
     pub fn read(line: &str) -> Result<Self, String> {
         serde_json::from_str(line).map_err(|error| format!("expected a change: {error}"))
     }
@@ -108,7 +108,7 @@ impl From<&ClassChange> for Then {
     }
 }
 
-/// The text that is appended to the file of a round when this has changed.
+/// The text that is appended to the file of a round for these changes.
 ///
 /// # Errors
 /// None in practice; the reason if it cannot be written.
@@ -125,7 +125,7 @@ impl ClassRound {
     /// Applies a change.
     ///
     /// # Errors
-    /// If it does not fit the round, in words; then nothing has changed.
+    /// The reason, if the change does not fit the round; the round then stays unchanged.
     pub fn change(&mut self, change: &ClassChange) -> Result<(), String> {
         let taken = |taken: bool, expected: &str| match taken {
             true => Ok(()),
@@ -164,7 +164,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_change_is_read_as_it_is_written() {
+    fn changes_read_back_as_written() {
         let seat = SeatToken::of(7);
         for line in [
             r#"{"vote":{"question":2,"vote":"first","person":16,"said":"rays -0.5 still"}}"#,

@@ -17,7 +17,7 @@ pub enum HostCall {
     Open {
         /// The code to use; `None` for a new one.
         code: Option<JoinCode>,
-        /// The address where their devices look for it, if they joined before.
+        /// The address at which devices that joined earlier look for the class.
         address: Option<SocketAddrV4>,
     },
     /// Send pupils their states.
@@ -43,9 +43,9 @@ pub enum HostNews {
         seat: Option<SeatToken>,
         /// Their new seat token, if they are new.
         fresh: SeatToken,
-        /// Where from.
+        /// The address of the device.
         address: IpAddr,
-        /// The time, from a fixed moment.
+        /// The time since a fixed moment.
         at: Duration,
     },
     /// A pupil votes.
@@ -54,9 +54,9 @@ pub enum HostNews {
         line: ConnectionId,
         /// The question, counted from 0.
         question: usize,
-        /// Which vote.
+        /// The first or the second vote.
         vote: Vote,
-        /// The vote as text; an empty text takes it back.
+        /// The vote as text; an empty text withdraws it.
         said: String,
         /// The number of the vote.
         n: u64,
@@ -75,7 +75,7 @@ pub enum HostNews {
 }
 
 impl HostNews {
-    /// A message of a pupil who has joined; `None` for a second request to join.
+    /// The news in a message from a pupil who has joined; `None` for a second request to join.
     pub(crate) fn said(line: ConnectionId, saying: ClientMessage) -> Option<Self> {
         Some(match saying {
             ClientMessage::Vote { q, vote, said, n } => Self::Voted {
@@ -92,13 +92,14 @@ impl HostNews {
     }
 }
 
-/// Where pupils join.
+/// How pupils can join.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JoinDetails {
     /// The code for joining.
     pub code: JoinCode,
-    /// The addresses where it listens, the best first.
+    /// The addresses at which the server listens, the best first.
     pub addresses: Vec<SocketAddrV4>,
-    /// Whether the page is served there, or the reason why not: then only other carroms can join.
+    /// Whether the page is served at these addresses. If it is not, the reason; then only installed
+    /// carroms can join.
     pub page: Result<(), String>,
 }

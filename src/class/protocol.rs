@@ -29,19 +29,19 @@ use super::step::ClassStep;
 /// The version of the protocol.
 pub const VERSION: u32 = 1;
 
-/// The most bytes of one message of a device.
+/// The largest message from a device, in bytes.
 pub const LARGEST_SAYING: usize = 1024;
 
-/// The most bytes of a hand-in, some two thousand answers.
+/// The largest hand-in, in bytes: about two thousand answers.
 pub const LARGEST_HAND_IN: usize = 1 << 20;
 
-/// A message of a pupil's device.
+/// A message from a pupil's device.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "t", rename_all = "kebab-case")]
 pub enum ClientMessage {
     /// A request to join, which comes first.
     Join {
-        /// The version it speaks.
+        /// The device's version of the protocol.
         v: u32,
         /// The code of the class, as typed.
         code: String,
@@ -55,17 +55,17 @@ pub enum ClientMessage {
     Vote {
         /// The question, counted from 0.
         q: usize,
-        /// Which vote.
+        /// The first or the second vote.
         vote: Vote,
-        /// The vote, as [`Said::to_text`](super::Said::to_text) writes it; an empty text takes it
-        /// back.
+        /// The vote, as [`Said::to_text`](super::Said::to_text) writes it; an empty text withdraws
+        /// it.
         said: String,
-        /// Larger than that of each vote before.
+        /// The number of the vote, larger than that of every earlier vote.
         n: u64,
     },
     /// Answers given alone, for the teacher.
     HandIn {
-        /// Larger than that of each before.
+        /// The number of the hand-in, larger than that of every earlier one.
         n: u64,
         /// The file, as the gradebook reads it.
         file: Value,
@@ -94,7 +94,7 @@ impl ClientMessage {
 
     /// The message.
     pub fn to_text(&self) -> String {
-        // There is nothing in it that could not be written.
+        // Every field can be written as JSON.
         serde_json::to_string(self).unwrap_or_default()
     }
 }
@@ -110,11 +110,11 @@ pub enum Refusal {
     Full,
     /// The name has no visible letter.
     Name,
-    /// They speak another version.
+    /// The device uses another version of the protocol.
     Version,
     /// The message is not valid.
     Format,
-    /// Another message came before joining, or none for too long.
+    /// The device sent another message first, or did not ask to join in time.
     Join,
     /// The pupil has joined on another device or in another tab.
     Elsewhere,
@@ -127,7 +127,7 @@ pub enum Refusal {
 }
 
 impl Refusal {
-    /// What the pupil is told.
+    /// The message for the pupil.
     pub const fn words(self) -> &'static str {
         match self {
             Self::Code => "This is not the code of the class. Look at the board again.",
@@ -151,18 +151,18 @@ impl Refusal {
             }
             Self::Later => {
                 "Too many devices on your network are joining at once or typing wrong codes. \
-                 carrom tries again by itself."
+                 carrom tries again automatically."
             }
         }
     }
 
-    /// Whether another try may succeed without any action by the user.
+    /// Whether another attempt may succeed without any action by the user.
     pub const fn is_passing(self) -> bool {
         matches!(self, Self::Join | Self::Later)
     }
 }
 
-/// A message of the host.
+/// A message from the host.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "t", rename_all = "kebab-case")]
 pub enum HostMessage {
@@ -183,7 +183,7 @@ impl HostMessage {
 
     /// The message.
     pub fn to_text(&self) -> String {
-        // There is nothing in it that could not be written.
+        // Every field can be written as JSON.
         serde_json::to_string(self).unwrap_or_default()
     }
 }
@@ -193,7 +193,7 @@ impl HostMessage {
 pub struct PupilState {
     /// The version.
     pub v: u32,
-    /// Counts the states of this connection.
+    /// The number of this state on its connection.
     pub rev: u64,
     /// The pupil's seat token.
     pub seat: SeatToken,
@@ -201,9 +201,9 @@ pub struct PupilState {
     pub name: String,
     /// The question, counted from 0.
     pub q: usize,
-    /// How many questions there are.
+    /// The number of questions.
     pub of: usize,
-    /// The step at which the class is.
+    /// The current step of the class.
     pub step: PupilStep,
     /// The number of the pupil's last vote that was handled.
     pub n: u64,
@@ -255,14 +255,14 @@ pub enum NotTaken {
 }
 
 impl NotTaken {
-    /// What the pupil is told.
+    /// The message for the pupil.
     pub const fn words(self) -> &'static str {
         match self {
             Self::Format => {
-                "The teacher's carrom could not read what yours has sent. Open the page from the \
+                "The teacher's carrom could not read what yours sent. Open the page from the \
                  address on the board."
             }
-            Self::TooMany => "The teacher's carrom accepts no more today.",
+            Self::TooMany => "The teacher's carrom accepts no more hand-ins today.",
             Self::NotWritten => "The teacher's carrom could not save it. Tell your teacher.",
         }
     }
@@ -276,7 +276,7 @@ pub enum PupilStep {
     Lobby,
     /// The round is over.
     End,
-    /// At a step of a question.
+    /// The class is at a step of a question.
     #[serde(untagged)]
     Asked(ClassStep),
 }
@@ -311,7 +311,7 @@ mod tests {
     }
 
     #[test]
-    fn only_what_is_handed_in_may_be_long() {
+    fn only_hand_ins_may_be_long() {
         let hand_in = |bytes: usize| {
             let text = r#"{"t":"hand-in","n":1,"file":""}"#;
             let filling = "x".repeat(bytes - text.len());
@@ -325,7 +325,7 @@ mod tests {
     }
 
     #[test]
-    fn anything_else_is_refused() {
+    fn invalid_messages_are_refused() {
         for text in [
             "",
             "{}",

@@ -16,7 +16,7 @@ pub enum Input {
     Paste(String),
     /// The screen now has this many columns and rows.
     Resize(u16, u16),
-    /// The [`Effect::Keep`](super::Effect::Keep) of this ticket takes long; its result will
+    /// The [`Effect::Keep`](super::Effect::Keep) of this ticket takes a long time; its result will
     /// follow.
     Saving(u64),
     /// The result of an [`Effect::Keep`](super::Effect::Keep).
@@ -24,7 +24,7 @@ pub enum Input {
     /// The result of an [`Effect::Export`](super::Effect::Export): the file's path, or why
     /// there is none.
     Exported(Result<String, String>),
-    /// What has arrived from a class on its own devices since the last time, in order.
+    /// The events from a class on pupils' devices since the last input, in order.
     Hosted(Vec<HostNews>),
     /// What has arrived from the host of the class.
     Joined(JoinNews),
@@ -103,7 +103,7 @@ impl Mouse {
     }
 }
 
-/// What the mouse did; only the main button counts.
+/// What the mouse did; only the main button is used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MouseKind {
     /// The button went down.
@@ -123,7 +123,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_place_is_kept_to_a_small_part_of_a_cell() {
+    fn a_position_is_accurate_to_a_small_part_of_a_cell() {
         let over = Mouse::over(MouseKind::Down, (3, 4));
         assert_eq!(over.place(), dvec2(3.5, 4.5));
         for place in [dvec2(0.0, 0.0), dvec2(60.99, 7.25), dvec2(12.5, 300.0)] {

@@ -285,7 +285,7 @@ fn without_storage_data_is_kept_in_memory() {
     for store in [Store::in_folder(&file), Store::nowhere()] {
         let app = App::new(Route::Chapter { number: 1 }, settings("Ada"), 1);
         let mut game = Headless::keeping(app, 80, 24, store);
-        shows(&mut game, "What you do cannot be saved");
+        shows(&mut game, "Your progress cannot be saved");
         game.press("x");
         shows(&mut game, "page 1 of 5");
         game.press("2<Enter>nn");

@@ -624,7 +624,7 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
         assert!(game.screen().contains("32 in all"), "{}", game.screen());
         game.press("<Enter>");
         let screen = game.screen();
-        assert!(screen.contains("talking helps most now"), "{screen}");
+        assert!(screen.contains("discussion helps most now"), "{screen}");
         game.press("<Enter>");
         game.press(&counts(28));
         game.press("<Enter>");
