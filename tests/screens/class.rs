@@ -549,7 +549,10 @@ fn a_round_that_cannot_be_saved_warns_that_it_will_be_lost() {
     fs::remove_file(folder.path().join("classes")).unwrap();
     game.press("<Down><Enter><Escape>");
     let screen = game.screen();
-    assert!(screen.contains("Then it is saved"), "{screen}");
+    assert!(
+        screen.contains("It is saved, and you can resume it later."),
+        "{screen}"
+    );
     assert_eq!(kept(folder.path()).len(), 1);
 }
 

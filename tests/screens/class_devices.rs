@@ -155,7 +155,7 @@ fn a_failed_save_is_reported_on_both_sides() {
         &mut class,
         Who::Host,
         "",
-        "What a pupil handed in cannot be saved",
+        "A pupil's hand-in cannot be saved",
     );
     fs::remove_file(folder.path().join("handed-in")).unwrap();
     press(&mut class, ada, "hy", "Handed in: 1 answer.");

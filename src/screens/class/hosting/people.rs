@@ -1,4 +1,4 @@
-//! Who is in, and who has voted: names that are shown when the teacher asks for them.
+//! The list of participants and of who has voted; names are shown only on the teacher's request.
 
 use super::{ClassAction, HostingAction};
 use crate::class::{ClassChange, ClassRound, LONGEST_NAME, Participant, Session, Vote};
@@ -11,11 +11,11 @@ use crate::widgets::{Outcome, Role};
 #[derive(Debug, Clone)]
 pub(in crate::screens::class) struct People {
     list: ListView,
-    /// The row at the mark.
+    /// The marked row.
     marked: Option<Row>,
     doing: Doing,
-    /// The participant whom the question is about. By the time it is answered, others may have
-    /// joined or left.
+    /// The participant whom a confirmation concerns. Others may join or leave before it is
+    /// answered.
     asked: Option<String>,
 }
 
@@ -36,7 +36,7 @@ enum Doing {
     Merge(String),
 }
 
-/// The rows in their order: those who have not voted first, those who were removed last.
+/// The rows in order: first those who have not voted, last those who were removed.
 fn rows(session: &Session) -> Vec<Row> {
     let round = session.round();
     let question = round.place().question;
@@ -57,7 +57,7 @@ fn number(session: &Session, name: &str) -> Option<usize> {
 }
 
 impl People {
-    /// The page as things stand.
+    /// The page in the current state of the session.
     pub(super) fn new(session: &Session) -> Self {
         let mut people = Self {
             list: ListView::default(),
@@ -69,7 +69,8 @@ impl People {
         people
     }
 
-    /// Keeps the mark at the same participant, or at the next one if that one has gone.
+    /// Keeps the mark at the same participant, or moves it to the next one if that participant has
+    /// left.
     pub(super) fn renew(&mut self, session: &Session) {
         let rows = rows(session);
         if let Some(at) = rows
@@ -88,7 +89,7 @@ impl People {
         }
     }
 
-    /// The one at the mark, if they are on the list.
+    /// The marked participant, if they are on the list.
     fn at(&self) -> Option<&str> {
         match self.marked.as_ref()? {
             Row::Person(name) => Some(name),
@@ -106,7 +107,7 @@ impl People {
                     .on(Key::Escape, NotYet, "cancel")
             }
             Doing::Merge(_) => {
-                let list = ListView::keys("it is this one");
+                let list = ListView::keys("same person");
                 keys.with(list, List).on(Key::Escape, NotYet, "cancel")
             }
             Doing::Nothing => keys
@@ -117,7 +118,7 @@ impl People {
                     }),
                     List,
                 )
-                .on('m', Merge, "is somebody else")
+                .on('m', Merge, "joined twice")
                 .when(self.at().is_some() && rows(session).len() > 1)
                 .on(Key::Delete, Remove, "remove")
                 .or([(Key::Char('x'), Remove)])
@@ -130,7 +131,7 @@ impl People {
         }
     }
 
-    /// Handles a typing key; returns whether it was one.
+    /// Handles a key if it edits text; returns whether it does.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         match &mut self.doing {
             Doing::Rename(_, field) => field.update(key),
@@ -146,7 +147,7 @@ impl People {
     ) -> Option<String> {
         let opens = match action {
             HostingAction::List(ListAction::Open) => true,
-            // A second click.
+            // A second click opens the row.
             HostingAction::List(ListAction::Point(at)) => {
                 self.marked.is_some() && rows(session).get(at) == self.marked.as_ref()
             }
@@ -162,7 +163,9 @@ impl People {
             )),
             (Doing::Merge(from), _) if opens => {
                 let into = asked.filter(|into| *into != from)?;
-                Some(format!("{from} is {into}? The two become one."))
+                Some(format!(
+                    "Merge {from} into {into}? They become one participant."
+                ))
             }
             _ => None,
         }
