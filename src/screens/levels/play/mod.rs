@@ -31,9 +31,9 @@ pub(crate) struct LevelPlay {
     dials: Dials,
     /// The dial that keys change.
     form: SettingsForm,
-    /// How many hints have been asked for.
+    /// The number of hints shown so far.
     hints: usize,
-    /// Shots made since it was opened.
+    /// The number of shots since the level was opened.
     shots: u32,
     /// The results of the shots watched, the latest last.
     earlier: Vec<EarlierShot>,
@@ -52,7 +52,7 @@ enum LevelPhase {
     Watch(Box<MadeShot>),
 }
 
-/// A shot that was made, in short.
+/// The summary of a shot that was made.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct EarlierShot {
     /// Its number, from 1.
@@ -136,7 +136,7 @@ impl LevelPlay {
         both.filter_map(|(ray, asked)| asked.then_some(ray))
     }
 
-    /// From aiming to predicting, or to the shot if there is nothing to predict.
+    /// Goes from aiming to predicting, or to the shot if there is nothing to predict.
     fn go(&mut self, cx: &mut Context) {
         let scene = self.level().aimed(&self.dials.aim);
         let shot = match scene.play(Patience::AKey) {

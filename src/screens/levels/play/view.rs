@@ -17,7 +17,7 @@ use crate::widgets::panels::{
 use crate::widgets::replay::{ShotAction, ShotImpact};
 use crate::widgets::{RayInput, Role};
 
-/// Shots that are shown while the next one is set.
+/// The number of earlier shots that are listed while the next one is set.
 const SHOWN_EARLIER: usize = 2;
 
 type LevelPanel = Panel<LevelAction>;
@@ -77,7 +77,7 @@ fn panel(play: &LevelPlay, cx: &Context) -> LevelPanel {
     panel
 }
 
-/// Under the level's title its goals.
+/// The goals, below the level's title.
 fn goals(play: &LevelPlay) -> LevelPanel {
     let mut panel = Panel::new(&play.level().title);
     panel.heading("Goal");
@@ -121,7 +121,7 @@ fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
     panel
 }
 
-/// The hints asked for, and how to get the next.
+/// The hints shown so far, and the prompt for the next.
 fn hints(play: &LevelPlay, panel: &mut LevelPanel) {
     let all = &play.level().hints;
     for (number, hint) in all.iter().take(play.hints).enumerate() {
@@ -270,7 +270,7 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
     let [first, second] = impact.discs.map(|disc| scene.name(disc));
     let met = numbers::capital(&format!("{first} on {second}"));
     panel.paragraph(met, Role::Title);
-    // After a win nothing is hidden any more.
+    // After a win nothing is hidden.
     let secret = match made.win {
         Some(_) => &[],
         None => play.level().unknown_mass.as_slice(),
