@@ -191,7 +191,7 @@ impl ClassRound {
         });
         let mut round = Self::voting(way?, code?).of_class(&class?);
         if asked?.is_some_and(|asked| round.own_ids() != asked) {
-            let message = "expected your own questions unchanged, but their files have changed";
+            let message = "expected your own questions as they were; their files have changed";
             return fields.refuse("asked", message);
         }
         let (door, address) = (door?, address?);
