@@ -19,7 +19,7 @@ pub(super) enum AppLayer {
     Notice(String),
     /// A question to the player.
     Confirm(Confirmation),
-    /// A question whether to leave although something is not saved yet.
+    /// Asks whether to leave although something is not saved yet.
     Leave(Confirmation),
 }
 

@@ -300,7 +300,7 @@ impl App {
     }
 
     /// Leaves the program, or asks first if something is not saved yet; a second request to leave
-    /// is not questioned.
+    /// is not confirmed again.
     fn leave(&mut self) -> Vec<Effect> {
         let is_asked = |layer: &AppLayer| matches!(layer, AppLayer::Leave(_));
         if self.unsaved == 0 || self.layers.iter().any(is_asked) {

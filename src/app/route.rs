@@ -10,7 +10,7 @@ impl Data {
     /// empty.
     ///
     /// # Errors
-    /// What was expected instead, in words.
+    /// A description of what was expected instead.
     pub fn route(&self, name: &str, value: &str) -> Result<Route, String> {
         Ok(match name {
             "home" => Route::Home,
@@ -156,7 +156,7 @@ impl Route {
     /// A round with the answers in its address.
     ///
     /// # Errors
-    /// What was expected instead.
+    /// A description of what was expected instead.
     pub fn with_answers(self, said: &str) -> Result<Self, String> {
         let Self::Quiz { code: Some(code) } = self else {
             return Err("answers only after the code of a round".into());
@@ -183,7 +183,7 @@ mod tests {
         App::new(route, Settings::default(), 1)
     }
 
-    /// What a link of this address opens.
+    /// The app that a link with this address opens.
     fn linked(address: &str) -> App {
         let (address, said) = address.split_once(ANSWERS).unwrap_or((address, ""));
         let (name, value) = address.split_once('=').unwrap_or((address, ""));

@@ -8,8 +8,8 @@ use super::round::ClassRound;
 
 /// A change in a round. Questions, people and choices are counted from 0.
 ///
-/// A file of a round begins with its state when it was last written as a whole; later changes are
-/// appended, so that each of 250 votes writes a line and not the whole file.
+/// The file of a round begins with the state when the whole file was last written. Later changes
+/// are appended, so each of 250 votes adds one line instead of rewriting the file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ClassChange {
@@ -75,7 +75,7 @@ pub enum ClassChange {
 }
 
 impl ClassChange {
-    /// The line of JSON that stores it.
+    /// The line of JSON that stores the change.
     pub fn line(&self) -> String {
         // Every field can be written as JSON.
         serde_json::to_string(self).unwrap_or_default()
@@ -89,7 +89,7 @@ impl ClassChange {
         serde_json::from_str(line).map_err(|error| format!("expected a change: {error}"))
     }
 
-    /// Whether a line is a vote, whatever its contents.
+    /// Whether a line is a vote, valid or not.
     pub(super) fn is_vote(line: &str) -> bool {
         line.starts_with("{\"vote\":")
     }

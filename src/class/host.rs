@@ -24,7 +24,7 @@ pub enum HostCall {
     Tell(Vec<(ConnectionId, PupilState)>),
     /// Tell a pupil why they are refused or removed, and disconnect.
     Refuse(ConnectionId, Refusal),
-    /// Let nobody join any more, and disconnect everyone.
+    /// Stop pupils from joining, and disconnect everyone.
     Close,
 }
 
@@ -39,7 +39,7 @@ pub enum HostNews {
         line: ConnectionId,
         /// The name as it was typed.
         name: String,
-        /// Their seat token, if they were here before.
+        /// Their seat token, if they joined before.
         seat: Option<SeatToken>,
         /// Their new seat token, if they are new.
         fresh: SeatToken,
@@ -61,7 +61,7 @@ pub enum HostNews {
         /// The number of the vote.
         n: u64,
     },
-    /// A pupil hands in answers given alone.
+    /// A pupil hands in the answers that they gave on their own.
     HandedIn {
         /// The connection.
         line: ConnectionId,
@@ -99,7 +99,7 @@ pub struct JoinDetails {
     pub code: JoinCode,
     /// The addresses at which the server listens, the best first.
     pub addresses: Vec<SocketAddrV4>,
-    /// Whether the page is served at these addresses. If it is not, the reason; then only installed
-    /// carroms can join.
+    /// Whether the page is served at these addresses. If it is not, the reason; then only pupils
+    /// with an installed carrom can join.
     pub page: Result<(), String>,
 }

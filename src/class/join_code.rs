@@ -88,7 +88,7 @@ impl SeatToken {
     }
 }
 
-/// It is a secret, so it must not appear in crash reports.
+/// The token is a secret, so it must not appear in crash reports.
 impl fmt::Debug for SeatToken {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("SeatToken")

@@ -148,11 +148,11 @@ pub struct GuardedCode {
 /// The reply to a code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// It is the code of the class.
+    /// The code is right.
     Right,
-    /// It is not; the reply is delayed by this time.
+    /// The code is wrong; the reply is delayed by this time.
     Wrong(Duration),
-    /// It was not checked: there were too many wrong codes.
+    /// The code was not checked: there were too many wrong codes.
     Unseen,
 }
 
@@ -246,7 +246,7 @@ mod tests {
     /// Forty pupils behind one router join within a minute, and each of them first mistypes the
     /// code.
     #[test]
-    fn a_class_behind_one_router_mistypes_and_still_gets_in() {
+    fn a_class_behind_one_router_can_mistype_and_still_join() {
         let mut code = GuardedCode::new(JoinCode::of(7));
         let mut seats = NewSeats::default();
         let right = JoinCode::of(7).to_string().to_lowercase();

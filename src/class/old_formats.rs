@@ -150,7 +150,7 @@ fn with_kept_name(round: &ClassRound, mut change: ClassChange) -> ClassChange {
 }
 
 /// Reads the text of a change, such as "vote 3 first 17 rays 60 still", which counts from 1; `None`
-/// if it is not one.
+/// if the text is not a change.
 fn change(text: &str) -> Option<ClassChange> {
     let from_one = |text: &str| text.parse::<usize>().ok()?.checked_sub(1);
     let (what, rest) = text.split_once(' ')?;

@@ -1,12 +1,13 @@
 //! The messages between a pupil's device and the host, in JSON.
 //!
-//! Every message of the host is the pupil's whole state, so that voting, joining late, reconnecting
-//! and going back a question all work the same way; a device shows the latest state. `n` is a
-//! number that a device increments with each vote and receives back with its state: a state whose
-//! `n` is not smaller confirms that the vote is on the host's disk or, with `misfit`, that it does
-//! not fit the question and was not counted. `rev` counts the states of one connection. Answers
-//! given alone can be handed in: a file with an `n` of its own, which comes back in `handed` once
-//! the file is on the host's disk, or with the reason why it is not.
+//! Every message from the host is the pupil's whole state, so that voting, joining late,
+//! reconnecting and going back a question all work the same way; a device shows the latest state.
+//! `n` is a number that a device increments with each vote and receives back with its state: a
+//! state whose `n` is not smaller confirms that the vote is on the host's disk or, with `misfit`,
+//! that it does not fit the question and was not counted. `rev` counts the states of one
+//! connection. A pupil can also hand in the answers that they gave on their own: a file with an `n`
+//! of its own, which comes back in `handed` once the file is on the host's disk, or with the reason
+//! why it is not.
 //!
 //! ```text
 //! > {"t":"join","v":1,"code":"BCDFGH","name":"Ada","seat":TOKEN?}
@@ -47,7 +48,7 @@ pub enum ClientMessage {
         code: String,
         /// The pupil's name, as typed.
         name: String,
-        /// The pupil's seat token, if they were here before.
+        /// The pupil's seat token, if they joined before.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         seat: Option<SeatToken>,
     },
@@ -63,7 +64,7 @@ pub enum ClientMessage {
         /// The number of the vote, larger than that of every earlier vote.
         n: u64,
     },
-    /// Answers given alone, for the teacher.
+    /// The answers that the pupil gave on their own, for the teacher.
     HandIn {
         /// The number of the hand-in, larger than that of every earlier one.
         n: u64,
@@ -92,7 +93,7 @@ impl ClientMessage {
         }
     }
 
-    /// The message.
+    /// The text of the message.
     pub fn to_text(&self) -> String {
         // Every field can be written as JSON.
         serde_json::to_string(self).unwrap_or_default()
@@ -170,18 +171,18 @@ pub enum HostMessage {
     State(Box<PupilState>),
     /// The pupil is refused or removed.
     No {
-        /// Why.
+        /// The reason.
         why: Refusal,
     },
 }
 
 impl HostMessage {
-    /// Reads a message; `None` if it is not one.
+    /// Reads a message; `None` if the text is invalid.
     pub fn read(text: &str) -> Option<Self> {
         serde_json::from_str(text).ok()
     }
 
-    /// The message.
+    /// The text of the message.
     pub fn to_text(&self) -> String {
         // Every field can be written as JSON.
         serde_json::to_string(self).unwrap_or_default()
@@ -191,7 +192,7 @@ impl HostMessage {
 /// The state of one pupil.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PupilState {
-    /// The version.
+    /// The version of the protocol.
     pub v: u32,
     /// The number of this state on its connection.
     pub rev: u64,
@@ -236,7 +237,7 @@ pub struct PupilState {
 /// The result of a pupil's last hand-in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct HandedIn {
-    /// Its number.
+    /// The number of the hand-in.
     pub n: u64,
     /// The number of answers on the host's disk, or the reason why there are none.
     pub kept: Result<usize, NotTaken>,
@@ -246,11 +247,11 @@ pub struct HandedIn {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum NotTaken {
-    /// It is not a hand-in, or has another version.
+    /// The file is not a hand-in, or has another version.
     Format,
     /// This pupil has handed in too often, or the class too much.
     TooMany,
-    /// It could not be written.
+    /// The hand-in could not be written.
     NotWritten,
 }
 

@@ -54,7 +54,7 @@ impl Participant {
 /// A round that a class plays, with all its votes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ClassRound {
-    /// Its questions never change.
+    /// The questions, which never change.
     round: Arc<Round>,
     way: WayOfVoting,
     pub(super) participants: Vec<Participant>,
@@ -165,7 +165,7 @@ impl ClassRound {
         self.joining.as_ref().map(|joining| joining.code)
     }
 
-    /// The address where pupils' devices last found the round and will look for it again.
+    /// The address at which pupils' devices last found the round and will look for it again.
     pub fn address(&self) -> Option<SocketAddrV4> {
         self.joining.as_ref()?.address
     }
@@ -180,7 +180,7 @@ impl ClassRound {
         joining.address = address;
     }
 
-    /// Ends joining and forgets all seat tokens; names and votes stay.
+    /// Ends joining and forgets all seat tokens; names and votes are kept.
     pub fn close(&mut self) {
         self.joining = None;
         self.participants.iter_mut().for_each(|it| it.seat = None);

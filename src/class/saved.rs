@@ -21,8 +21,8 @@ use crate::quiz::{Code, CourseKind, Question};
 /// reads earlier ones.
 const FORMAT: u32 = 6;
 
-/// The largest file that is read, in bytes; the fullest round has about 600 kB, and its changes are
-/// merged into the state at each step.
+/// The largest file that is read, in bytes; the largest round takes about 600 kB, and its changes
+/// are merged into the state at each step.
 const LARGEST: usize = 1 << 22;
 
 /// The contents of a file.

@@ -45,7 +45,7 @@ pub struct Session {
     /// Whether the round has a file: a round that nobody has joined needs none.
     has_file: bool,
     keeping: Keeping,
-    /// The bytes handed in so far, and their folder.
+    /// The total size of the hand-ins so far, in bytes, and their folder.
     handed_bytes: usize,
     handed_in_where: Option<String>,
     new_seats: NewSeats,
@@ -81,9 +81,9 @@ struct Keeping {
 pub enum SessionEffect {
     /// A request to the server of the class.
     Host(HostCall),
-    /// Save the round as it is.
+    /// Save the current state of the round.
     Save(Arc<ClassRound>),
-    /// Save these changes, which lead to this round.
+    /// Save these changes; the round is the state after them.
     Note(Vec<ClassChange>, Arc<ClassRound>),
     /// Save a hand-in.
     KeepHandIn(HandInOnItsWay, Box<HandIn>),
@@ -417,7 +417,7 @@ impl Session {
         last.map(|(person, _)| person)
     }
 
-    /// Handles a vote. One that does not fit the question changes nothing and is not saved.
+    /// Handles a vote. A vote that does not fit the question changes nothing and is not saved.
     fn voted(&mut self, line: ConnectionId, (question, vote): (usize, Vote), text: &str, n: u64) {
         let Some(person) = self.person(line) else {
             return;
@@ -474,7 +474,7 @@ impl Session {
         self.keeping.wait(line);
     }
 
-    /// The contents of an untrusted file, unless there were too many.
+    /// The contents of an untrusted file, unless there have been too many hand-ins.
     fn read_hand_in(&mut self, times: usize, file: &Value) -> Result<HandIn, NotTaken> {
         let bytes = self.handed_bytes + file.to_string().len();
         if times > MOST_HAND_INS || bytes > MOST_BYTES {
@@ -618,7 +618,7 @@ impl Session {
         self.go_on();
     }
 
-    /// Removes all who are away and have never voted.
+    /// Removes all participants who are away and have never voted.
     pub fn remove_away(&mut self) {
         // From the last to the first, so that the remaining indices stay valid.
         for person in self.away().into_iter().rev() {
@@ -653,20 +653,20 @@ impl Session {
 }
 
 impl Keeping {
-    /// A connection to notify once everything requested so far is saved.
+    /// Adds a connection to notify once everything requested so far is saved.
     fn wait(&mut self, line: ConnectionId) {
         if !self.later.contains(&line) {
             self.waiting.insert(line);
         }
     }
 
-    /// A connection to notify once the latest change is saved.
+    /// Adds a connection to notify once the latest change is saved.
     fn wait_for_changes(&mut self, line: ConnectionId) {
         self.waiting.remove(&line);
         self.later.insert(line);
     }
 
-    /// One more request is in progress, with all changes.
+    /// Records that one more request, with all changes, is in progress.
     fn ask(&mut self) {
         self.asked += 1;
         self.waiting.append(&mut self.later);

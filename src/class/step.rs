@@ -34,7 +34,7 @@ pub enum ClassStep {
     Talk,
     /// The teams may change their vote.
     SecondVote,
-    /// What really happens, and why.
+    /// The real outcome, and its explanation.
     Shot,
     /// The scoreboard.
     Scores,

@@ -7,7 +7,7 @@ use crate::files::csv_table;
 use crate::numbers::{self, bare_degrees};
 use crate::quiz::{Form, Grade, Question, Response, letter};
 
-/// The columns that both tables begin with: the question.
+/// The first columns of both tables, which describe the question.
 const ASKED: [&str; 6] = [
     "code",
     "number",

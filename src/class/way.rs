@@ -35,7 +35,7 @@ impl WayOfVoting {
         }
     }
 
-    /// The most teams or people with a ballot of their own.
+    /// The largest number of teams or people with a ballot of their own.
     pub const fn most(self) -> usize {
         match self {
             Self::Teams => super::MOST_TEAMS,

@@ -21,12 +21,12 @@ pub enum Input {
     Saving(u64),
     /// The result of an [`Effect::Keep`](super::Effect::Keep).
     Kept(Box<StoreAnswer>),
-    /// The result of an [`Effect::Export`](super::Effect::Export): the file's path, or why
-    /// there is none.
+    /// The result of an [`Effect::Export`](super::Effect::Export): the file's path, or the reason
+    /// why there is none.
     Exported(Result<String, String>),
     /// The events from a class on pupils' devices since the last input, in order.
     Hosted(Vec<HostNews>),
-    /// What has arrived from the host of the class.
+    /// An event from the host of the class.
     Joined(JoinNews),
 }
 
@@ -39,7 +39,7 @@ impl From<Key> for Input {
 /// The mouse over a cell, counted from 0 at the top left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Mouse {
-    /// What it did.
+    /// What the mouse did.
     pub kind: MouseKind,
     /// Column of the cell.
     pub column: u16,
@@ -108,7 +108,7 @@ impl Mouse {
 pub enum MouseKind {
     /// The button went down.
     Down,
-    /// It moved with the button down.
+    /// The mouse moved with the button down.
     Drag,
     /// The button went up.
     Up,

@@ -1,4 +1,4 @@
-//! Requests to the store of games and of players' progress, and its answers.
+//! Requests to the store of games and of players' progress, and the answers of the store.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -66,7 +66,7 @@ pub enum StoreRequest {
     Recall(Option<String>),
     /// List the levels that this player has won.
     Stars(String),
-    /// Add a player's progress in a chapter to its bookmark.
+    /// Add a player's progress in a chapter to the chapter's bookmark.
     Mark {
         /// The player's name.
         player: String,
@@ -88,7 +88,7 @@ pub enum StoreRequest {
 /// The result of a [`StoreCall`]; after a failure, the reason in words.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoreAnswer {
-    /// The number of the request.
+    /// The ticket of the request.
     pub ticket: u64,
     /// The reply to the request.
     pub done: StoreReply,
@@ -102,7 +102,7 @@ pub struct StoreAnswer {
 /// The reply to a [`StoreRequest`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum StoreReply {
-    /// The game or the round is safe.
+    /// The game or the round has been saved.
     Saved(Result<(), String>),
     /// The saved games, newest first.
     Listed(Result<Vec<KeptGame>, String>),
@@ -112,14 +112,14 @@ pub enum StoreReply {
     Removed(Result<(), String>),
     /// The path of the exported file or folder.
     Exported(Result<String, String>),
-    /// The hand-in is safe, in this folder.
+    /// The hand-in has been saved in this folder.
     HandedIn(Result<String, String>),
     /// The saved class rounds, newest first.
     Classes(Result<Vec<Kept<ClassRound>>, String>),
     /// The round of a class.
     Class(Result<Box<ClassRound>, String>),
-    /// The answer, the stars, the bookmark or the settings are safe, and everything pending
-    /// before them.
+    /// The answer, the stars, the bookmark or the settings have been saved, after everything that
+    /// was pending before them.
     Noted(Result<(), String>),
     /// The answers so far.
     Recalled(Result<Box<History>, String>),
@@ -134,7 +134,7 @@ pub enum StoreReply {
 pub struct History {
     /// All answers, in the order in which they were given.
     pub attempts: Vec<Attempt>,
-    /// The time now, and the player's days.
+    /// The current time, and the player's calendar days.
     pub calendar: Calendar,
 }
 
@@ -151,7 +151,7 @@ pub struct Kept<T> {
     pub content: Result<Box<T>, String>,
 }
 
-/// A saved game and its present state.
+/// A saved game and its current state.
 pub type KeptGame = Kept<(SavedGame, Game)>;
 
 impl StoreCall {

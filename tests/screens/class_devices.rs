@@ -318,7 +318,7 @@ fn gathering(names: &[&str]) -> (Classroom, Vec<Who>) {
     (class, pupils)
 }
 
-/// Leaving the list once began the round.
+/// Leaving the list used to begin the round.
 #[test]
 fn leaving_the_list_of_names_in_the_lobby_does_not_start_the_round() {
     let (mut class, pupils) = gathering(&["Ada"]);
@@ -334,7 +334,7 @@ fn leaving_the_list_of_names_in_the_lobby_does_not_start_the_round() {
     press(&mut class, pupils[0], "", "Read it with the class");
 }
 
-/// The list once stayed in the state in which it was opened.
+/// The list used to stay in the state in which it was opened.
 #[test]
 fn the_list_of_participants_is_live() {
     let (mut class, pupils) = gathering(&["Ada", "Bo"]);
@@ -378,7 +378,7 @@ fn the_named_pupil_is_removed_even_if_others_vote_before_the_confirmation() {
     press(&mut class, pupils[1], "", "your vote");
 }
 
-/// A removed pupil could once return with the same name.
+/// A removed pupil used to be able to return with the same name.
 #[test]
 fn a_removed_pupil_stays_out_until_let_in() {
     let (mut class, pupils) = gathering(&["Ada", "Bo"]);
@@ -436,7 +436,7 @@ fn all_who_are_away_and_never_voted_are_removed_by_one_key() {
     press(&mut class, pupils[2], "", "your vote");
 }
 
-/// The device once showed that it was trying again, without end.
+/// The device used to show that it was still trying to reconnect.
 #[test]
 fn a_device_does_not_report_a_lost_host_after_the_round_is_over() {
     let (mut class, pupils) = gathering(&["Ada"]);
@@ -499,7 +499,7 @@ fn play_to_the_end(class: &mut Classroom) {
     panic!("no end:\n{}", class.game(Who::Host).screen());
 }
 
-/// After a crash, the teacher once had to look for the round in a list.
+/// After a crash, the teacher used to have to look for the round in a list.
 #[test]
 fn an_interrupted_round_is_offered_when_the_class_is_hosted_again() {
     let folder = Folder::new("class-stopped");
@@ -577,7 +577,7 @@ fn a_round_that_is_over_or_of_another_class_is_not_offered() {
     press(&mut class, Who::Host, "", "pupils' own devices");
 }
 
-/// Each time joining was opened, carrom once saved a round without participants.
+/// carrom used to save a round without participants each time joining was opened.
 #[test]
 fn a_round_that_nobody_joined_leaves_no_file() {
     let folder = Folder::new("class-nobody");
@@ -591,7 +591,7 @@ fn a_round_that_nobody_joined_leaves_no_file() {
     drop(class);
 }
 
-/// The list once showed only the code and the first names.
+/// The list used to show only the code and the first names.
 #[test]
 fn the_list_of_earlier_rounds_shows_class_date_and_head_count() {
     let folder = Folder::new("class-earlier");
@@ -716,7 +716,7 @@ impl Crowd {
     }
 }
 
-/// One address could once fill the class immediately.
+/// One address used to be able to fill the class at once.
 #[test]
 fn new_seats_for_one_address_become_available_with_time() {
     let mut crowd = Crowd::new();
@@ -735,7 +735,7 @@ fn new_seats_for_one_address_become_available_with_time() {
     crowd.shows("0 of 91 have voted");
 }
 
-/// A class was once full although nobody was connected.
+/// A class could be full although nobody was connected.
 #[test]
 fn a_newcomer_to_a_full_class_takes_the_seat_of_somebody_away_who_never_voted() {
     let mut crowd = Crowd::new();
@@ -755,7 +755,7 @@ fn a_newcomer_to_a_full_class_takes_the_seat_of_somebody_away_who_never_voted() 
     crowd.shows("1 of 250 have voted");
 }
 
-/// The class once stayed full as long as that device stayed.
+/// The class used to stay full as long as that device stayed.
 #[test]
 fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
     let mut crowd = Crowd::new();

@@ -66,7 +66,7 @@ impl EarlierRounds {
         None
     }
 
-    /// The list, and below it the description of the chosen one.
+    /// The list, and below it the description of the chosen round.
     pub(super) fn view(&self) -> View<'_, ClassAction> {
         let mut panel = Panel::new("earlier rounds");
         let title = |kept: &Kept<ClassRound>| match &kept.content {

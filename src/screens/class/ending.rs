@@ -24,7 +24,7 @@ use crate::widgets::{Role, SplitLayout};
 pub(super) enum EndPage {
     /// The scoreboard.
     Board,
-    /// What the class believed.
+    /// The class's misconceptions.
     Held,
     /// The results of each question.
     Items,
@@ -39,7 +39,7 @@ pub(crate) enum EndAction {
 }
 
 impl EndPage {
-    /// The keys that turn its pages.
+    /// The keys that turn the pages.
     pub(super) fn keys() -> KeyTable<EndAction> {
         let keys = KeyTable::new("class");
         keys.by([Key::Left, Key::Right], EndAction::TurnPage, [-1, 1], "")
@@ -54,7 +54,7 @@ impl EndPage {
     /// The view of the page.
     pub(super) fn view(self, play: &Stage) -> View<'_, ClassAction> {
         let mut panel = Panel::new("");
-        // The scoreboard's is that of the last question.
+        // The scoreboard keeps the subject of the last question.
         panel.subject = usize::MAX - self as usize;
         match self {
             Self::Board => return board(play),

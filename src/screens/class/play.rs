@@ -34,13 +34,13 @@ pub(super) struct ClassPlay {
     /// The last question that has been reached, or the number of questions if the end has been
     /// reached.
     furthest: usize,
-    /// The ticket for saving it.
+    /// The ticket for saving the round.
     ticket: u64,
     /// Whether saving failed: leaving now would lose the round.
     pub(super) unsaved: bool,
     /// Hand-ins that are being saved, by their tickets.
     hand_ins: BTreeMap<u64, HandInOnItsWay>,
-    /// The page about pupils on devices that is open.
+    /// The open page about pupils on devices.
     pub(super) host_page: Option<HostPage>,
 }
 
@@ -167,7 +167,7 @@ impl ClassPlay {
         self.flush(cx);
     }
 
-    /// Carries out an action on pupils on devices.
+    /// Carries out an action that concerns pupils on devices.
     pub(super) fn host(&mut self, action: HostingAction, cx: &mut Context) {
         let page = self.host_page.take();
         self.host_page = HostPage::act(page, action, &mut self.stage.session);

@@ -21,12 +21,12 @@ const LONGEST: usize = 2 * LONGEST_NAME;
 /// The page on which a round is set up.
 #[derive(Debug, Clone)]
 pub(super) struct SetUp {
-    /// Names as typed.
+    /// The names of the teams, as typed.
     pub(super) teams: Vec<TextField>,
     /// The name of the class, as typed.
     pub(super) class: TextField,
     list: ListView,
-    /// The kind of round that is chosen.
+    /// The chosen kind of round.
     pub(super) kind: RoundKind,
     /// The chosen topic, as an index into [`CourseKind::topics`].
     pub(super) topic: usize,
@@ -42,7 +42,7 @@ pub(super) struct SetUp {
 pub(super) enum SetUpRow {
     /// The name of a team, counted from 0.
     Team(usize),
-    /// One more team.
+    /// Adds a team.
     Add,
     /// The name of the class.
     Class,
@@ -57,7 +57,7 @@ pub(super) enum SetUpRow {
     Earlier,
 }
 
-/// The questions of a round.
+/// The kind of round, by its questions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
 pub(super) enum RoundKind {
     Mixed,
@@ -128,7 +128,8 @@ impl SetUp {
         self.list.choose(at.unwrap_or(self.teams.len()));
     }
 
-    /// The available kinds of round; own questions only if there are any.
+    /// The available kinds of round; the teacher's own questions are included only if there are
+    /// any.
     pub(super) fn kinds(&self) -> Vec<RoundKind> {
         let mut kinds = RoundKind::VARIANTS.to_vec();
         kinds.retain(|kind| *kind != RoundKind::Own || !self.own.concepts.is_empty());
@@ -147,7 +148,7 @@ impl SetUp {
         })
     }
 
-    /// All rows, from the top of the left side to the foot of the right one.
+    /// All rows, from the top of the left side to the bottom of the right side.
     pub(super) fn rows(&self) -> Vec<SetUpRow> {
         let mut rows: Vec<SetUpRow> = (0..self.teams.len()).map(SetUpRow::Team).collect();
         if self.teams.len() < MOST_TEAMS {

@@ -27,7 +27,7 @@ pub(super) struct Unfinished {
     list: ListView,
     /// The ticket for loading it.
     loading: Option<u64>,
-    /// Why it cannot be resumed.
+    /// Why the round cannot be resumed.
     trouble: Option<String>,
 }
 
@@ -59,7 +59,7 @@ impl Unfinished {
     }
 
     /// The latest round on devices with this code and of this class, if it is not over and somebody
-    /// had joined.
+    /// has joined.
     fn find<'k>(&self, kept: &'k [Kept<ClassRound>]) -> Option<&'k Kept<ClassRound>> {
         let is_meant = |round: &ClassRound| {
             let is_class = self.name.is_empty() || round.is_of_class(&self.name);
@@ -125,7 +125,7 @@ impl Unfinished {
         }
     }
 
-    /// What the page shows.
+    /// The view of the page.
     pub(super) fn view(&self) -> View<'_, ClassAction> {
         let mut panel = Panel::new("an interrupted round");
         let mut beside = Panel::new("the round");

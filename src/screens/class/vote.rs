@@ -186,7 +186,7 @@ impl TeamVotes {
         self.choose_next(session.round());
     }
 
-    /// The answer that pointing at the picture sets.
+    /// The answer being entered, which the mouse can set in the picture.
     pub(super) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
         self.booth.as_mut().map(|booth| &mut booth.input)
     }

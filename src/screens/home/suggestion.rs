@@ -62,7 +62,7 @@ fn alone(history: &Recall, book: &Book) -> Vec<Suggestion> {
 }
 
 impl Suggestion {
-    /// The letter that opens it.
+    /// The letter that opens the suggestion.
     pub(super) fn key(&self) -> char {
         match self {
             Self::Class(_) => 'j',
@@ -82,7 +82,7 @@ impl Suggestion {
         }
     }
 
-    /// The route that it opens.
+    /// The route that the suggestion opens.
     pub(super) fn route(&self, cx: &mut Context) -> Route {
         let kind = match self {
             Self::Class(route) => return route.clone(),

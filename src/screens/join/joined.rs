@@ -94,7 +94,7 @@ impl JoinedClass {
         collision.map(|collision| Watch::new(collision, rays, pace).seen_from(frame))
     }
 
-    /// The pupil's vote on the host that is valid at this step.
+    /// The pupil's vote that the host has recorded and that applies at this step.
     pub(super) fn said(&self) -> Option<Said> {
         let form = &self.question.as_ref()?.form;
         let parse = |text: &str| Said::parse(text).filter(|said| form.accepts(&said.response));

@@ -23,7 +23,7 @@ pub(super) struct Link {
     /// The token that returns the pupil to their seat.
     seat: Option<SeatToken>,
     state: LinkState,
-    /// Failed attempts since the last message from the host.
+    /// The number of failed attempts since the last message from the host.
     tries: u32,
     /// Why the host has not let the pupil in yet.
     held_up: Option<Refusal>,

@@ -42,14 +42,14 @@ pub(crate) enum JoinAction {
     TakeBack,
     /// watch the collision
     Watch(WatchAction),
-    /// hand in everything that you have answered alone, for the teacher
+    /// hand in everything that you have answered on your own, for the teacher
     HandIn,
     /// go back to the answer, or leave the class
     Leave,
 }
 
 impl JoinAction {
-    /// An action of the vote; a clicked choice is given at once.
+    /// An action on the vote; a click on a choice gives the answer at once.
     const fn answer(action: AnswerAction) -> Self {
         Self::Ask(AskingAction::Answer(match action {
             AnswerAction::Choose(choice) => AnswerAction::Give(choice),
@@ -64,7 +64,7 @@ pub(crate) struct Join {
     form: JoinForm,
     link: Option<Link>,
     joined: Option<JoinedClass>,
-    /// The answers that the pupil gave alone; they are requested once the pupil has joined.
+    /// The answers that the pupil gave on their own; they are requested once the pupil has joined.
     history: Recall,
 }
 
@@ -141,7 +141,7 @@ impl Join {
         self.joined = None;
     }
 
-    /// Hands in all answers that the pupil gave alone.
+    /// Hands in all answers that the pupil gave on their own.
     fn hand_in(&mut self, cx: &mut Context) {
         let (Some(history), Some(link)) = (self.history.history(), &mut self.link) else {
             return;

@@ -110,7 +110,7 @@ fn write(joined: &JoinedClass, link: &Link, answers: usize, panel: &mut Panel<Jo
     }
 }
 
-/// Writes what can be handed in, and the result.
+/// Writes the prompt for handing in, and the result.
 fn write_hand_in(joined: &JoinedClass, link: &Link, answers: usize, panel: &mut Panel<JoinAction>) {
     let handed = joined.state.handed.map(|it| it.kept);
     let (words, role) = match (link.is_handing_in(), handed) {

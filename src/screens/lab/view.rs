@@ -91,7 +91,7 @@ fn live(lab: &Lab, picture: Rect, buf: &mut Buffer, look: &Look, cx: &Context) {
     }
 }
 
-/// The settings, and what follows from them.
+/// The settings, and the quantities that follow from them.
 fn settings(lab: &Lab, cx: &Context) -> Panel<LabAction> {
     let mut panel = Panel::new("settings");
     panel.part(LabAction::Set, |panel| {

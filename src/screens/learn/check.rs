@@ -12,7 +12,7 @@ use crate::widgets::{Charset, SplitLayout, formula, text};
 /// The body of a screen of 80×24, below the title and above the keys.
 const BODY: Rect = Rect::new(0, 1, 80, 22);
 
-/// Pages that would be cut off or have to be scrolled at 80×24, in either charset; `[]` if the
+/// Pages that would be truncated or have to be scrolled at 80×24, in either charset; `[]` if the
 /// chapter fits.
 pub fn check(chapter: &Chapter) -> Vec<FileError> {
     let mut faults = Vec::new();
@@ -91,7 +91,7 @@ fn too_long(
     })
 }
 
-/// The end of a fault that names a choice.
+/// The end of an error message, which names the choice.
 fn line_of(said: Option<Response>) -> String {
     match said {
         Some(Response::Choice(line)) => format!(" on choice {}", line + 1),
@@ -112,7 +112,7 @@ fn formulas(chapter: &Chapter, page: &ChapterPage, charset: Charset) -> Vec<File
         Some(_) => SplitLayout::square(BODY),
         None => SplitLayout::text_alone(BODY),
     };
-    // Without the margin and the indentation of formulas.
+    // The width without the margin and the indentation of formulas.
     let room = usize::from(layout.panel.width).saturating_sub(3);
     let checkpoint = page.checkpoint.iter();
     let asked = checkpoint.flat_map(|it| it.question.iter().chain(&it.hint).chain(&it.after));

@@ -145,7 +145,8 @@ struct BesideQr {
     qr: Qr,
     place: Rect,
     words: Rect,
-    /// Whether the address is below it, because it is too long to be large beside it.
+    /// Whether the address is below the QR code, because it is too long for large letters beside
+    /// it.
     address_is_below: bool,
 }
 

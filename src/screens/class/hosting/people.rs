@@ -30,7 +30,7 @@ enum Row {
 #[derive(Debug, Clone)]
 enum Doing {
     Nothing,
-    /// Another name is typed.
+    /// A new name is being typed.
     Rename(String, TextField),
     /// The original participant is being chosen.
     Merge(String),
@@ -214,7 +214,7 @@ impl People {
         }
     }
 
-    /// The list.
+    /// The list of participants.
     pub(super) fn panel(&self, session: &Session) -> Panel<ClassAction> {
         let round = session.round();
         let (present, all) = (session.present(), round.participants().len());

@@ -59,7 +59,7 @@ impl Qr {
         }
     }
 
-    /// Draws it into the upper left corner of an area, on white.
+    /// Draws the code into the upper left corner of an area, on white.
     pub(super) fn draw(&self, place: Rect, buf: &mut Buffer) {
         let (columns, rows) = self.size();
         let colour = |dark: bool| self.colours[usize::from(dark)];

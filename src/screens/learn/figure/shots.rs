@@ -77,8 +77,8 @@ fn ways(near: Option<f64>, area: Rect) -> Picture {
     picture
 }
 
-/// The circular target of shots in space, and where they hit it. Those within `near` are
-/// highlighted.
+/// The circular target of shots in space, and the points where the shots hit it. Those within
+/// `near` are highlighted.
 fn face(near: Option<f64>, area: Rect) -> Picture {
     let view = View::fit(area, -IN_SPACE_EXTENT, IN_SPACE_EXTENT);
     let mut picture = Picture::new(view);

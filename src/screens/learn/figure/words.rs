@@ -132,7 +132,7 @@ fn shots(space: bool, beyond_deg: f64, revealed: bool) -> Vec<String> {
     lines
 }
 
-/// The set-up of the collision, as the picture before it shows.
+/// The set-up, as the picture before the collision shows it.
 fn set_up(spec: &CollisionSpec, collision: &Collision) -> String {
     let place = match collision.alpha() {
         _ if collision.offset.abs() <= 0.0 => "head-on".to_owned(),
@@ -179,7 +179,7 @@ fn speed(v: DVec2) -> String {
     with_unit(&significant(v.length()), "m/s")
 }
 
-/// A line every ten degrees of the impact angle, from head-on to nearly a graze.
+/// A line of text for every ten degrees of the impact angle, from head-on to nearly grazing.
 fn every_ten(
     collision: &Collision,
     line: impl Fn(u32, &CollisionOutcome) -> String,

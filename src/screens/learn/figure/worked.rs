@@ -177,7 +177,7 @@ const GAP: &str = "____";
 fn without_result(line: &str) -> String {
     let equality = || line.match_indices('=').map(|(at, _)| at);
     let value = equality().find(|at| is_value(&line[at + 1..]));
-    // A line such as “θ₁: undefined”, or a separation.
+    // A line such as `θ₁: undefined`, or a separation.
     let revealed = line
         .find(": ")
         .filter(|at| value.is_none_or(|value| *at < value));

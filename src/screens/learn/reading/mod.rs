@@ -72,15 +72,15 @@ pub(crate) struct Reading {
 const SAY_FIRST: &str = "First give your answer.";
 
 impl Reading {
-    /// A chapter, at the page where it was left; `None` beyond the last.
+    /// A chapter, at the page where it was left; `None` if there is no such chapter.
     pub(crate) fn new(number: usize, cx: &mut Context) -> Option<Self> {
         cx.book.chapter(number)?;
         cx.book.at = number;
         Self::opened(number, None, cx)
     }
 
-    /// A chapter, opened at a page to look something up; `None` beyond the last. The bookmark does
-    /// not move.
+    /// A chapter, opened at a page to look something up; `None` if there is no such chapter. The
+    /// bookmark does not move.
     pub(crate) fn visit(number: usize, page: usize, cx: &mut Context) -> Option<Self> {
         cx.ask_for_marks();
         Self::opened(number, Some(page), cx)

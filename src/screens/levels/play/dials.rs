@@ -21,8 +21,8 @@ pub(super) struct Dials {
 impl FormFields for Dials {
     fn fields(&self) -> Vec<Field> {
         let field = |(dial, range): (Dial, Range)| {
-            // Turning right decreases the direction, and a direction has several values that differ
-            // by whole turns.
+            // Turning to the right decreases the direction, and a direction has several values that
+            // differ by whole turns.
             let (range_held, step) = match dial {
                 Dial::Direction => ((f64::NEG_INFINITY, f64::INFINITY), -dial.step()),
                 _ => ((range.from, range.to), dial.step()),
@@ -131,7 +131,7 @@ impl Dials {
         }
     }
 
-    /// What can be dragged on the board, in a sentence.
+    /// A sentence about what can be dragged on the board.
     pub(super) fn drag_words(&self) -> Option<&'static str> {
         let may = |dial| self.level.adjust.range(dial).is_some();
         match (may(Dial::Place), may(Dial::Direction)) {

@@ -23,7 +23,7 @@ fn end(level: &Level, shot: &Shot) -> f64 {
     next.map_or(shot.duration(), |event| event.time)
 }
 
-/// The rays that the level asks for.
+/// The rays that the player has to predict.
 pub(super) fn asked(said: &RayInput) -> impl Iterator<Item = Ray> + '_ {
     Ray::BOTH.into_iter().filter(|ray| said.asks(*ray))
 }
@@ -44,9 +44,9 @@ pub(super) struct MadeShot {
     pub(super) verdict: Judgement,
     /// The player's prediction for the first impact.
     pub(super) said: Option<RayInput>,
-    /// The kind of win, if it was won.
+    /// The kind of win, if the level was won.
     pub(super) win: Option<Win>,
-    /// Whether it was watched to its end, so that its outcome may be shown.
+    /// Whether the shot was watched to its end, so that its outcome may be shown.
     pub(super) watched: bool,
 }
 
@@ -95,7 +95,7 @@ impl MadeShot {
         self.keep_if_watched(level, cx);
     }
 
-    /// Notes whether the shot has been watched to its end, and then saves a win in the level of
+    /// Records whether the shot has been watched to its end, and then saves a win in the level of
     /// this number.
     pub(super) fn keep_if_watched(&mut self, level: usize, cx: &mut Context) {
         self.watched |= self.player.zoom().is_none() && self.player.clock().is_over();

@@ -145,7 +145,7 @@ fn say(play: &LevelPlay, pending: &PendingShot) -> LevelPanel {
     let collision = &pending.impact.collision;
     offset(collision, &mut panel);
     if pending.rays.asks(Ray::Target) {
-        // The player has to predict this angle.
+        // The impact angle is not shown, because the player has to predict it.
         contact_distance(collision, &mut panel);
     } else {
         impact_angle(collision, &mut panel);
