@@ -110,7 +110,7 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
         "The greatest deflection",
         &[("{largest_deflection_deg real: 21.5}", "21.5°, at α = 34°")],
     ),
-    // Rutherford's 1/sin⁴, and what was counted.
+    // Rutherford's 1/sin⁴, and the measured counts.
     (
         ATOM,
         "How many, and where",

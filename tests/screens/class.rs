@@ -184,7 +184,7 @@ fn going_back_corrects_a_vote_and_the_scores() {
         (before[0] - 10.0).abs() < 1e-9 && before[1] < 1.0,
         "{before:?}"
     );
-    // The keys lead from the next question back to the first vote on the first one.
+    // These keys go from the next question back to the first vote on the first one.
     game.press("<Enter>");
     assert!(game.screen().contains("question 2 of 2"));
     game.press("[");
@@ -651,7 +651,7 @@ fn a_class_of_32_votes_with_cards_by_keys_alone() {
             (&row[6], &row[7], &row[10], &row[11]),
             ("32", "0.500", "32", "0.875")
         );
-        // Three quarters of the possible gain; the changed votes are unknown.
+        // The gain is three quarters of the possible one; the changed votes are unknown.
         assert_eq!((&row[17], &row[18], &row[19]), ("0.750", "", ""));
         assert!(
             row[20].contains(": 16") && row[21].contains(": 28"),

@@ -551,7 +551,8 @@ fn a_round_that_is_over_or_of_another_class_is_not_offered() {
     let folder = Folder::new("class-not-offered");
     drop(hosted(&folder, Some("from-angle2-7"), "10b", &["Ada"]));
     for (code, name, shows) in [
-        // The same class and the same questions, as in the history of a shell.
+        // The same class and the same questions, as when a command is repeated from the shell's
+        // history.
         (Some("from-angle2-7"), "10b", "10b stopped at"),
         (Some("from-angle2-7"), "", "10b stopped at"),
         (None, "10b", "10b stopped at"),

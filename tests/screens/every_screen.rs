@@ -113,7 +113,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn nothing_typed_and_no_size_makes_it_panic(
+    fn no_input_and_no_size_makes_the_app_panic(
         place in prop::sample::select(places()),
         unicode: bool,
         seed: u64,
@@ -204,7 +204,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     #[test]
-    fn any_step_of_a_class_round_takes_any_key_at_any_size(
+    fn any_step_of_a_class_round_accepts_any_key_at_any_size(
         code in prop::sample::select(vec!["quick-3", "mixed-7", "speeds1-7", "7"]),
         unicode: bool,
         steps in 0..CLASS.len(),
@@ -227,7 +227,7 @@ proptest! {
 }
 
 #[test]
-fn escape_leads_home_and_q_out() {
+fn escape_leads_home_and_q_quits() {
     for place in places() {
         let mut game = opened(place.clone(), Charset::Ascii, 1);
         for _ in 0..6 {

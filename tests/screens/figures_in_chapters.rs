@@ -312,7 +312,7 @@ fn claims() -> Vec<Claim> {
         "Twice the thickness of the foil: [twice] the count.",
         at_60(thicker),
     );
-    // What was counted in 1913.
+    // The counts of 1913.
     let angles = geiger_marsden().unwrap();
     let (most, least) = (angles.last().unwrap(), angles[0]);
     let (low, high) = Series::new(&angles, |angle| angle.gold).unwrap().band();

@@ -44,7 +44,7 @@ fn a_beam_of_a_hundred_million_runs_to_its_end() {
     assert_eq!(game.app().wake(), Some(Duration::ZERO));
     assert!(game.settle(LONG));
     assert_eq!(number(&mut game, "thrown"), 100_000_000);
-    // 854 are expected; five standard deviations.
+    // The expected count is 854; the tolerance is five standard deviations.
     let back = number(&mut game, "|| counted ");
     assert!((708..1000).contains(&back), "{back}");
 }
@@ -100,7 +100,7 @@ fn a_beam_starts_once_the_share_has_been_predicted() {
     // Nothing is answered before an option is chosen.
     game.press("<Enter><Enter>");
     assert!(game.screen().contains("how many are deflected"));
-    // Half of them.
+    // Option C is half of the particles.
     game.press("c<Enter>");
     assert!(game.settle(LONG));
     assert!(game.screen().contains("59,000"));

@@ -1,4 +1,4 @@
-//! Every phase of every screen, walked by its own table of keys.
+//! Tests of every phase of every screen, by its own table of keys.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -400,7 +400,7 @@ fn carrom_keys_prints_the_keys_of_all_tables() {
 }
 
 #[test]
-fn every_row_met_on_a_walk_can_be_rebound() {
+fn every_row_found_by_a_random_walk_can_be_rebound() {
     let known: toml::Table = all_keys().parse().unwrap();
     let mut unknown = BTreeMap::new();
     let mut random = Pcg64::seed_from_u64(1);

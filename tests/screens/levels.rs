@@ -179,7 +179,7 @@ fn fine_and_big_steps_and_the_ends_of_the_range() {
 }
 
 #[test]
-fn a_win_is_shown_at_the_end_and_counts_if_it_is_left_before() {
+fn a_win_is_shown_at_the_end_and_saved_even_if_left_before() {
     let at = number("dead-stop");
     let mut game = level(at);
     game.press("53<Enter><Enter>0<Enter>");
@@ -357,7 +357,7 @@ fn own_levels() -> Folder {
 }
 
 #[test]
-fn bad_files_of_a_teacher_are_listed_and_the_rest_plays() {
+fn invalid_files_of_a_teacher_are_listed_and_the_rest_can_be_played() {
     let folder = own_levels();
     let arguments = format!("levels --levels '{}'", folder.path().display());
     let mut game = Headless::new(cli::open(&arguments).unwrap(), 80, 40);
@@ -427,7 +427,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn any_keys_at_any_size_draw(
+    fn any_keys_at_any_size_can_be_drawn(
         number in 0usize..embedded().count(),
         keys in keys(),
         sizes in prop::collection::vec((0u16..300, 0u16..100), 1..4),

@@ -164,7 +164,7 @@ fn every_misconception_is_named_and_fully_explained() {
 }
 
 #[test]
-fn a_misconception_held_throughout_is_named_in_the_end() {
+fn a_misconception_held_throughout_is_named_at_the_end() {
     let mut game = plain(7);
     for question in Round::hits(7).questions() {
         let copied = held(question, 0);
@@ -260,7 +260,7 @@ fn the_mouse_turns_the_rays() {
 }
 
 #[test]
-fn points_count_only_once_the_outcome_is_shown() {
+fn points_are_added_only_after_the_outcome_is_shown() {
     let question = Round::hits(7).questions()[0].clone();
     let mut game = plain(7);
     game.press(&keys(&question, &truth(&question)));
@@ -490,7 +490,7 @@ proptest! {
         let mut game = quiz(seed, Charset::Ascii, (80, 24));
         for step in steps {
             match step {
-                // Other charsets have their tests.
+                // Other charsets have tests of their own.
                 Step::Key(Key::Char('U')) => continue,
                 Step::Key(key) => game.key(key),
                 Step::Mouse(kind, column, row) => {

@@ -91,7 +91,7 @@ fn the_record_has_every_word_in_the_cells() {
         // The line of keys and the name of the program are excluded.
         for word in words(&buffer, &pictures, 0..ROOM.1 - 1) {
             let is_chrome = word == "carrom" || word.starts_with("Page");
-            // All pages of a step are recorded, so their numbers are missing.
+            // All pages of a step are recorded together, without page numbers.
             let is_page = moment.name.starts_with("class") && (word == "page" || word == "3");
             if !is_chrome && !is_page && !said.contains(&word) {
                 missing.insert((moment.name, word));

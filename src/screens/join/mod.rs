@@ -221,7 +221,7 @@ impl Screen for Join {
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
-            "Your class plays a round, and you vote here on your own. The address and the code are on the board. Your votes are saved on the teacher's computer; the class sees only how many voted for each answer.",
+            "Your class is playing a round, and you vote here on your own. The address and the code are on the board. Your votes are saved on the teacher's computer; the class sees only how many voted for each answer.",
             "First vote in silence, then talk, then vote again if you have changed your mind. The last vote counts. The closer it is, the more points you get; speed does not matter.",
             "Your own answers in the quiz and in the chapters stay on this device until you hand them in, before the round or after it.",
             "If the connection is lost, carrom reconnects automatically, and your votes are still there.",

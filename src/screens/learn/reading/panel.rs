@@ -122,7 +122,7 @@ fn asking(
                     rays.write_prompt(panel, target, "watch");
                 });
             }
-            _ if input.said().is_some() => input.write_prompt(form, "say it", panel),
+            _ if input.said().is_some() => input.write_prompt(form, "confirm", panel),
             _ => panel.paragraph(input.about(form), Role::Key),
         });
     });
