@@ -59,7 +59,7 @@ fn a_chapter_opens_the_next_time_where_it_was_left() {
     let mut game = open(folder.path(), "Ada", None);
     shows(&mut game, "read 3 of 5");
     game.press("<Down>");
-    shows(&mut game, "continue at page 3");
+    shows(&mut game, "read on at page 3");
     shows(&mut game, "3 of 5");
     game.press("<Enter>");
     shows(&mut game, "page 3 of 5");

@@ -103,7 +103,7 @@ fn the_place_is_saved_and_can_be_reset() {
     game.press("2<Enter>nn<Escape>");
     let screen = game.screen();
     assert!(screen.contains("read 3 of 5"), "{screen}");
-    assert!(screen.contains("continue at page 3"), "{screen}");
+    assert!(screen.contains("read on at page 3"), "{screen}");
     game.press("<Enter>");
     assert!(game.screen().contains("page 3 of 5"));
     game.press("bb");

@@ -86,7 +86,7 @@ fn about_chapter(book: &Book, chapter: &Chapter) -> Panel<ContentsAction> {
     panel.gap();
     let next = match mark.page(chapter) {
         0 => "read it".into(),
-        page => format!("continue at page {}", page + 1),
+        page => format!("read on at page {}", page + 1),
     };
     panel.prompt(next, ContentsAction::List(ListAction::Open));
     panel
