@@ -5,7 +5,7 @@ use strum::{EnumString, IntoStaticStr};
 
 use crate::quiz::{Answer, Confidence, Response};
 
-/// Which of the two votes on a question; its name in files is "first".
+/// Which of the two votes on a question; in files, "first" or "second".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, EnumString, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -17,7 +17,7 @@ pub enum Vote {
 }
 
 impl Vote {
-    /// Both, in order.
+    /// Both votes, in order.
     pub const BOTH: [Self; 2] = [Self::First, Self::Second];
 }
 
@@ -39,7 +39,7 @@ impl From<Response> for Said {
 }
 
 impl Said {
-    /// The text that stores and sends it: "rays 60 still", "sure number 2.1".
+    /// The text in which a vote is stored and sent: "rays 60 still", "sure number 2.1".
     pub fn to_text(self) -> String {
         match self.sure {
             Some(sure) => format!("{} {}", sure.id(), self.response.to_text()),
@@ -47,7 +47,7 @@ impl Said {
         }
     }
 
-    /// Reads such a text; `None` if it is not one.
+    /// Reads a vote from its text; `None` if the text is invalid.
     pub fn parse(text: &str) -> Option<Self> {
         let sure = text
             .split_once(' ')
@@ -86,7 +86,7 @@ impl Ballot {
         self.given(vote).map(|said| said.response)
     }
 
-    /// Replaces an earlier vote; `None` takes it back.
+    /// Replaces an earlier vote; `None` withdraws it.
     pub(super) fn put(&mut self, vote: Vote, said: Option<Said>) {
         self.0[vote as usize] = said;
     }
@@ -96,7 +96,8 @@ impl Ballot {
         self.0[vote as usize]
     }
 
-    /// The team's answer at a vote: at the second vote that of the first, unless it has changed it.
+    /// The team's answer at a vote. At the second vote it is the first answer, unless the team has
+    /// changed it.
     pub fn said(&self, vote: Vote) -> Option<Response> {
         self.standing(vote).map(|said| said.response)
     }
@@ -109,13 +110,13 @@ impl Ballot {
         }
     }
 
-    /// The same as an [`Answer`].
+    /// Like [`Self::said`], but as an [`Answer`].
     pub(super) fn answer(&self, vote: Vote) -> Option<Answer> {
         let said = self.standing(vote)?;
         Some(Answer::new(said.response, said.sure.unwrap_or(UNSURE)))
     }
 
-    /// The vote that scores: the second, or the first if there is no second.
+    /// The vote that is scored: the second, or the first if there is no second.
     pub fn counts(&self) -> Option<Response> {
         self.said(Vote::Second)
     }

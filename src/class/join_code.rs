@@ -16,10 +16,10 @@ const LETTERS: &[u8; 20] = b"BCDFGHJKLMNPQRSTVWXZ";
 pub struct JoinCode([u8; Self::LENGTH]);
 
 impl JoinCode {
-    /// How many letters it has.
+    /// The number of letters.
     pub const LENGTH: usize = 6;
 
-    /// The code of a random number; there are 20⁶, 64 million.
+    /// The code for a random number. There are 20⁶ codes, 64 million.
     pub fn of(mut random: u64) -> Self {
         Self(std::array::from_fn(|_| {
             let letter = LETTERS[(random % LETTERS.len() as u64) as usize];
@@ -82,13 +82,13 @@ impl From<JoinCode> for String {
 pub struct SeatToken(u128);
 
 impl SeatToken {
-    /// The token of a random number.
+    /// The token for a random number.
     pub const fn of(random: u128) -> Self {
         Self(random)
     }
 }
 
-/// It is a secret, so it must not appear in crash reports.
+/// The token is a secret, so it must not appear in crash reports.
 impl fmt::Debug for SeatToken {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("SeatToken")
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn a_token_is_read_as_it_is_written_and_nothing_else() {
+    fn tokens_read_back_as_written_and_other_texts_are_refused() {
         let token = SeatToken::of(u128::MAX / 7);
         assert_eq!(token.to_string().parse(), Ok(token));
         assert_eq!(format!("{token:?}"), "SeatToken");

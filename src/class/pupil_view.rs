@@ -15,7 +15,7 @@ pub(super) struct PupilView<'r> {
     question: Option<&'r Question>,
     asked: Option<AskedQuestion>,
     spread: Vec<u32>,
-    /// Points and rank of each, once there are any.
+    /// The points and the rank of each participant, once there are any points.
     scores: Vec<Option<(f64, usize)>>,
 }
 

@@ -426,7 +426,7 @@ fn a_fault_while_saving_is_reported_once_and_nothing_is_lost() {
     wait(3000);
     let said = chromium.run("return document.body.innerText", &[]);
     let said = said.as_str().unwrap();
-    assert!(said.contains("cannot be saved for now"), "{said}");
+    assert!(said.contains("cannot be saved at the moment"), "{said}");
     assert!(said.contains("the disk image is malformed"), "{said}");
     let asked = chromium.run("return window.asked", &[]);
     let asked = asked.as_u64().unwrap();
@@ -518,7 +518,7 @@ fn unsaved_changes_are_not_lost_when_another_route_is_opened() {
     let (mut chromium, page) = in_a_faulty_browser("quiz=separation-3");
     chromium.run("window.faulty = true", &[]);
     press(&mut chromium, &["a", "Enter", "2"]);
-    wait_for(&mut chromium, "cannot be saved for now");
+    wait_for(&mut chromium, "cannot be saved at the moment");
     chromium.run("location.hash = 'lab'", &[]);
     wait_for(&mut chromium, "set up the hit");
     chromium.run("window.faulty = false", &[]);
@@ -569,7 +569,7 @@ fn plain_lines_report_once_that_nothing_can_be_saved_and_save_it_later() {
         let log = chromium.run("return document.getElementById('log').textContent", &[]);
         log.as_str().unwrap().matches(words).count()
     };
-    assert_eq!(times(&mut chromium, "cannot be saved for now"), 1);
+    assert_eq!(times(&mut chromium, "cannot be saved at the moment"), 1);
     assert_eq!(times(&mut chromium, "Question 3 of"), 1);
     chromium.run("window.faulty = false", &[]);
     wait_for_told(&mut chromium, 1);

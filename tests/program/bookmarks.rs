@@ -59,7 +59,7 @@ fn a_chapter_opens_the_next_time_where_it_was_left() {
     let mut game = open(folder.path(), "Ada", None);
     shows(&mut game, "read 3 of 5");
     game.press("<Down>");
-    shows(&mut game, "go on at page 3");
+    shows(&mut game, "read on at page 3");
     shows(&mut game, "3 of 5");
     game.press("<Enter>");
     shows(&mut game, "page 3 of 5");
@@ -285,7 +285,7 @@ fn without_storage_data_is_kept_in_memory() {
     for store in [Store::in_folder(&file), Store::nowhere()] {
         let app = App::new(Route::Chapter { number: 1 }, settings("Ada"), 1);
         let mut game = Headless::keeping(app, 80, 24, store);
-        shows(&mut game, "What you do cannot be saved");
+        shows(&mut game, "Your progress cannot be saved");
         game.press("x");
         shows(&mut game, "page 1 of 5");
         game.press("2<Enter>nn");

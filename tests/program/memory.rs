@@ -292,7 +292,7 @@ fn a_failed_save_is_reported_once() {
     let mut game = quiz(&file, "Ada");
     game.press("60<Enter>30<Enter>2");
     let screen = game.screen();
-    assert!(screen.contains("What you do cannot be saved"), "{screen}");
+    assert!(screen.contains("Your progress cannot be saved"), "{screen}");
     game.press("x<End><Enter>");
     for _ in 0..2 {
         answer(&mut game);

@@ -77,7 +77,7 @@ fn write(set_up: &SetUp, row: SetUpRow, action: SetUpAction, panel: &mut Panel<S
                     "Start with these teams"
                 }
                 SetUpRow::Tally => "Start with hands or cards",
-                SetUpRow::Devices => "Start on devices of their own",
+                SetUpRow::Devices => "Start on pupils' own devices",
                 _ => "Resume an earlier round",
             };
             panel.row((name, Role::Text), ("", Role::Dim), chosen, action);

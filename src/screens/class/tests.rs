@@ -22,9 +22,9 @@ const STEPS: [ClassStep; 6] = [
 ];
 
 /// Every step of every question of three rounds has letters large enough for the back row, and a
-/// short text fits one page or two.
+/// short text fits on one or two pages.
 #[test]
-fn the_back_row_reads_every_step_of_every_question() {
+fn the_back_row_can_read_every_step_of_every_question() {
     let teams: Vec<String> = (1..=8).map(|team| format!("Team {team}")).collect();
     let mut asked = 0;
     let mut faults = Vec::new();

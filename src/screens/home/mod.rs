@@ -17,7 +17,7 @@ use suggestion::{Suggestion, suggestions};
 pub(crate) struct Home {
     list: ListView,
     picture: Watch,
-    /// What the player has done; not requested while another screen is on top.
+    /// The player's answers so far; they are not requested while another screen is on top.
     history: Recall,
 }
 
@@ -35,7 +35,7 @@ impl Default for Home {
 }
 
 impl Home {
-    /// Requests what the player has done.
+    /// Requests the player's answers.
     pub(crate) fn ask(cx: &mut Context) -> Self {
         let mut home = Self::default();
         home.resumed(cx);
@@ -46,7 +46,7 @@ impl Home {
         suggestions(&self.history, cx)
     }
 
-    /// Opens a line, counted from the first suggestion on.
+    /// Opens a line; lines are counted from the first suggestion.
     fn open(&mut self, line: usize, cx: &mut Context) -> Next {
         self.list.choose(line);
         let suggestions = self.suggestions(cx);
@@ -122,7 +122,7 @@ impl Screen for Home {
             .on(Key::Char('q'), HomeAction::Quit, "quit")
             .each(suggested.zip((0..).map(HomeAction::Suggested)), "")
             .each(letters, "")
-            // The class had this letter before it got its own.
+            // Earlier versions used this letter for the class.
             .or([(Key::Char('g'), HomeAction::Open(CLASS))])
             .on(Key::Escape, HomeAction::Leave, "")
     }

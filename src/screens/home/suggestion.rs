@@ -51,7 +51,7 @@ fn alone(history: &Recall, book: &Book) -> Vec<Suggestion> {
         let number = book.chapter(chapter)?.number;
         let text = match page {
             Some(page) => format!("Continue chapter {number}, page {}", page + 1),
-            None => format!("Go on to chapter {number}"),
+            None => format!("Continue with chapter {number}"),
         };
         Some(Suggestion::Continue { chapter, text })
     });
@@ -62,7 +62,7 @@ fn alone(history: &Recall, book: &Book) -> Vec<Suggestion> {
 }
 
 impl Suggestion {
-    /// The letter that opens it.
+    /// The letter that opens the suggestion.
     pub(super) fn key(&self) -> char {
         match self {
             Self::Class(_) => 'j',
@@ -72,7 +72,7 @@ impl Suggestion {
         }
     }
 
-    /// Its line.
+    /// Its line in the menu.
     pub(super) fn text(&self) -> String {
         match self {
             Self::Class(_) => "Back to your class".into(),
@@ -82,7 +82,7 @@ impl Suggestion {
         }
     }
 
-    /// Where it leads.
+    /// The route that the suggestion opens.
     pub(super) fn route(&self, cx: &mut Context) -> Route {
         let kind = match self {
             Self::Class(route) => return route.clone(),

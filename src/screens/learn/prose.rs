@@ -11,7 +11,7 @@ use crate::widgets::{Charset, Role, formula};
 pub(super) struct Prose<'a> {
     /// The collision of the live numbers.
     pub figure: Option<&'a Collision>,
-    /// In a charset a formula takes one row or several.
+    /// The charset, which determines how many rows a formula takes.
     pub charset: Charset,
 }
 
@@ -67,7 +67,7 @@ impl Prose<'_> {
         }
     }
 
-    /// Pieces of text as stretches in their styles; `plain` is that of plain words.
+    /// Pieces of text as runs in their styles; `plain` is the style of plain text.
     pub(super) fn runs(self, pieces: &[Inline], plain: Role) -> Vec<Run> {
         let run = |piece: &Inline| match piece {
             Inline::Text(text, tone) => {
@@ -88,7 +88,7 @@ impl Prose<'_> {
         pieces.iter().map(run).collect()
     }
 
-    /// The same text without styles.
+    /// Pieces of text without styles.
     pub(super) fn plain(self, pieces: &[Inline]) -> String {
         let runs = self.runs(pieces, Role::Text).into_iter();
         runs.map(|run| run.text).collect()

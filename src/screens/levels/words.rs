@@ -1,4 +1,4 @@
-//! Words and marks that the list and a level share.
+//! Texts and marks that the list and a level share.
 
 use crate::levels::{Dial, DiscKind, MOST_STARS, Scene};
 use crate::widgets::Role;

@@ -1,4 +1,4 @@
-//! Who is in, and who has voted: names that are shown when the teacher asks for them.
+//! The list of participants and of who has voted; names are shown only on the teacher's request.
 
 use super::{ClassAction, HostingAction};
 use crate::class::{ClassChange, ClassRound, LONGEST_NAME, Participant, Session, Vote};
@@ -11,11 +11,11 @@ use crate::widgets::{Outcome, Role};
 #[derive(Debug, Clone)]
 pub(in crate::screens::class) struct People {
     list: ListView,
-    /// The row at the mark.
+    /// The marked row.
     marked: Option<PersonRow>,
     doing: PersonEdit,
-    /// The participant whom the question is about. By the time it is answered, others may have
-    /// joined or left.
+    /// The participant whom a confirmation concerns. Others may join or leave before it is
+    /// answered.
     asked: Option<String>,
 }
 
@@ -30,13 +30,13 @@ enum PersonRow {
 #[derive(Debug, Clone)]
 enum PersonEdit {
     Nothing,
-    /// Another name is typed.
+    /// A new name is being typed.
     Rename(String, TextField),
     /// The original participant is being chosen.
     Merge(String),
 }
 
-/// The rows in their order: those who have not voted first, those who were removed last.
+/// The rows in order: first those who have not voted, last those who were removed.
 fn rows(session: &Session) -> Vec<PersonRow> {
     let round = session.round();
     let question = round.place().question;
@@ -59,7 +59,7 @@ fn number(session: &Session, name: &str) -> Option<usize> {
 }
 
 impl People {
-    /// The page as things stand.
+    /// The page in the current state of the session.
     pub(super) fn new(session: &Session) -> Self {
         let mut people = Self {
             list: ListView::default(),
@@ -71,7 +71,8 @@ impl People {
         people
     }
 
-    /// Keeps the mark at the same participant, or at the next one if that one has gone.
+    /// Keeps the mark at the same participant, or moves it to the next one if that participant has
+    /// left.
     pub(super) fn renew(&mut self, session: &Session) {
         let rows = rows(session);
         if let Some(at) = rows
@@ -92,7 +93,7 @@ impl People {
         }
     }
 
-    /// The one at the mark, if they are on the list.
+    /// The marked participant, if they are on the list.
     fn at(&self) -> Option<&str> {
         match self.marked.as_ref()? {
             PersonRow::Person(name) => Some(name),
@@ -110,7 +111,7 @@ impl People {
                     .on(Key::Escape, NotYet, "cancel")
             }
             PersonEdit::Merge(_) => {
-                let list = ListView::keys("it is this one");
+                let list = ListView::keys("same person");
                 keys.with(list, List).on(Key::Escape, NotYet, "cancel")
             }
             PersonEdit::Nothing => keys
@@ -121,7 +122,7 @@ impl People {
                     }),
                     List,
                 )
-                .on('m', Merge, "is somebody else")
+                .on('m', Merge, "joined twice")
                 .when(self.at().is_some() && rows(session).len() > 1)
                 .on(Key::Delete, Remove, "remove")
                 .or([(Key::Char('x'), Remove)])
@@ -134,7 +135,7 @@ impl People {
         }
     }
 
-    /// Handles a typing key; returns whether it was one.
+    /// Handles a key if it edits text; returns whether it does.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         match &mut self.doing {
             PersonEdit::Rename(_, field) => field.update(key),
@@ -150,7 +151,7 @@ impl People {
     ) -> Option<String> {
         let opens = match action {
             HostingAction::List(ListAction::Open) => true,
-            // A second click.
+            // A second click opens the row.
             HostingAction::List(ListAction::Point(at)) => {
                 self.marked.is_some() && rows(session).get(at) == self.marked.as_ref()
             }
@@ -166,7 +167,9 @@ impl People {
             )),
             (PersonEdit::Merge(from), _) if opens => {
                 let into = asked.filter(|into| *into != from)?;
-                Some(format!("{from} is {into}? The two become one."))
+                Some(format!(
+                    "Merge {from} into {into}? They become one participant."
+                ))
             }
             _ => None,
         }
@@ -218,7 +221,7 @@ impl People {
         }
     }
 
-    /// The list.
+    /// The list of participants.
     pub(super) fn panel(&self, session: &Session) -> Panel<ClassAction> {
         let round = session.round();
         let (present, all) = (session.present(), round.participants().len());

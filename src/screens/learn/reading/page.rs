@@ -23,16 +23,16 @@ pub(super) struct OpenPage {
 pub(super) struct PageQuestion {
     pub(super) checkpoint: Checkpoint,
     pub(super) stage: CheckpointStage,
-    /// The wrong answer before, after which there was a hint.
+    /// The first wrong answer, after which a hint was shown.
     pub(super) first: Option<Response>,
 }
 
 /// The state of a question.
 #[derive(Debug, Clone)]
 pub(super) enum CheckpointStage {
-    /// It waits for its answer, or after a hint for the second one.
+    /// The question waits for an answer or, after a hint, for a second one.
     Asking(AnswerInput),
-    /// It was answered, and the right answer is shown.
+    /// The question was answered, and the right answer is shown.
     Answered(Response),
 }
 
@@ -60,7 +60,7 @@ impl PageQuestion {
         form_of(&self.checkpoint, figure)
     }
 
-    /// Begins the second try: the rays stay as they were, to be changed.
+    /// Begins the second try: the rays keep their positions and can be changed.
     pub(super) fn ask_again(&mut self, first: Response, form: &Form) {
         self.first = Some(first);
         self.stage = CheckpointStage::Asking(match first {
@@ -71,8 +71,8 @@ impl PageQuestion {
 }
 
 impl OpenPage {
-    /// A page as it is opened. `tries` are the answer given to its question, and the wrong
-    /// one before it; `alpha_deg` is the impact angle that the student set last.
+    /// A newly opened page. `tries` are the answer given to its question, and the wrong one before
+    /// it; `alpha_deg` is the impact angle that the student set last.
     pub(super) fn new(
         page: &ChapterPage,
         alpha_deg: Option<f64>,
@@ -99,7 +99,7 @@ impl OpenPage {
         open
     }
 
-    /// Whether keys go to the figure first on a page as it is opened.
+    /// Whether keys go to the figure first on a newly opened page.
     fn is_open_to_figure(&self) -> bool {
         !self.is_asking() && self.figure.as_ref().is_some_and(LiveFigure::is_set_by_keys)
     }
@@ -117,7 +117,7 @@ impl OpenPage {
         }
     }
 
-    /// The same, for changing.
+    /// Mutable access to the answer being entered.
     pub(super) fn input_mut(&mut self) -> Option<&mut AnswerInput> {
         match &mut self.question.as_mut()?.stage {
             CheckpointStage::Asking(input) => Some(input),

@@ -17,7 +17,7 @@ use crate::widgets::panels::{
 use crate::widgets::replay::{ShotAction, ShotImpact};
 use crate::widgets::{RayInput, Role};
 
-/// Shots that are shown while the next one is set.
+/// The number of earlier shots that are listed while the next one is set.
 const SHOWN_EARLIER: usize = 2;
 
 type LevelPanel = Panel<LevelAction>;
@@ -84,7 +84,7 @@ fn panel(play: &LevelPlay, cx: &Context) -> LevelPanel {
     panel
 }
 
-/// Under the level's title its goals.
+/// The goals, below the level's title.
 fn goals(play: &LevelPlay) -> LevelPanel {
     let mut panel = Panel::new(&play.level().title);
     panel.heading("Goal");
@@ -128,7 +128,7 @@ fn aim(play: &LevelPlay, cx: &Context) -> LevelPanel {
     panel
 }
 
-/// The hints asked for, and how to get the next.
+/// The hints shown so far, and the prompt for the next.
 fn hints(play: &LevelPlay, panel: &mut LevelPanel) {
     let all = &play.level().hints;
     for (number, hint) in all.iter().take(play.hints).enumerate() {
@@ -152,7 +152,7 @@ fn say(play: &LevelPlay, pending: &PendingShot) -> LevelPanel {
     let collision = &pending.impact.collision;
     offset(collision, &mut panel);
     if pending.rays.asks(Ray::Target) {
-        // The player has to predict this angle.
+        // The impact angle is not shown, because the player has to predict it.
         contact_distance(collision, &mut panel);
     } else {
         impact_angle(collision, &mut panel);
@@ -277,7 +277,7 @@ fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
     let [first, second] = impact.discs.map(|disc| scene.name(disc));
     let met = numbers::capital(&format!("{first} on {second}"));
     panel.paragraph(met, Role::Title);
-    // After a win nothing is hidden any more.
+    // After a win nothing is hidden.
     let secret = match made.win {
         Some(_) => &[],
         None => play.level().unknown_mass.as_slice(),
