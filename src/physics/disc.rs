@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-/// A smooth rigid disc: what it is, not where it is.
+/// A smooth rigid disc, without its position and velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Disc {
     /// Mass in kilograms, finite and positive.
@@ -26,7 +26,7 @@ impl Disc {
 pub struct Motion {
     /// Centre in metres, from the centre of the board, x to the right, y up.
     pub position: DVec2,
-    /// Velocity in metres a second.
+    /// Velocity in m/s.
     pub velocity: DVec2,
 }
 

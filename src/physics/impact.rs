@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn only_while_approaching() {
+    fn bodies_that_do_not_approach_exchange_nothing() {
         assert!(contact(-DVec2::X, 1.0).resolve().is_none());
         let side_by_side = Contact {
             u2: DVec2::new(3.0, 0.5),

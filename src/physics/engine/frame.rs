@@ -57,8 +57,8 @@ impl FrameSide {
 /// Seconds from the start of a slide to its end, and what ends it. `relative_deceleration` is the
 /// share of its speed that the disc loses per second, a/v.
 ///
-/// Everything in the path is first timed at the constant initial speed: the order is the same
-/// with friction.
+/// Everything in the path is first timed at the initial speed, because friction does not change the
+/// order.
 #[inline]
 pub(super) fn end(
     board: &Board,

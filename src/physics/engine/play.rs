@@ -142,7 +142,7 @@ impl ShotInPlay<'_> {
             return;
         }
         let known = self.schedule.time(i).min(self.schedule.time(k));
-        // Slightly beyond, so that both discs find contacts at the same time.
+        // Slightly longer, so that a contact at the same time as a known event is found too.
         let until = known - seeker.now + SAME_TIME;
         if let Some(time) = contact(seeker, &self.bodies[k], until) {
             let time = seeker.now + time;
