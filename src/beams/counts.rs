@@ -1,4 +1,4 @@
-//! Counts by angle.
+//! The counts of a beam by scattering angle.
 
 use std::f64::consts::PI;
 
@@ -22,7 +22,7 @@ pub enum CountedFor {
 }
 
 impl CountedFor {
-    /// The other one.
+    /// The other unit.
     #[must_use]
     pub fn other(self) -> Self {
         match self {

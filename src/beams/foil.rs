@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::BeamTarget;
 use crate::physics::rutherford::{ALPHA_CHARGE, GOLD_CHARGE, GOLD_DENSITY, Rutherford};
 
-/// A metal.
+/// A metal for foils.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Metal {
     /// Its name.
@@ -40,7 +40,7 @@ const fn metal(name: &'static str, charge: f64, mass_number: f64, density: f64) 
 /// A foil.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Foil {
-    /// What it is made of.
+    /// The metal that it is made of.
     pub metal: Metal,
     /// Its thickness in metres, above 0.
     pub thickness: f64,

@@ -1,4 +1,4 @@
-//! What Geiger and Marsden counted.
+//! The counts of Geiger and Marsden.
 
 use thiserror::Error;
 
@@ -105,7 +105,7 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
     Ok(angles)
 }
 
-/// The counts of one metal beside the law, which determines their ratios but not the scale.
+/// The counts of one metal compared with the law, which determines their ratios but not the scale.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
     /// Mean of the counts times sin⁴(φ/2): the scale that fits them best.
@@ -115,7 +115,7 @@ pub struct Series {
 }
 
 impl Series {
-    /// The series of the metal that `of` selects; `None` without any angle.
+    /// The series of the metal that `of` selects; `None` if there are no angles.
     pub fn new(angles: &[Angle], of: impl Fn(&Angle) -> f64) -> Option<Self> {
         let points: Vec<_> = angles
             .iter()

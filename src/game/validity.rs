@@ -1,4 +1,4 @@
-//! What a game refuses, and impossible positions of coins.
+//! The requests that a game refuses, and impossible positions of coins.
 
 use thiserror::Error;
 
@@ -23,20 +23,20 @@ pub enum GameError {
     TooMany {
         /// The kind of piece.
         piece: Piece,
-        /// How many lie there.
+        /// How many are on the board.
         found: u8,
-        /// How many there can be.
+        /// How many the set has.
         most: u8,
     },
     /// Two coins overlap.
     #[error("two coins overlap")]
     Overlap,
-    /// A coin lies off the board.
-    #[error("a coin lies off the board")]
+    /// A coin is off the board.
+    #[error("a coin is off the board")]
     OffTheBoard,
 }
 
-/// Whether coins can lie like this.
+/// Checks that coins can be at these positions.
 pub(super) fn check_coins(coins: &[Coin], set: PieceSet) -> Result<(), GameError> {
     for (piece, most) in [
         (Piece::White, COINS_EACH),

@@ -26,8 +26,8 @@ pub(super) fn judge(case: &Case) -> Verdict {
     })
 }
 
-/// The end of the board, if a colour is cleared. A striker that falls along
-/// brings one own coin back, so with it the player cannot be the one who cleared.
+/// The end of the board, if a colour is cleared. If the striker falls too, one own coin is put
+/// back, so the player cannot have cleared the board.
 fn ending(case: &Case) -> Option<Verdict> {
     let won = case.own.left() == 0 && !case.striker_fell;
     if !won && case.other.left() > 0 {

@@ -1,8 +1,8 @@
 //! The referee: the verdict of the rules on a stroke.
 //!
 //! A [`Case`] contains the facts that the rules use, as numbers of coins; a [`Verdict`] is the
-//! decision. Neither contains positions. Each file holds one chapter of the Laws of Carrom of the
-//! International Carrom Federation:
+//! decision. Neither contains positions. Each file contains one chapter of the Laws of Carrom of
+//! the International Carrom Federation:
 //!
 //! | file | laws |
 //! |---|---|
@@ -21,9 +21,8 @@
 //! demanded", it is always demanded, and a due is never forgone (53, 60). Sides are not changed (31
 //! to 34): on a screen they are all the same.
 //!
-//! Carrying a verdict out, from dues that wait (45b, 51) to the place where a piece
-//! is laid (62b, 66, 67) and the order of turns (22), is for `play`, `free_place`
-//! and `seat` next door.
+//! The modules `play`, `free_place` and `seat` carry a verdict out: dues that wait (45b, 51), the
+//! position of a piece that is put back (62b, 66, 67) and the order of turns (22).
 
 mod case;
 mod coins;
@@ -72,8 +71,8 @@ pub(crate) fn judge(rules: Rules, case: &Case) -> Verdict {
     }
 }
 
-/// The verdict if coins block every position of the striker. The Laws do not foresee it; the turn
-/// passes without a penalty.
+/// The verdict if coins block every position of the striker. The Laws do not cover this case; the
+/// turn passes without a penalty.
 pub(crate) fn no_place(player: Colour, to_cover: bool) -> Verdict {
     let text = format!("Coins block every position of the striker, so {player}'s turn passes.");
     Verdict::passes(None, text).queen_if(to_cover, QueenFate::GoesBack)

@@ -1,4 +1,4 @@
-//! Simulating a stroke: the engine plays it, the laws judge it.
+//! The simulation of a stroke: the engine plays it, the laws judge it.
 
 use super::wants::wants;
 use crate::game::{Game, Piece, Stroke};

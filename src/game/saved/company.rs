@@ -37,14 +37,15 @@ impl Default for Aids {
     }
 }
 
-/// Who plays, and with which aids: what a game needs besides its setup to continue as before.
+/// Who plays, and with which aids: together with its setup, this is what a game needs to continue
+/// as before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Company {
     /// Who plays from each seat, in the order of [`Seat::ALL`](crate::game::Seat::ALL).
     pub players: [Player; 4],
     /// How strong the computer is at each seat, in the same order.
     pub strengths: [Strength; 4],
-    /// Whether the players call the first impact before each stroke.
+    /// Whether the players predict the first impact before each stroke.
     pub call: bool,
     /// Aids while aiming.
     pub aids: Aids,
@@ -77,8 +78,7 @@ impl<T> From<BySeat<T>> for [T; 4] {
     }
 }
 
-/// Whether this can be shown as the name of a player: 1 to 40 letters, all of them
-/// visible.
+/// Whether this is valid as a player's name: 1 to 40 visible characters.
 pub fn is_player_name(name: &str) -> bool {
     !tidy_name(name).is_empty() && name.chars().count() <= 40 && !name.chars().any(is_invisible)
 }

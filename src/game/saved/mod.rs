@@ -25,14 +25,14 @@ pub struct SavedGame {
     pub company: Company,
     /// The record of the moves.
     pub record: Record,
-    /// The moves that were made with a hint, by their numbers from 0.
+    /// The indices, from 0, of the moves that were made with a hint.
     pub hints: Vec<usize>,
     /// The fingerprint of the resulting state.
     pub end: Fingerprint,
 }
 
 impl SavedGame {
-    /// The largest file that is read or written, in bytes: some eight thousand strokes.
+    /// The largest file that is read or written, in bytes: about eight thousand strokes.
     pub(crate) const LARGEST_FILE: usize = 1 << 20;
 }
 

@@ -7,7 +7,7 @@ use crate::game::opponent::Strength;
 use crate::game::record::Record;
 use crate::game::table::Game;
 
-/// The contents of a file.
+/// The fields of a file.
 const FIELDS: [&str; 11] = [
     "format",
     "player",
@@ -23,12 +23,12 @@ const FIELDS: [&str; 11] = [
 ];
 
 impl SavedGame {
-    /// Reads a file and plays all of it; returns it with the resulting game. `name` stands for the
-    /// file in messages.
+    /// Reads a file and plays all its moves; returns it with the resulting game. `name` is the name
+    /// of the file in messages.
     ///
     /// # Errors
-    /// All faults: it is not such a file, or a newer one; one of its moves is impossible; its end
-    /// does not match.
+    /// All errors: the file is not a saved game or is too new, a move is impossible, or the
+    /// fingerprint at its end does not match.
     pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Game), FileErrors> {
         let source = Source::of_bytes(name, bytes, Self::LARGEST_FILE)?;
         source.document("a saved game", FORMAT..=FORMAT, &FIELDS, from_fields)

@@ -9,8 +9,8 @@ use rand_pcg::Pcg64;
 use super::super::sight::Sight;
 use crate::physics::Motion;
 
-/// `count` strokes at coins: from any of `places`, at any coin, anywhere between its
-/// two edges, at a speed in m/s from `speeds`. Straight ahead where there is no coin.
+/// `count` strokes at coins: from any of `places`, at any coin, anywhere between its two edges, at
+/// a speed in m/s from `speeds`. If there is no coin, they go straight ahead.
 pub(in super::super) fn knocks(
     sight: &Sight,
     places: &[DVec2],
