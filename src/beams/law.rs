@@ -1,4 +1,4 @@
-//! How a beam's offsets become angles.
+//! The scattering angles that follow from a beam's offsets.
 
 use std::f64::consts::PI;
 
@@ -28,7 +28,7 @@ pub enum BeamTarget {
 pub struct ScatteringLaw {
     /// The target.
     pub target: BeamTarget,
-    /// Plane or space.
+    /// Whether the beam is in a plane or in space.
     pub beam: Beam,
 }
 

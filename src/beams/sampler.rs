@@ -99,7 +99,7 @@ impl Sampler {
     }
 }
 
-/// The generator of a seed, about to give the number of this particle.
+/// The generator of a seed, whose next number is that of this particle.
 pub(super) fn generator(seed: u64, particle: u64) -> Pcg64 {
     let mut generator = Pcg64::new(u128::from(seed), STREAM);
     generator.advance(u128::from(particle));

@@ -131,7 +131,7 @@ fn ten_million_particles_agree_with_the_closed_forms() {
     }
 }
 
-/// The table of edges gives exactly the counts of computing each angle.
+/// The table of edges gives exactly the same counts as computing each angle.
 #[test]
 fn every_particle_is_in_the_bin_of_its_angle() {
     for law in [

@@ -1,4 +1,4 @@
-//! The pieces, the sets they come in, and the lines drawn on the board.
+//! The pieces, the sets of pieces, and the lines drawn on the board.
 //!
 //! Dimensions are metres and kilograms. Where the Laws of Carrom give a range for a piece, the
 //! upper end is used. Base circles, centre circle and outer circle have their customary sizes.
@@ -23,7 +23,7 @@ pub(crate) const BASE_LINE_GAP: f64 = 0.0318;
 pub(crate) const BASE_LINE_LENGTH: f64 = 0.470;
 /// Radius of a base circle, 1.59 cm: its diameter is the distance between the lines.
 pub(crate) const BASE_CIRCLE_RADIUS: f64 = 0.0159;
-/// Radius of the centre circle, 1.59 cm: it holds the queen.
+/// Radius of the centre circle, 1.59 cm: the queen fits into it.
 pub(crate) const CENTRE_CIRCLE_RADIUS: f64 = 0.0159;
 /// Radius of the outer circle, 8.5 cm: it holds the pack (14) and receives the
 /// coins that are put back.

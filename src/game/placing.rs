@@ -157,7 +157,8 @@ impl<'a> BaseLines<'a> {
     /// The legal position nearest to `at`, halfway between the base lines; distances are measured
     /// along them.
     ///
-    /// `None` if coins block the whole length, which takes at least seven coins on the base lines.
+    /// `None` if coins block the whole length, which requires at least seven coins on the base
+    /// lines.
     pub fn nearest(&self, at: DVec2) -> Option<DVec2> {
         let (end, circle) = (self.end_of_the_lines(), Self::base_circle_along());
         let ends = [self.along(at).clamp(-end, end), circle, -circle];

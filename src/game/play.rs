@@ -97,7 +97,7 @@ impl BoardInPlay {
         self.won.is_none() && !self.queen_on_board() && self.queen_covered_by.is_none()
     }
 
-    /// The facts that the rules use.
+    /// The facts about a stroke that the rules use.
     pub(super) fn case(&self, terms: &Terms, stroke: &Stroke) -> Case {
         let team = terms.hands.team(self.seat);
         let colour = terms.colour(team);

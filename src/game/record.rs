@@ -27,7 +27,7 @@ pub struct Record {
 pub enum Move {
     /// Plays a stroke.
     Strike(Strike),
-    /// Passes, because coins block every position of the striker.
+    /// Passes the turn, because coins block every position of the striker.
     NoPlace,
     /// Lays the pack for the next board.
     NextBoard,

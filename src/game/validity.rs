@@ -15,7 +15,7 @@ pub enum GameError {
     /// The match is over.
     #[error("the match is over; start a new one")]
     MatchOver,
-    /// Coins may be laid out freely only in practice.
+    /// Coins may be placed freely only in practice.
     #[error("coins may be laid out freely only in practice")]
     NotInPractice,
     /// There are more coins than a set holds.

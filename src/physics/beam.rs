@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-/// How the offsets of a beam are spread.
+/// The distribution of the offsets of a beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Beam {
     /// Evenly over a line: discs on a board.

@@ -14,7 +14,7 @@ use super::capture::capture;
 use super::impact::{Contact, kinetic_energy};
 use super::units::rad_from_deg;
 
-/// What the two surfaces do at contact.
+/// How the two surfaces behave at contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Bond {
     /// Smooth discs: no force perpendicular to the line of impact.
@@ -31,16 +31,16 @@ pub struct Collision {
     pub striker: Disc,
     /// Body 2.
     pub target: Disc,
-    /// Velocity of the striker before, in m/s.
+    /// Velocity of the striker before the collision, in m/s.
     pub u1: DVec2,
-    /// Velocity of the target before, in m/s.
+    /// Velocity of the target before the collision, in m/s.
     pub u2: DVec2,
-    /// Impact parameter b in metres: how far the target's centre lies to the right
-    /// of the line along which the striker moves relative to it.
+    /// Impact parameter b in metres: how far the target's centre is to the right of the line along
+    /// which the striker moves relative to it.
     pub offset: f64,
     /// The rounding error of [`offset`](Self::offset), in metres, if it comes from an impact angle
     /// within a degree of a graze: b is the sum of the two. There cos α depends on digits of b that
-    /// `offset` alone cannot hold. Otherwise 0.
+    /// `offset` alone cannot represent. Otherwise 0.
     pub offset_rest: f64,
     /// Coefficient of restitution e, 0 to 1; without effect on discs that stick.
     pub restitution: f64,
@@ -69,10 +69,10 @@ pub struct CollisionOutcome {
     pub normal: Option<DVec2>,
     /// Tangent t, n turned anticlockwise by a right angle; `None` for a miss.
     pub tangent: Option<DVec2>,
-    /// Velocity of the striker after, in m/s. For discs that stick, the velocity of
+    /// Velocity of the striker after the collision, in m/s. For discs that stick, the velocity of
     /// the pair's centre of mass.
     pub v1: DVec2,
-    /// Velocity of the target after, in m/s. For discs that stick, the same as `v1`.
+    /// Velocity of the target after the collision, in m/s. For discs that stick, the same as `v1`.
     pub v2: DVec2,
     /// Angular velocity of a pair that sticks, in rad/s, positive clockwise (the
     /// sense it has for a positive offset); 0 for discs that slip.
@@ -87,9 +87,9 @@ pub struct CollisionOutcome {
     pub separation: Option<f64>,
     /// Magnitude of the impulse that each disc exerts on the other, in N·s.
     pub impulse: f64,
-    /// Kinetic energy before, in joules.
+    /// Kinetic energy before the collision, in joules.
     pub energy_before: f64,
-    /// Kinetic energy after, in joules; for discs that stick it includes
+    /// Kinetic energy after the collision, in joules; for discs that stick it includes
     /// [`energy_rotation`](Self::energy_rotation).
     pub energy_after: f64,
     /// The rotational energy of a pair that sticks, in joules; 0 for discs that slip.
@@ -107,8 +107,8 @@ impl CollisionOutcome {
 
 impl Collision {
     /// A smooth, perfectly elastic collision at impact angle `alpha` radians with a target at rest.
-    /// For any other collision set the fields that differ; the angle stays the same whatever the
-    /// velocities, the masses and the restitution.
+    /// For any other collision set the fields that differ; the angle does not depend on the
+    /// velocities, the masses or the restitution.
     pub fn at_angle(striker: Disc, target: Disc, u1: DVec2, alpha: f64) -> Self {
         Self::at_offset(striker, target, u1, 0.0).with_alpha(alpha)
     }
@@ -175,8 +175,8 @@ impl Collision {
         self.u1 - self.u2
     }
 
-    /// Impact angle α in radians, from the relative velocity to the line of impact,
-    /// positive when the target's centre lies to the right; `None` for a miss.
+    /// Impact angle α in radians, from the relative velocity to the line of impact, positive if the
+    /// target's centre is to the right; `None` for a miss.
     pub fn alpha(&self) -> Option<f64> {
         self.relative_velocity().try_normalize()?;
         self.sine().map(f64::asin)
@@ -552,7 +552,7 @@ mod tests {
         assert!((before1 + 0.1 * shot.u1 - centre1).length() < 1e-15);
         assert!((before2 + 0.1 * shot.u2 - centre2).length() < 1e-15);
         assert!((before2 - before1).length() > shot.contact_distance());
-        // The offset is how far the target lies to the right of the relative path.
+        // The offset is how far the target is to the right of the relative path.
         let along = shot.relative_velocity().normalize();
         close((before2 - before1).perp_dot(along), shot.offset);
     }

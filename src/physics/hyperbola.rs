@@ -80,7 +80,7 @@ impl Hyperbola {
         (0..=pieces)
             .map(|i| {
                 let s = end * (2.0 * f64::from(i) / f64::from(pieces) - 1.0);
-                // From the incoming side, which lies anticlockwise of the apse.
+                // The path starts on the incoming side, which is anticlockwise of the apse.
                 let local = DVec2::new(axis * (eccentricity + s.cosh()), -across * s.sinh());
                 self.mirrored(apse.rotate(local))
             })

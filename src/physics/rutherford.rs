@@ -219,8 +219,8 @@ mod tests {
         }
     }
 
-    /// Geiger and Marsden's relative counts for gold, times sin⁴(φ/2), lie in a band
-    /// of −15 % to +23 % about their mean, and rise at small angles.
+    /// Geiger and Marsden's relative counts for gold, times sin⁴(φ/2), are in a band of −15 % to
+    /// +23 % about their mean, and rise at small angles.
     #[test]
     fn the_measured_counts_follow_the_law_within_a_band() {
         let gold = [

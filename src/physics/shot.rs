@@ -192,8 +192,8 @@ impl Shot {
         &self.discs
     }
 
-    /// Seconds until everything is at rest. Without friction it is the given horizon, or the time
-    /// of the last event if there was none.
+    /// Seconds until everything is at rest. Without friction it is the horizon, or the time of the
+    /// last event if the horizon is infinite.
     pub(crate) fn duration(&self) -> f64 {
         self.duration
     }

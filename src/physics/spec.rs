@@ -9,7 +9,7 @@ use super::units::{deg_from_rad, g_from_kg, m_from_mm, mm_from_m, rad_from_deg};
 use super::{Bond, Collision, Disc};
 use crate::numbers::{tidy, typed};
 
-/// Two discs about to meet, in the units of files and of the screen.
+/// Two discs about to collide, in the units of files and of the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CollisionSpec {
     /// Mass of the striker in g.
@@ -41,12 +41,12 @@ pub struct CollisionSpec {
 pub enum ImpactPoint {
     /// Given by the impact angle.
     Angle {
-        /// α in degrees, −90 to 90, positive when the target lies to the right.
+        /// α in degrees, −90 to 90, positive if the target is to the right.
         alpha_deg: f64,
     },
     /// Given by the impact parameter.
     Offset {
-        /// b in mm, positive when the target lies to the right.
+        /// b in mm, positive if the target is to the right.
         offset_mm: f64,
     },
 }

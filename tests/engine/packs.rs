@@ -39,7 +39,7 @@ fn there_are_at_least_forty_levels_in_the_expected_packs() {
     );
 }
 
-/// An id opens a level from the command line, whatever its pack.
+/// An id opens a level from the command line, so ids must be unique across all packs.
 #[test]
 fn no_two_levels_share_an_id_or_a_title() {
     let levels = levels();

@@ -104,7 +104,7 @@ pub(crate) enum TurnFate {
     },
 }
 
-/// What the rules decide.
+/// The decision of the rules on a stroke.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Verdict {
     /// The law that decides; `None` for a rule of the house.
@@ -113,7 +113,7 @@ pub(crate) struct Verdict {
     pub text: String,
     /// The player's own coins that are put back at once.
     pub(crate) own_back: u8,
-    /// Dues: further own coins to put back, now or as soon as any are in the pockets.
+    /// Dues: further coins of the player to put back, now or as soon as any are in the pockets.
     pub(crate) dues: u8,
     /// What becomes of the queen.
     pub queen: QueenFate,
@@ -147,7 +147,7 @@ impl Verdict {
         Self::new(law.into(), text, TurnFate::Ends { won, points })
     }
 
-    /// This many own coins are put back at once.
+    /// The verdict with this many of the player's coins put back at once.
     pub(super) fn own_back(self, own_back: u8) -> Self {
         Self { own_back, ..self }
     }

@@ -4,8 +4,8 @@
 //! - An opponent's coin stays down and helps the opponent.
 //! - Pocket the striker and one of your coins goes back, if you have one to
 //!   give; the turn passes. Nothing stays owed.
-//! - The queen may be taken at any time and must be covered: an own coin in the
-//!   same stroke or the next. Otherwise she goes back to the centre.
+//! - The queen may be taken at any time and must be covered: with one of your coins in the same
+//!   stroke or the next. Otherwise she goes back to the centre.
 //! - First to clear their coins wins the game: a point for each coin the other
 //!   has left, at least 1, and 3 for the queen if they covered her. Clear your
 //!   coins with the queen on the board and she is simply left.
@@ -26,8 +26,8 @@ pub(super) fn judge(case: &Case) -> Verdict {
     })
 }
 
-/// The end of the board, if a colour is cleared. If the striker falls too, one own coin is put
-/// back, so the player cannot have cleared the board.
+/// The end of the board, if a colour is cleared. If the striker falls too, one of the player's
+/// coins is put back, so the player cannot have cleared the board.
 fn ending(case: &Case) -> Option<Verdict> {
     let won = case.own.left() == 0 && !case.striker_fell;
     if !won && case.other.left() > 0 {

@@ -9,7 +9,7 @@
 //! | `opening` | 17, 18: when the break counts |
 //! | `ending` | 25 to 28, 75 to 85: last coins, who wins the board and by how much |
 //! | `queen` | 65 to 74: the queen and her cover |
-//! | `coins` | 21, 45 to 48: own coins, the opponent's, the striker |
+//! | `coins` | 21, 45 to 48: the player's coins, the opponent's, the striker |
 //! | `friendly` | the rules of most families |
 //! | `practice` | no rules at all |
 //!
@@ -55,7 +55,7 @@ pub enum Rules {
     Tournament,
     /// The simple rules of most families: first to clear wins the game.
     Friendly,
-    /// No turns, no dues: place the striker anywhere and try again.
+    /// No turns, no dues: the striker may be placed anywhere, and every stroke may be repeated.
     Practice,
 }
 

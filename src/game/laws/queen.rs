@@ -135,8 +135,8 @@ fn pocketed(case: &Case) -> Verdict {
     }
 }
 
-/// The queen fell while the player owed a coin: she goes back whatever fell with her, and the turn
-/// passes.
+/// The queen fell while the player owed a coin: she goes back, no matter what fell with her, and
+/// the turn passes.
 fn pocketed_in_debt(case: &Case) -> Verdict {
     let player = case.colour;
     let verdict = Verdict::passes(

@@ -102,7 +102,7 @@ mod tests {
         };
         let struck = slip.applied_to(meant);
         assert_eq!(struck.position, meant.position);
-        // tan φ = 3/4 is the triangle of 3, 4 and 5.
+        // tan φ = 3/4 gives a triangle with the sides 3, 4 and 5.
         assert!((struck.velocity - DVec2::new(-0.6, 0.8) * 2.2).length() < 1e-15);
         assert_eq!(Slip::default().applied_to(meant), meant);
     }

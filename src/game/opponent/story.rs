@@ -52,7 +52,7 @@ pub struct FirstContact {
     /// Scattering angle θ₁ of the striker in radians, positive to the left; `None`
     /// if it stopped.
     pub theta1: Option<f64>,
-    /// The share of its speed that the striker keeps, v₁/u₁.
+    /// The fraction of its speed that the striker keeps, v₁/u₁.
     pub kept: f64,
 }
 

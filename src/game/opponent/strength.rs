@@ -1,4 +1,4 @@
-//! The strength of an opponent: how far it looks ahead and how steady its hand is.
+//! The strength of an opponent: how thoroughly it searches and how steady its hand is.
 
 use serde::{Deserialize, Serialize};
 use strum::Display;
@@ -10,7 +10,7 @@ use super::hand::Hand;
 /// They differ in the kinds of shot they consider, in the number of shots they simulate before a
 /// stroke, and in the [errors](Hand) of their hand:
 ///
-/// | strength | direction | speed | shots seen | looks ahead |
+/// | strength | direction | speed | shots | looks ahead |
 /// |---|---|---|---|---|
 /// | beginner | 2.9° | 20 % | cuts | no |
 /// | regular | 1.7° | 15 % | cuts | no |
@@ -23,21 +23,21 @@ use super::hand::Hand;
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "lowercase")]
 pub enum Strength {
-    /// Sees plain cuts and has an unsteady hand.
+    /// Considers only plain cuts and has an unsteady hand.
     Beginner,
-    /// Considers more positions, and has a steadier hand.
+    /// Considers more positions and has a steadier hand.
     #[default]
     Regular,
-    /// Considers the next stroke, and sees combinations.
+    /// Also considers the next stroke and combinations.
     #[strum(to_string = "club player")]
     Club,
-    /// Sees cushion shots too, and tries each shot with an unsteady hand.
+    /// Also considers cushion shots, and tries each shot with an unsteady hand.
     Expert,
-    /// Sees the same as an expert, tries more strokes, and rarely makes an error.
+    /// Considers the same shots as an expert, tries more strokes and rarely makes an error.
     Champion,
 }
 
-/// What an opponent can do.
+/// The abilities of an opponent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Skill {
     pub(super) hand: Hand,

@@ -1,4 +1,4 @@
-//! The opponent as a whole: any position, any strength, any seed.
+//! Tests of the whole opponent for any position, strength and seed.
 
 use glam::DVec2;
 use rand::{RngExt, SeedableRng};
@@ -196,7 +196,7 @@ fn the_last_coin_is_not_taken_before_the_queen() {
     }
 }
 
-/// A stroke to the last bit.
+/// A hash of all bits of a stroke.
 fn bits(stroke: Motion) -> u64 {
     let (at, way) = (stroke.position, stroke.velocity);
     let numbers = [at.x, at.y, way.x, way.y].into_iter();

@@ -41,19 +41,19 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         false if is_blank_name(name) => Ok(NO_NAME.to_owned()),
         false => Err("expected a name of 1 to 40 visible characters".into()),
     });
-    let players = fields.parsed::<BySeat<Player>>("players", "who plays from each seat");
+    let players = fields.parsed::<BySeat<Player>>("players", "the player at each seat");
     let strengths = if fields.has("computers") {
-        let expected = "how strong the computer is at each seat";
+        let expected = "the computer's strength at each seat";
         fields
             .parsed::<BySeat<Strength>>("computers", expected)
             .map(Into::into)
     } else {
-        let all = fields.parsed::<Strength>("computer", "how strong the computer is");
+        let all = fields.parsed::<Strength>("computer", "the computer's strength");
         all.map(|strength| [strength; 4])
     };
     let call = fields.parsed("call", "true or false");
-    let aids = fields.parsed("aids", "which aids are drawn");
-    let setup = fields.parsed("setup", "what was agreed before the first break");
+    let aids = fields.parsed("aids", "the aids that are drawn");
+    let setup = fields.parsed("setup", "the settings of the game");
     let moves = fields.all_parsed("moves", "a list of moves");
     let hints = fields.or("hints", Vec::new(), |name| {
         fields.all_parsed::<usize>(name, "the numbers of moves")

@@ -23,7 +23,7 @@ const PRESSING_SPEED: f64 = 1e-6;
 /// The largest overlap of a pair, in metres.
 const DEEPEST: f64 = 9e-10;
 
-/// Speeds of approach below this share of the discs' own speeds are rounding errors.
+/// A speed of approach below this fraction of the discs' speeds is a rounding error.
 const ROUNDING: f64 = 1e-14;
 
 /// Seconds until the seeker and another disc meet while approaching, if that is within `end`

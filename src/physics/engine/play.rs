@@ -14,9 +14,9 @@ use super::schedule::{Forecast, SAME_TIME, Schedule};
 use super::work::Work;
 use super::{EngineError, Limits};
 
-/// On a board with friction, discs that approach more slowly than this (m/s) separate at the
-/// same speed, whatever e is: otherwise they could collide infinitely often before friction
-/// stops them.
+/// On a board with friction, discs that approach more slowly than this (m/s) separate at the same
+/// speed, regardless of e: otherwise they could collide infinitely often before friction stops
+/// them.
 const ELASTIC_BELOW: f64 = 2e-3;
 
 /// One shot that is being played.

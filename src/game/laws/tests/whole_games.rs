@@ -1,4 +1,4 @@
-//! Whole games of random strokes: the state of the game stays valid.
+//! Plays whole games of random strokes and checks that the state of the game stays valid.
 
 use glam::DVec2;
 use proptest::prelude::*;
@@ -119,7 +119,7 @@ proptest! {
     }
 }
 
-/// Rules and engine together: boards of hard random strokes from legal places.
+/// Tests the rules and the engine together with boards of hard random strokes from legal positions.
 #[test]
 fn boards_played_on_the_engine_stay_valid_and_end() {
     let board = Board::default();

@@ -1,4 +1,4 @@
-//! How a coin gets to a pocket.
+//! The paths on which a coin reaches a pocket.
 
 use glam::DVec2;
 
@@ -9,9 +9,9 @@ use crate::game::pieces::Piece;
 /// The motion that a coin needs to reach a pocket, or to drive another coin there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in super::super) struct PocketPath {
-    /// The coin, by its index.
+    /// The index of the coin.
     pub(in super::super) coin: usize,
-    /// The direction in which it must leave.
+    /// The direction in which the coin must move.
     pub(in super::super) toward: DVec2,
     /// The least sufficient speed in m/s.
     pub(in super::super) speed: f64,

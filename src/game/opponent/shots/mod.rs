@@ -1,4 +1,4 @@
-//! Shots from geometry alone: which strokes are worth simulating.
+//! Finds by geometry alone which strokes are worth simulating.
 //!
 //! A shot is built backwards from its end. A [`PocketPath`] describes how a coin must move to reach
 //! a pocket: straight, off a cushion, or to drive another coin that has a course. A

@@ -1,4 +1,4 @@
-//! How the striker gives a coin its course.
+//! The strokes with which the striker gives a coin its course.
 
 use glam::DVec2;
 
@@ -12,7 +12,7 @@ use crate::physics::Motion;
 pub(in super::super) struct ProposedStroke {
     /// The striker's position.
     pub(in super::super) from: DVec2,
-    /// The direction in which it is struck.
+    /// The direction of the stroke.
     pub(in super::super) toward: DVec2,
     /// The least sufficient speed in m/s.
     pub(in super::super) speed: f64,

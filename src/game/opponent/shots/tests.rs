@@ -219,7 +219,7 @@ fn a_coin_in_the_way_blocks_a_path() {
     assert_eq!(pockets(&open), 4);
     let barred = [open[0], coin(0.2, 0.215)];
     assert_eq!(pockets(&barred), 3);
-    // The path is free if the coin is slightly more than two radii beside it.
+    // The path is free if the coin is slightly more than two radii away from it.
     let beside = DVec2::splat(0.2) + DVec2::new(0.5, -0.5).normalize() * 0.0319;
     assert_eq!(pockets(&[open[0], coin(beside.x, beside.y)]), 4);
 }

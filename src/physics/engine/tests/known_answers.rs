@@ -81,7 +81,7 @@ fn one_disc_falls_into_a_pocket() {
     let shot = Table::default()
         .with(COIN, (0.0, 0.0), (-2.0, 2.0))
         .play(&board);
-    // The pocket's centre lies a radius from both sides; the disc falls at its edge.
+    // The pocket's centre is one radius from both sides; the disc falls at the pocket's edge.
     let hole = 0.5 * board.pocket_diameter;
     let way = (0.37 - hole) * 2_f64.sqrt() - hole;
     let speed = 8_f64.sqrt();
@@ -143,8 +143,8 @@ fn two_discs_with_friction_meet_as_the_closed_form_predicts() {
 
 #[test]
 fn two_sliding_discs_meet_at_the_predicted_time() {
-    // At right angles with equal speeds: the centres lie at (−x, 0) and (0, −x), so they are √2 x
-    // apart and meet at x = R/√2, after sliding equally far.
+    // The discs move at right angles with equal speeds: the centres are at (−x, 0) and (0, −x), so
+    // they are √2 x apart and meet at x = R/√2, after sliding equally far.
     let board = closed_board();
     let shot = Table::default()
         .with(COIN, (-0.2, 0.0), (1.7, 0.0))

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use super::tables::{Table, rack};
 use crate::physics::{Board, Disc, DiscState, EventKind, Limits, Motion, Shot, play};
 
-/// Discs may overlap each other or the frame no further than this, in metres.
+/// The largest allowed overlap of a disc with another or with the frame, in metres.
 const DEEPEST: f64 = 1e-9;
 
 fn a_disc() -> impl Strategy<Value = (Disc, Motion)> {
