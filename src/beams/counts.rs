@@ -10,7 +10,7 @@ pub const BINS: usize = 36;
 /// Width of a bin in radians: 5°.
 pub const BIN_WIDTH: f64 = PI / BINS as f64;
 
-/// What a count refers to.
+/// The unit of a count: particles per steradian or per ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CountedFor {
     /// A steradian of solid angle: the count of a small screen that is moved around the target, as

@@ -34,8 +34,8 @@ pub struct ScatteringLaw {
 
 impl ScatteringLaw {
     /// The scattering angle Θ of a particle, 0 to π radians, for a nearness from 0 to 1: Θ = 2
-    /// arccos(b/(r₁+r₂)) for hard targets (the angle of reflection is that of incidence), Θ = 2
-    /// atan(d/2b) for a charge.
+    /// arccos(b/(r₁+r₂)) for hard targets (the angle of reflection is equal to the angle of
+    /// incidence), Θ = 2 atan(d/2b) for a charge.
     pub fn angle(&self, nearness: f64) -> f64 {
         match self.target {
             BeamTarget::Hard => 2.0 * nearness.clamp(-1.0, 1.0).acos(),

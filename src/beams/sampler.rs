@@ -22,9 +22,9 @@ const LANES: usize = 4;
 /// Draws the particles of a beam and counts them by angle.
 ///
 /// Particle i takes the i-th 64-bit number w of PCG64 (M. E. O'Neill, 2014; the seed is its state,
-/// the stream is fixed). In a plane, w/2⁶⁴ is the nearness b/b_max, in space it is its square, so
-/// that offsets are uniform over a line or over a disc. Because each particle has its own number, a
-/// beam can be computed in any batches and in any order.
+/// the stream is fixed). In a plane, w/2⁶⁴ is the nearness b/b_max; in space it is the square of
+/// the nearness, so that offsets are uniform over a line or over a disc. Because each particle has
+/// its own number, a beam can be computed in batches of any size and in any order.
 ///
 /// No angle is ever computed for a particle. The values of w that separate the bins are calculated
 /// in advance, so comparisons give the bin: an index table gives it for the upper 12 bits, and if

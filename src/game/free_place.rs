@@ -12,7 +12,7 @@ use super::seat::Seat;
 /// coins.
 const SLACK: f64 = 1e-9;
 
-/// A circle that a coin's centre may touch but not enter.
+/// A circle that a coin's centre may touch but not cross.
 struct Circle {
     centre: DVec2,
     radius: f64,

@@ -25,8 +25,7 @@ pub(crate) const BASE_LINE_LENGTH: f64 = 0.470;
 pub(crate) const BASE_CIRCLE_RADIUS: f64 = 0.0159;
 /// Radius of the centre circle, 1.59 cm: the queen fits into it.
 pub(crate) const CENTRE_CIRCLE_RADIUS: f64 = 0.0159;
-/// Radius of the outer circle, 8.5 cm: it holds the pack (14) and receives the
-/// coins that are put back.
+/// Radius of the outer circle, 8.5 cm: it encloses the pack (14), and coins are put back inside it.
 pub(crate) const OUTER_CIRCLE_RADIUS: f64 = 0.085;
 /// The gap between coins in the opening pack, 0.1 mm. An impact of discs that touch exactly has no
 /// unique result.
@@ -114,8 +113,7 @@ pub(crate) fn piece_of(coins: &[Coin], disc: usize) -> Option<Piece> {
     }
 }
 
-/// A point or a velocity as a pair of numbers in SI units, so that it reads back to
-/// the same bits.
+/// Stores a point or a velocity as a pair of numbers in SI units, which are read back bit for bit.
 pub(super) mod metres {
     use glam::DVec2;
     use serde::{Deserialize, Deserializer, Serialize, Serializer};

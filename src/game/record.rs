@@ -84,13 +84,13 @@ pub enum MoveError {
     RoomLeft,
 }
 
-/// Why a record cannot be played: one of its moves cannot be made.
+/// Why a record cannot be played: a move is impossible.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error("move {number}: {error}")]
 pub struct RecordError {
     /// The number of the move, from 1.
     pub number: usize,
-    /// Why not.
+    /// The reason.
     #[source]
     pub error: MoveError,
 }

@@ -60,8 +60,8 @@ mod tests {
         assert!((moment_of_inertia(a, b) - steiner).abs() < 1e-12 * steiner);
     }
 
-    /// Two equal discs of 10 g and 10 mm, offset 10 mm, 3 m/s: by hand
-    /// μ = 5 g, I = 1 + 4·... = 3·10⁻⁶ kg·m², ω = 0.005·0.01·3 / 3·10⁻⁶ = 50 rad/s.
+    /// Two equal discs of 10 g and 10 mm, offset 10 mm, 3 m/s, by hand: μ = 5 g, I = 500 + 500 + 5
+    /// · 400 = 3000 g mm² = 3·10⁻⁶ kg·m², so ω = 0.005 · 0.01 · 3 / (3·10⁻⁶) = 50 rad/s.
     #[test]
     fn a_case_by_hand() {
         let disc = Disc::from_g_mm(10.0, 10.0);

@@ -21,7 +21,7 @@ impl Disc {
     }
 }
 
-/// Where the centre of a disc is and how it moves.
+/// The position of a disc's centre and its velocity.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Motion {
     /// Centre in metres, from the centre of the board, x to the right, y up.

@@ -42,8 +42,8 @@ impl Hyperbola {
         self.mirrored(DVec2::from_angle(self.apse()) * self.closest_approach)
     }
 
-    /// Direction of the apse for b ≥ 0: it bisects the angle between the incoming and the outgoing
-    /// part.
+    /// Direction of the apse for b ≥ 0: it bisects the angle between the incoming and outgoing
+    /// parts of the path.
     fn apse(&self) -> f64 {
         (PI + self.angle) / 2.0
     }

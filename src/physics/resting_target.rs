@@ -38,7 +38,7 @@ pub struct RestingTarget {
     pub restitution: f64,
 }
 
-/// Where the striker's energy goes; the three add up to 1.
+/// The shares of the striker's energy; the three add up to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EnergyShares {
     /// The share that the striker keeps.
@@ -84,8 +84,8 @@ impl RestingTarget {
         (1.0 + self.restitution) * (self.m2 / (self.m1 + self.m2))
     }
 
-    /// 1 − k = (m₁ − e m₂) / (m₁+m₂), exactly 0 where m₁ = e m₂ up to rounding: 12 g is 0.8 × 15 g
-    /// in kilograms too.
+    /// 1 − k = (m₁ − e m₂) / (m₁+m₂), exactly 0 if m₁ = e m₂ except for rounding, so that 12 g
+    /// equals 0.8 × 15 g in kilograms too.
     fn normal_kept(&self) -> f64 {
         let kept = self.m1 - self.restitution * self.m2;
         if kept.abs() <= 4.0 * f64::EPSILON * self.m1 {
@@ -197,8 +197,8 @@ pub(crate) fn k_from_angles(theta1: f64, theta2: f64) -> Option<f64> {
     (offset && turned && k > 0.0 && k < 2.0).then_some(k)
 }
 
-/// Weighing by angles: m₁/m₂ = (1+e)/k − 1, which at e = 1 is sin(θ₁+2θ₂) / sin θ₁; `None` if the
-/// angles do not determine it.
+/// The ratio of the masses from the angles: m₁/m₂ = (1+e)/k − 1, which at e = 1 is sin(θ₁+2θ₂) /
+/// sin θ₁; `None` if the angles do not determine it.
 pub(crate) fn mass_ratio_from_angles(theta1: f64, theta2: f64, restitution: f64) -> Option<f64> {
     let ratio = (1.0 + restitution) / k_from_angles(theta1, theta2)? - 1.0;
     (ratio > 0.0).then_some(ratio)

@@ -56,8 +56,8 @@ pub struct Rutherford {
 }
 
 impl Rutherford {
-    /// Charge numbers `z1` on `z2` at kinetic energy `energy` joules, all positive:
-    /// d = q₁q₂ / (4πε₀E).
+    /// A projectile of charge number `z1` and kinetic energy `energy` joules, and a target of
+    /// charge number `z2`, all positive: d = q₁q₂ / (4πε₀E).
     pub fn new(z1: f64, z2: f64, energy: f64) -> Self {
         Self {
             head_on_approach: COULOMB_ENERGY_LENGTH * z1 * z2 / energy,

@@ -29,9 +29,9 @@ pub enum EventKind {
         discs: [usize; 2],
         /// The line of impact: the unit vector from the first centre to the second.
         normal: DVec2,
-        /// Their velocities before, in the order of `discs`.
+        /// Their velocities before the contact, in the order of `discs`.
         before: [DVec2; 2],
-        /// Their velocities after.
+        /// Their velocities after the contact.
         after: [DVec2; 2],
     },
     /// A disc hit the frame.
@@ -40,9 +40,9 @@ pub enum EventKind {
         disc: usize,
         /// The unit vector into the cushion.
         normal: DVec2,
-        /// Its velocity before.
+        /// Its velocity before the event.
         before: DVec2,
-        /// Its velocity after.
+        /// Its velocity after the event.
         after: DVec2,
     },
     /// A disc fell into a pocket.

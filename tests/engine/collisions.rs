@@ -84,8 +84,8 @@ proptest! {
         prop_assert!(after.energy_lost >= 0.0);
     }
 
-    /// A stricter test: in the centre-of-mass frame there is no large energy beside which the
-    /// change in a slow collision would be negligible.
+    /// A stricter test: in the centre-of-mass frame there is no large common energy that could hide
+    /// an error in a slow collision.
     #[test]
     fn energy_balances_in_the_centre_of_mass_frame(c in both_moving()) {
         let cm = Frame::CentreOfMass.view(&c);

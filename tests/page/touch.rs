@@ -208,7 +208,7 @@ impl Phone {
         [left + across * width, top + down * height]
     }
 
-    /// Drags over the picture, from one share of its width and height to another.
+    /// Drags over the picture; the points are given as shares of its width and height.
     pub(crate) fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
         let [from, to] = [from, to].map(|it| self.place(it));
         self.touch("touchStart", &[from]);

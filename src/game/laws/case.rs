@@ -58,7 +58,7 @@ pub(crate) struct Side {
 }
 
 impl Side {
-    /// Its coins left on the board.
+    /// The number of its coins left on the board after the stroke.
     pub(super) const fn left(&self) -> u8 {
         self.before.saturating_sub(self.fell)
     }
@@ -92,7 +92,7 @@ pub(crate) enum QueenFate {
 /// Who strikes next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum TurnFate {
-    /// The same player.
+    /// The same player strikes again.
     Continues,
     /// The next.
     Passes,

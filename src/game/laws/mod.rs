@@ -17,7 +17,7 @@
 //! arrows, jumping coins (38, 39), coins on edge or on top of each other (40 to 43), playing out of
 //! turn (24), and so every law that begins "by an improper stroke" (49, 50 and the second half of
 //! 71 to 85). The striker cannot be struck from an illegal place because it cannot be put there,
-//! and no stroke clock runs (23), so there are no fouls (36, 37). Where the Laws grant a point "if
+//! and no stroke clock runs (23), so there are no fouls (36, 37). If the Laws grant a point "if
 //! demanded", it is always demanded, and a due is never forgone (53, 60). Sides are not changed (31
 //! to 34): on a screen they are all the same.
 //!
@@ -43,7 +43,7 @@ use serde::{Deserialize, Serialize};
 
 use super::pieces::Colour;
 
-/// The rules of a game; "friendly" as one word.
+/// The rules of a game; as text, one word such as "friendly".
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, strum::IntoStaticStr,
 )]

@@ -1,4 +1,4 @@
-//! What the referee announces.
+//! The rulings that the referee announces.
 
 use std::fmt;
 
@@ -87,7 +87,7 @@ pub enum RulingEffect {
 /// How a board ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BoardWon {
-    /// Who won it.
+    /// The team that won it.
     pub winner: Team,
     /// The points for the board, at most 12 (28).
     pub points: u8,

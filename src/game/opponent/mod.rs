@@ -1,9 +1,9 @@
 //! The computer opponent: finds a stroke by simulation.
 //!
 //! Geometry proposes strokes in closed form; the engine plays those with the largest tolerance; the
-//! laws judge each result; the best are played again with errors of the hand. The choice depends
-//! only on the game, the strength and the seed: the search is limited by a number of shots, not by
-//! time, and uses only + − × ÷ √, so every machine finds the same stroke.
+//! laws judge each result; the best are played again with random errors of the hand. The choice
+//! depends only on the game, the strength and the seed: the search is limited by a number of shots,
+//! not by time, and uses only + − × ÷ √, so every machine finds the same stroke.
 //!
 //! | file | contents |
 //! |---|---|
@@ -93,8 +93,8 @@ pub fn think(game: &Game, strength: Strength, seed: u64) -> Option<Decision> {
 /// The best stroke for the player whose turn it is: the search is the champion's, with the hand of
 /// a club player. `None` as for [`think`].
 ///
-/// A plain cut is preferred, because players can learn most from it; other shots only if no cut
-/// works at least every other time.
+/// A plain cut is preferred, because players can learn most from it; other shots are chosen only if
+/// no cut works in at least half of the tries.
 ///
 /// Position, direction and speed are on the steps in which a player sets them, and if possible the
 /// striker does not fall when the stroke is exact.

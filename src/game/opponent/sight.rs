@@ -74,7 +74,7 @@ impl<'a> Sight<'a> {
         })
     }
 
-    /// Whether a disc of `radius` has room at a point within the frame.
+    /// Whether a disc of `radius` at a point is wholly inside the frame.
     pub(super) fn is_inside(&self, at: DVec2, radius: f64) -> bool {
         at.abs().max_element() <= self.board.side / 2.0 - radius
     }

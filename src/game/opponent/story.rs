@@ -38,7 +38,7 @@ impl Chance {
 pub struct FirstContact {
     /// The index in [`Game::coins`] of the coin that the striker hit.
     pub coin: usize,
-    /// What that is.
+    /// The kind of that coin.
     pub piece: Piece,
     /// The number of cushions the striker had hit before.
     pub cushions: u8,
@@ -61,7 +61,7 @@ pub struct FirstContact {
 pub struct Fall {
     /// The index of the coin in [`Game::coins`].
     pub coin: usize,
-    /// What that is.
+    /// The kind of that coin.
     pub piece: Piece,
     /// The corner it fell into, numbered as in the engine.
     pub corner: usize,

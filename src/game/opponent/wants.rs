@@ -10,8 +10,8 @@ pub(super) fn wants(game: &Game, piece: Piece) -> bool {
 
 /// Whether the player at `seat` wants to pocket `piece`.
 ///
-/// Own coins, except the last one before the queen, because that loses a tournament board (80); the
-/// queen, once the Laws allow it (65, 68). In practice, any coin.
+/// The player's own coins, except the last one before the queen, because pocketing it loses a
+/// tournament board (80); the queen, once the Laws allow it (65, 68). In practice, any coin.
 pub(super) fn wants_from(game: &Game, seat: Seat, piece: Piece) -> bool {
     let rules = game.setup().rules;
     let team = game.team(seat);

@@ -76,7 +76,7 @@ impl Side {
     }
 }
 
-/// The intention of a stroke, whether it succeeded (`played` is the story of the result), and the
+/// The intention of a stroke, whether it succeeded (`played` is the story of the result) and the
 /// reason for the aim.
 pub(super) fn plan(story: &Story, breaking: bool, played: &Story) -> String {
     let Some(hit) = &story.first_hit else {
@@ -399,7 +399,7 @@ mod tests {
 
     #[test]
     fn sides_are_those_of_the_screen_for_every_seat() {
-        // Up the board from South, down it from North, across it from East.
+        // The strokes go up the board from South, down it from North and across it from East.
         for (heading, left, right) in [
             (DVec2::Y, Side::Left, Side::Right),
             (DVec2::NEG_Y, Side::Right, Side::Left),

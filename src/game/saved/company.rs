@@ -1,11 +1,11 @@
-//! Who plays, and with which aids.
+//! The players of a game and their aids.
 
 use serde::{Deserialize, Serialize};
 
 use crate::files::{is_invisible, tidy_name};
 use crate::game::opponent::Strength;
 
-/// Who plays from a seat.
+/// The kind of player at a seat.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Player {
@@ -37,13 +37,12 @@ impl Default for Aids {
     }
 }
 
-/// Who plays, and with which aids: together with its setup, this is what a game needs to continue
-/// as before.
+/// The players and their aids: together with its setup, a game needs these to continue as before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Company {
-    /// Who plays from each seat, in the order of [`Seat::ALL`](crate::game::Seat::ALL).
+    /// The player at each seat, in the order of [`Seat::ALL`](crate::game::Seat::ALL).
     pub players: [Player; 4],
-    /// How strong the computer is at each seat, in the same order.
+    /// The computer's strength at each seat, in the same order.
     pub strengths: [Strength; 4],
     /// Whether the players predict the first impact before each stroke.
     pub call: bool,

@@ -21,7 +21,7 @@ const FORMAT: u32 = 1;
 pub struct SavedGame {
     /// Name of the player at the keyboard.
     pub player: String,
-    /// Who plays.
+    /// The players and their aids.
     pub company: Company,
     /// The record of the moves.
     pub record: Record,

@@ -39,8 +39,8 @@ impl BroadPhase {
         self.partners.resize(discs + 2, 0);
     }
 
-    /// Records where a disc can be from a time until its slide ends by itself. A contact may
-    /// end the slide earlier; the box stays, because a new one costs more than it saves.
+    /// Stores the box of a disc from a time until its slide ends by itself. A contact may end the
+    /// slide earlier; the box stays, because a new one costs more than it saves.
     #[inline]
     pub(super) fn expect(&mut self, i: usize, body: &Body, from: f64, until: f64) {
         self.boxes[i / 2].set(i % 2, sides(body, from, until));
@@ -88,7 +88,7 @@ impl BroadPhase {
         count
     }
 
-    /// One of the discs found by the latest scan.
+    /// A disc found by the latest scan, by its number in the result.
     #[inline]
     pub(super) fn partner(&self, n: usize) -> usize {
         self.partners[n]
@@ -234,8 +234,8 @@ impl Seeker {
     /// - it stays far along d: contact needs d·Δ ≤ R |d| ≤ (R² + d²)/2, and d·Δ stays
     ///   above the least of its three Bernstein coefficients (as in
     ///   [`first_root`](super::quartic::first_root)); or
-    /// - it stays to one side of w by more than R: Δ × w goes one way from its value
-    ///   at 0 to its value at h.
+    /// - it stays to one side of w by more than R: Δ × w changes monotonically from its value at 0
+    ///   to its value at h.
     #[inline(always)]
     fn misses(&self, others: [&Body; 2], times: [f64; 2]) -> u32 {
         let half = f64x2::splat(0.5);

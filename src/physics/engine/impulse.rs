@@ -100,8 +100,8 @@ fn many_at_once(touches: &[Touch], bodies: &[Body], work: &mut Work) -> Option<V
     Some(impulses)
 }
 
-/// For each contact, those that share a disc with it, including itself, and how strongly their
-/// impulses change its normal speed.
+/// For each contact, the contacts that share a disc with it, including itself, and how strongly
+/// their impulses change its normal speed.
 fn coupled(touches: &[Touch], bodies: &[Body]) -> Vec<Vec<(usize, f64)>> {
     let shares = |a: &Touch, b: &Touch| a.discs.iter().any(|disc| b.discs.contains(disc));
     touches

@@ -37,7 +37,7 @@ use play::ShotInPlay;
 use schedule::Schedule;
 use work::Work;
 
-/// How far to play a shot.
+/// The limits for playing a shot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Stop after this many seconds; may be infinite if the shot ends by itself.

@@ -81,7 +81,7 @@ impl Schedule {
         Some((b * BLOCK + first_up_to(&blocks[b], least), least))
     }
 
-    /// How many discs have a forecast up to a time.
+    /// The number of discs whose forecast is not later than a time.
     #[inline]
     pub(super) fn due(&self, time: f64) -> usize {
         let blocks = self.times.as_chunks::<BLOCK>().0;

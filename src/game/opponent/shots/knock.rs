@@ -1,4 +1,5 @@
-//! Strokes that do not aim for a pocket: to break, to open a cluster, to leave the opponent little.
+//! Strokes that do not aim for a pocket: they break the pack, open a cluster or leave the opponent
+//! a difficult position.
 
 use std::ops::Range;
 

@@ -1,7 +1,7 @@
 //! Finds by geometry alone which strokes are worth simulating.
 //!
 //! A shot is built backwards from its end. A [`PocketPath`] describes how a coin must move to reach
-//! a pocket: straight, off a cushion, or to drive another coin that has a course. A
+//! a pocket: straight, off a cushion, or by driving another coin that has a course. A
 //! [`ProposedStroke`] describes how the striker must move to give a coin its course: straight or
 //! off a cushion. Each link requires a speed of the link before it and uses up a share of the
 //! remaining tolerance.
