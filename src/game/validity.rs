@@ -16,7 +16,7 @@ pub enum GameError {
     #[error("the match is over; start a new one")]
     MatchOver,
     /// Coins may be placed freely only in practice.
-    #[error("coins may be laid out freely only in practice")]
+    #[error("coins may be placed freely only in practice")]
     NotInPractice,
     /// There are more coins than a set holds.
     #[error("there are {found} pieces of this kind ({piece}) on the board, and a set has {most}")]

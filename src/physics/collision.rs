@@ -48,7 +48,7 @@ pub struct Collision {
     pub bond: Bond,
 }
 
-/// How the two met.
+/// How the two discs met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Meeting {
     /// They pass without touching, or never approach each other.
@@ -62,7 +62,7 @@ pub(crate) enum Meeting {
 /// The outcome of a [`Collision`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CollisionOutcome {
-    /// How the two met.
+    /// How the two discs met.
     pub(crate) meeting: Meeting,
     /// Line of impact n, the unit vector from centre 1 to centre 2 at contact;
     /// `None` for a miss.

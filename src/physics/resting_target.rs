@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_masses_share_as_sine_and_cosine() {
+    fn equal_masses_share_energy_as_squared_sine_and_cosine() {
         let p = pair(15.0, 15.0, 1.0);
         for alpha in alphas() {
             close(p.theta1(alpha).unwrap(), FRAC_PI_2 - alpha, 1e-14);

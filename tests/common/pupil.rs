@@ -101,7 +101,7 @@ impl Pupil {
         sent.map_err(|error| io::Error::other(error.to_string()))
     }
 
-    /// Waits for the next message from the host.
+    /// Receives the next message from the host, which becomes the state.
     pub(crate) fn hear(&mut self) -> io::Result<()> {
         loop {
             match self.socket.read() {

@@ -37,7 +37,7 @@ fn covering(case: &Case) -> Verdict {
         (own, true) => Verdict::continues(
             Law::clause(74, 'a'),
             format!(
-                "The striker fell along with the cover, so {} and one due come out, and {player}'s \
+                "The striker fell along with the cover, so {} and one due are put back, and {player}'s \
                  next stroke must cover the queen.",
                 coins(own, player)
             ),

@@ -221,7 +221,7 @@ pub(super) fn odds(chance: Chance) -> Option<String> {
             all if all == of => format!("all {of} tries"),
             some => format!("{some} of {of} tries"),
         };
-        format!("I imagined it with an unsteady hand: {worked} worked.")
+        format!("When I imagined playing it with an unsteady hand, {worked} worked.")
     })
 }
 
