@@ -200,7 +200,7 @@ impl CollisionSpec {
         let most = Self::WIDEST * self.contact_distance_mm();
         match self.point {
             ImpactPoint::Offset { offset_mm } if offset_mm.abs() > most => Err(format!(
-                "offset_mm: expected at most {most} mm, {} times r₁ + r₂, found {offset_mm}",
+                "offset_mm: expected at most {most} mm, {} times the sum of the radii, found {offset_mm}",
                 Self::WIDEST
             )),
             _ => Ok(()),

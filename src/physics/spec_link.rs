@@ -125,7 +125,7 @@ mod tests {
             ),
             (
                 "b:40",
-                "offset_mm: expected at most 37.5 mm, 1.25 times r₁ + r₂, found 40",
+                "offset_mm: expected at most 37.5 mm, 1.25 times the sum of the radii, found 40",
             ),
             (
                 "b:1,alpha:3",
