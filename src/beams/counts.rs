@@ -1,4 +1,4 @@
-//! Counts by angle.
+//! The counts of a beam by scattering angle.
 
 use std::f64::consts::PI;
 
@@ -10,7 +10,7 @@ pub const BINS: usize = 36;
 /// Width of a bin in radians: 5°.
 pub const BIN_WIDTH: f64 = PI / BINS as f64;
 
-/// What a count refers to.
+/// The unit of a count: particles per steradian or per ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CountedFor {
     /// A steradian of solid angle: the count of a small screen that is moved around the target, as
@@ -22,7 +22,7 @@ pub enum CountedFor {
 }
 
 impl CountedFor {
-    /// The other one.
+    /// The other unit.
     #[must_use]
     pub fn other(self) -> Self {
         match self {

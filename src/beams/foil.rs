@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::BeamTarget;
 use crate::physics::rutherford::{ALPHA_CHARGE, GOLD_CHARGE, GOLD_DENSITY, Rutherford};
 
-/// A metal.
+/// A metal for foils.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Metal {
     /// Its name.
@@ -14,12 +14,12 @@ pub struct Metal {
     pub charge: f64,
     /// Mass number A, that of the standard atomic mass, rounded.
     pub(crate) mass_number: f64,
-    /// Atoms in a cubic metre.
+    /// Number of atoms per cubic metre.
     pub(crate) density: f64,
 }
 
-/// Metals from heavy to light. Atoms in a cubic metre from mass density and atomic mass
-/// (CRC Handbook of Chemistry and Physics): gold 19.3 g/cm³ and 196.97 u, and so on.
+/// Metals from heavy to light. The numbers of atoms per cubic metre follow from mass densities and
+/// atomic masses, such as 19.3 g/cm³ and 196.97 u for gold (CRC Handbook of Chemistry and Physics).
 pub const METALS: [Metal; 5] = [
     metal("gold", GOLD_CHARGE, 197.0, GOLD_DENSITY),
     metal("platinum", 78.0, 195.0, 6.62e28),
@@ -40,7 +40,7 @@ const fn metal(name: &'static str, charge: f64, mass_number: f64, density: f64) 
 /// A foil.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Foil {
-    /// What it is made of.
+    /// The metal that it is made of.
     pub metal: Metal,
     /// Its thickness in metres, above 0.
     pub thickness: f64,

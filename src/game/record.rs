@@ -1,5 +1,4 @@
-//! A game move by move: enough to play it again, bit for bit, through engine and
-//! laws.
+//! A game move by move, from which the engine and the laws can replay it bit for bit.
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -26,13 +25,13 @@ pub struct Record {
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]
 pub enum Move {
-    /// Strikes.
+    /// Plays a stroke.
     Strike(Strike),
-    /// Passes, because coins block every position of the striker.
+    /// Passes the turn, because coins block every position of the striker.
     NoPlace,
     /// Lays the pack for the next board.
     NextBoard,
-    /// Lays the coins out anew, in practice.
+    /// Places the coins as given, in practice.
     LayOut(Vec<Coin>),
 }
 
@@ -40,7 +39,7 @@ pub enum Move {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Strike {
-    /// Where it stood, in metres from the centre of the board.
+    /// Its position, in metres from the centre of the board.
     #[serde(rename = "place_m", with = "metres")]
     pub place: DVec2,
     /// Its velocity in m/s.
@@ -53,7 +52,7 @@ pub struct Strike {
 
 /// The predicted directions after the first impact, in degrees from the striker's direction, with
 /// the signs of physics: the striker's positive anticlockwise, the coin's positive clockwise.
-/// `None` is a disc that stays still.
+/// `None` means that the disc stays at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Call {
@@ -68,7 +67,7 @@ pub struct Call {
 /// Why a move cannot be made.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum MoveError {
-    /// The striker may not stand there.
+    /// The striker must not be placed there.
     #[error(transparent)]
     Place(#[from] Misplaced),
     /// The engine cannot play it.
@@ -81,17 +80,17 @@ pub enum MoveError {
     #[error(transparent)]
     Game(#[from] GameError),
     /// There is a legal position for the striker.
-    #[error("there is a place for the striker on the base lines")]
+    #[error("there is a legal position for the striker on the base lines")]
     RoomLeft,
 }
 
-/// Why a record cannot be played: one of its moves cannot be made.
+/// Why a record cannot be played: a move is impossible.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error("move {number}: {error}")]
 pub struct RecordError {
-    /// Which, from 1.
+    /// The number of the move, from 1.
     pub number: usize,
-    /// Why not.
+    /// The reason.
     #[source]
     pub error: MoveError,
 }
@@ -107,7 +106,7 @@ impl Record {
         Self { setup, moves }
     }
 
-    /// What was agreed before the first break.
+    /// The settings that were agreed before the first break.
     pub const fn setup(&self) -> &GameSetup {
         &self.setup
     }
@@ -117,7 +116,7 @@ impl Record {
         &self.moves
     }
 
-    /// How many of them are strokes.
+    /// The number of moves that are strokes.
     pub fn strokes(&self) -> usize {
         let strokes = self.moves.iter();
         strokes
@@ -125,7 +124,7 @@ impl Record {
             .count()
     }
 
-    /// Adds a move. Whether it is possible shows when it is [made](Move::make).
+    /// Adds a move. It is checked when it is [made](Move::make).
     pub fn push(&mut self, made: Move) {
         self.moves.push(made);
     }
@@ -135,7 +134,7 @@ impl Record {
         self.moves.pop()
     }
 
-    /// Plays the whole record and gives the game it leads to.
+    /// Plays the whole record and returns the resulting game.
     ///
     /// # Errors
     /// Its first fault.
@@ -143,8 +142,8 @@ impl Record {
         self.play_through(|_, _, _, _| {})
     }
 
-    /// Plays the whole record and reports each move on the way: the game before it, the move, its
-    /// shot if it was a stroke, what the referee announced.
+    /// Plays the whole record and reports each move: the game before it, the move, its shot if it
+    /// was a stroke, and the referee's rulings.
     ///
     /// # Errors
     /// Its first fault.
@@ -166,8 +165,7 @@ impl Record {
 }
 
 impl Move {
-    /// Makes the move: gives the shot, if it was a stroke, and what the referee
-    /// announces.
+    /// Makes the move and returns the shot, if it was a stroke, and the referee's rulings.
     ///
     /// # Errors
     /// Why it cannot be made; the game is then unchanged.
@@ -193,10 +191,10 @@ impl Move {
 }
 
 impl Strike {
-    /// The shot of this stroke on the present board.
+    /// The shot of this stroke on the current board.
     ///
     /// # Errors
-    /// If the striker may not stand there or the engine cannot play it.
+    /// If the striker must not be placed there or the engine cannot play it.
     pub fn shot(&self, game: &Game) -> Result<Shot, MoveError> {
         game.check_place(self.place)?;
         let (discs, motions) = game.discs(Motion::new(self.place, self.velocity));
@@ -217,7 +215,7 @@ mod tests {
     use super::super::{Fingerprint, Hands, Rules};
     use super::*;
 
-    /// Hard random strokes from legal places, next boards included.
+    /// A record of hard random strokes from legal positions, continued on the next boards.
     fn played(setup: GameSetup, strokes: usize, seed: u64) -> (Record, Game) {
         let mut hand = Pcg64::seed_from_u64(seed);
         let mut record = Record::new(setup);
@@ -264,7 +262,7 @@ mod tests {
             let (record, game) = played(setup, 60, seed);
             assert!(record.moves().len() > 20);
             assert_eq!(record.replay().unwrap(), game);
-            // Equal may hide a negative zero; the fingerprint shows every bit.
+            // Equality ignores the sign of zero; the fingerprint includes every bit.
             let again = record.replay().unwrap();
             assert_eq!(Fingerprint::of(&again), Fingerprint::of(&game));
         }

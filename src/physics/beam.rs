@@ -1,11 +1,11 @@
 //! Many shots at once: the share of a uniform beam that is scattered by more than an angle.
 //!
 //! Offsets spread evenly over a *line*, as on a board, and evenly over a *disc*, as in space, give
-//! different counts by the same law of scattering.
+//! different counts under the same scattering law.
 
 use std::f64::consts::PI;
 
-/// How the offsets of a beam are spread.
+/// The distribution of the offsets of a beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Beam {
     /// Evenly over a line: discs on a board.
@@ -44,14 +44,14 @@ mod tests {
     use crate::physics::{Collision, Disc, Frame};
     use glam::DVec2;
 
-    /// The share turned by more than `cm_angle` in the centre-of-mass frame, where at
-    /// e = 1 every pair of masses is turned by 180° − 2α: cos(Θ/2) on a board, cos²(Θ/2)
-    /// in space.
+    /// The share scattered by more than `cm_angle` in the centre-of-mass frame, where at e = 1 the
+    /// scattering angle is 180° − 2α for every pair of masses: cos(Θ/2) on a board, cos²(Θ/2) in
+    /// space.
     fn cm_share_beyond(beam: Beam, cm_angle: f64) -> f64 {
         beam.share_beyond(cm_angle / 2.0)
     }
 
-    /// Counts a beam of evenly spread offsets through the collisions themselves.
+    /// The share of a beam of evenly spread offsets, counted collision by collision.
     fn counted(beam: Beam, scattered: impl Fn(&Collision) -> f64, beyond: f64) -> f64 {
         const SHOTS: u32 = 20_000;
         let disc = Disc::from_g_mm(15.0, 15.9);
@@ -68,7 +68,7 @@ mod tests {
     }
 
     #[test]
-    fn the_shares_are_those_of_counted_shots() {
+    fn the_formulas_agree_with_counted_shots() {
         let lab = |c: &Collision| c.outcome().theta1.unwrap_or(0.0);
         let cm = |c: &Collision| Frame::CentreOfMass.view(c).outcome().theta1.unwrap_or(0.0);
         for beam in [Beam::Board, Beam::Space] {

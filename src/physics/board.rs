@@ -55,8 +55,8 @@ impl Board {
         0.5 * self.pocket_diameter
     }
 
-    /// The centres of the pockets: lower left, lower right, upper left, upper right; none
-    /// if it has no pockets.
+    /// The centres of the pockets: lower left, lower right, upper left, upper right; none if the
+    /// board has no pockets.
     #[inline]
     pub fn pockets(&self) -> impl Iterator<Item = DVec2> + use<> {
         let reach = 0.5 * (self.side - self.pocket_diameter);

@@ -10,8 +10,8 @@ use super::impact::reduced_mass;
 /// The rotation of a pair that sticks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Capture {
-    /// Angular velocity ω in rad/s, positive clockwise for a positive offset, as
-    /// the recoil angle is.
+    /// Angular velocity ω in rad/s, positive clockwise like the recoil angle: a positive offset
+    /// gives a positive ω.
     pub(crate) spin: f64,
     /// Energy of that rotation, ½ I ω², in joules.
     pub(crate) rotation_energy: f64,
@@ -49,7 +49,7 @@ pub(crate) fn moment_of_inertia(disc1: Disc, disc2: Disc) -> f64 {
 mod tests {
     use super::*;
 
-    /// Steiner's theorem about the actual centre of mass, an independent sum.
+    /// An independent calculation: the parallel axis theorem about the actual centre of mass.
     #[test]
     fn inertia_is_that_of_two_discs_about_their_centre_of_mass() {
         let (a, b) = (Disc::from_g_mm(15.0, 20.65), Disc::from_g_mm(5.5, 15.9));
@@ -60,8 +60,8 @@ mod tests {
         assert!((moment_of_inertia(a, b) - steiner).abs() < 1e-12 * steiner);
     }
 
-    /// Two equal discs of 10 g and 10 mm, offset 10 mm, 3 m/s: by hand
-    /// μ = 5 g, I = 1 + 4·... = 3·10⁻⁶ kg·m², ω = 0.005·0.01·3 / 3·10⁻⁶ = 50 rad/s.
+    /// Two equal discs of 10 g and 10 mm, offset 10 mm, 3 m/s, by hand: μ = 5 g, I = 500 + 500 + 5
+    /// · 400 = 3000 g mm² = 3·10⁻⁶ kg·m², so ω = 0.005 · 0.01 · 3 / (3·10⁻⁶) = 50 rad/s.
     #[test]
     fn a_case_by_hand() {
         let disc = Disc::from_g_mm(10.0, 10.0);
@@ -73,7 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn head_on_nothing_turns() {
+    fn a_head_on_collision_causes_no_rotation() {
         let disc = Disc::from_g_mm(15.0, 15.0);
         assert!(capture(disc, disc, 0.0, 4.0).spin.abs() < f64::MIN_POSITIVE);
     }

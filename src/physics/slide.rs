@@ -29,7 +29,7 @@ pub(crate) fn stopping_distance(speed: f64, deceleration: f64) -> f64 {
     }
 }
 
-/// The fraction of its speed that a disc loses per second at first, a/v; 0 for one at rest.
+/// The fraction of its speed that a disc loses per second initially, a/v; 0 for one at rest.
 #[inline]
 pub(super) fn relative_deceleration(speed: f64, deceleration: f64) -> f64 {
     if speed > 0.0 {
@@ -117,12 +117,12 @@ mod tests {
     }
 
     #[test]
-    fn the_forms_agree_with_one_another() {
+    fn the_closed_forms_agree() {
         for v in [1e-3, 0.5, 2.5, 4.0] {
             close(stopping_distance(v, A), 0.5 * v * stopping_time(v, A));
             for part in [0.0, 1e-9, 0.3, 0.75, 0.999_999] {
                 let s = part * stopping_distance(v, A);
-                let t = slowed(s / v, A / v).expect("it gets there");
+                let t = slowed(s / v, A / v).expect("the disc gets there");
                 close(v * t - 0.5 * A * t * t, s);
                 close((v * v - 2.0 * A * s).sqrt(), v - A * t);
             }

@@ -1,10 +1,10 @@
-//! Laws that are seldom met, each reached in a whole game by a file under
-//! `tests/saves/laws`: `carrom replay FILE` shows it.
+//! Laws that rarely apply, each reached in a whole game of a file in `tests/saves/laws`, which
+//! `carrom replay FILE` shows.
 
 use carrom::game::{BoardWon, Game, RulingEffect, SavedGame, Team};
 
-/// The games before and after the last move of a file, the laws that the referee named at
-/// it, and how the board ended.
+/// The games before and after the last move of a file, the laws that the referee cited for it, and
+/// the end of the board.
 fn end_of(name: &str, bytes: &[u8]) -> (Game, Game, Vec<String>, BoardWon) {
     let (saved, after) = SavedGame::read(name, bytes).unwrap();
     let mut last = None;

@@ -1,5 +1,5 @@
-//! Practice: no turns, no dues, no cover. Fallen pieces stay down, and play goes on until the board
-//! is empty.
+//! Practice: no turns, no dues, no cover. Fallen pieces stay down, and play continues until the
+//! board is empty.
 
 use super::case::{Case, QueenBefore, QueenFate, Verdict};
 

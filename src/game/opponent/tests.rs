@@ -1,4 +1,4 @@
-//! The opponent as a whole: any position, any strength, any seed.
+//! Tests of the whole opponent for any position, strength and seed.
 
 use glam::DVec2;
 use rand::{RngExt, SeedableRng};
@@ -74,7 +74,7 @@ fn every_decision_is_a_legal_stroke() {
 }
 
 #[test]
-fn the_same_seed_gives_the_same_decision_and_another_another() {
+fn the_same_seed_gives_the_same_decision_and_another_seed_a_different_one() {
     let game = scattered(1);
     for strength in Strength::ALL {
         let decide = |seed| think(&game, strength, seed).unwrap();
@@ -85,7 +85,7 @@ fn the_same_seed_gives_the_same_decision_and_another_another() {
 }
 
 #[test]
-fn it_breaks_the_pack() {
+fn the_opponent_breaks_the_pack() {
     for strength in Strength::ALL {
         let mut game = Game::new(GameSetup::default());
         let decision = think(&game, strength, 2).unwrap();
@@ -96,7 +96,7 @@ fn it_breaks_the_pack() {
 }
 
 #[test]
-fn a_coin_before_a_pocket_is_seen_by_all() {
+fn every_strength_sees_a_coin_in_front_of_a_pocket() {
     let mut game = scattered(0);
     game.play.coins = vec![
         coin(Piece::White, 290.0, 290.0),
@@ -118,7 +118,7 @@ fn a_coin_before_a_pocket_is_seen_by_all() {
     assert_eq!((won.winner, won.points), (Team::First, 4), "the hint works");
 }
 
-/// A player who follows a hint by keys strikes exactly that stroke, without a foul.
+/// A player who sets a hint with the keys plays exactly that stroke, without a foul.
 #[test]
 fn a_hint_can_be_set_and_keeps_the_striker_on_the_board() {
     let board = Board::default();
@@ -145,7 +145,7 @@ fn a_hint_can_be_set_and_keeps_the_striker_on_the_board() {
 }
 
 #[test]
-fn there_is_a_stroke_in_a_hopeless_position_and_none_without_a_place() {
+fn a_hopeless_position_has_a_stroke_and_a_blocked_base_line_has_none() {
     let mut game = scattered(0);
     // Own coins walled in behind a row of the opponent's.
     let row = |i: i32| coin(Piece::Black, f64::from(i) * 32.0, -180.0);
@@ -166,12 +166,12 @@ fn there_is_a_stroke_in_a_hopeless_position_and_none_without_a_place() {
     empty.play.coins.clear();
     assert!(
         think(&empty, Strength::Champion, 1).is_some(),
-        "in practice one may strike at nothing"
+        "in practice a stroke may hit nothing"
     );
 }
 
 #[test]
-fn a_finished_board_asks_for_no_stroke() {
+fn a_finished_board_has_no_stroke() {
     let mut game = scattered(0);
     game.play.won = Some(crate::game::BoardWon {
         winner: Team::First,
@@ -196,7 +196,7 @@ fn the_last_coin_is_not_taken_before_the_queen() {
     }
 }
 
-/// A stroke to the last bit.
+/// A hash of all bits of a stroke.
 fn bits(stroke: Motion) -> u64 {
     let (at, way) = (stroke.position, stroke.velocity);
     let numbers = [at.x, at.y, way.x, way.y].into_iter();
@@ -208,7 +208,7 @@ fn bits(stroke: Motion) -> u64 {
 /// The search may get faster, but its results never change: the stroke of each strength, and the
 /// hint, after this many strokes of club players.
 #[test]
-fn decisions_stay_as_they_were_to_the_last_bit() {
+fn decisions_do_not_change_by_a_single_bit() {
     use Hands::{Four, Two};
     use PieceSet::{EqualMass, Tournament};
     #[rustfmt::skip]

@@ -1,4 +1,4 @@
-//! A moving disc and its present slide.
+//! A moving disc and its current slide.
 
 use glam::DVec2;
 
@@ -7,14 +7,14 @@ use super::super::{Disc, Motion};
 
 /// The engine's state of a disc.
 ///
-/// It stores the start of the present slide, which is never stepped: only an event of the
-/// disc's own gives it a new start.
+/// It stores the start of the current slide, which only an event of this disc changes: there are no
+/// time steps.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Body {
     /// The start of its slide.
     pub(super) start: Motion,
     pub(super) acceleration: DVec2,
-    /// When its slide began.
+    /// When its slide began, in seconds.
     pub(super) since: f64,
     pub(super) radius: f64,
     pub(super) mass: f64,
@@ -48,7 +48,7 @@ impl Body {
         self.version = self.version.wrapping_add(1);
     }
 
-    /// Its motion at a time up to its stop.
+    /// Its motion at a time, which must not be later than its stop.
     #[inline(always)]
     pub(super) fn at(&self, time: f64) -> Motion {
         parabola(self.start, self.acceleration, time - self.since)

@@ -96,8 +96,8 @@ fn after(mut table: Table, boards: &[(Team, u8)]) -> Table {
     table
 }
 
-/// The seventh board, won by South by 4 after these six, and the eighth, won by
-/// North by 12 with all nine coins and the queen in one stroke.
+/// After these six boards, South wins the seventh by 4, and North wins the eighth by 12 with all
+/// nine coins and the queen in one stroke.
 fn eighth_board(six: &[(Team, u8)]) -> (Table, Vec<Ruling>) {
     let mut game = after(table(1, 4, Queen::Black), six);
     expect_end(&game.pocket(&[OWN]), "25a", White, 4);
@@ -155,8 +155,8 @@ fn law_30_the_match_ends_with_the_second_game() {
     assert_eq!(game.0.no_place(), Err(StrokeError::Ended));
 }
 
-/// Asserts the end of the board at scores where the queen counts and where she
-/// does not: (law, winner, points below 22, points from 22 on).
+/// Asserts how the board ends at scores at which the queen brings points and at which she does not:
+/// (law, winner, points below 22, points from 22 on).
 #[track_caller]
 fn ends(
     lay: impl Fn() -> Table,

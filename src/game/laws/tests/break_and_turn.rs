@@ -10,7 +10,7 @@ fn unbroken() -> Table {
     Table(Game::new(GameSetup::default()))
 }
 
-/// Everything white and the queen in one stroke: the breaker wins the board.
+/// Pockets all white coins and the queen in one stroke: the breaker wins the board.
 fn clear_white(table: &mut Table) {
     let mut all = vec![Piece::White; 9];
     all.push(Piece::Queen);
@@ -139,7 +139,7 @@ fn law_22a_the_break_alternates_in_a_game_and_each_game_begins_with_the_other() 
 }
 
 #[test]
-fn law_22b_in_doubles_turn_and_break_go_round_to_the_right() {
+fn law_22b_in_doubles_turn_and_break_pass_to_the_right() {
     let mut table = Table(Game::new(GameSetup {
         hands: Hands::Four,
         first_breaker: Seat::East,
@@ -177,7 +177,7 @@ fn in_doubles_partners_share_coins_dues_and_the_queen() {
 }
 
 #[test]
-fn a_stroke_that_cannot_be_changes_nothing() {
+fn an_impossible_stroke_changes_nothing() {
     let mut table = table(5, 5, Queen::OnBoard);
     let before = table.0.clone();
     let mut bad = stroke(table.0.coins(), true, &[Piece::White]);
@@ -191,7 +191,7 @@ fn a_stroke_that_cannot_be_changes_nothing() {
 }
 
 #[test]
-fn keeping_the_old_value_is_undo() {
+fn keeping_the_previous_game_allows_undo() {
     let mut table = table(5, 5, Queen::OnBoard);
     let before = table.0.clone();
     table.pocket(&[Piece::White]);

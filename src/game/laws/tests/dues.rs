@@ -20,7 +20,7 @@ fn law_45a_the_striker_alone_costs_one_coin_and_the_turn() {
 }
 
 #[test]
-fn law_45b_a_due_waits_until_a_coin_is_there_to_pay_it() {
+fn law_45b_a_due_waits_until_a_pocketed_coin_can_pay_it() {
     let mut table = table(9, 9, Queen::OnBoard);
     let rulings = table.pocket(&[Striker]);
     expect(&table, &rulings, "45a", &[], false);
@@ -76,7 +76,7 @@ fn law_48_the_striker_with_both_brings_own_coins_and_a_due_back_and_keeps_the_tu
 }
 
 #[test]
-fn law_51a_a_due_is_paid_by_the_first_coin_pocketed_and_the_turn_goes_on() {
+fn law_51a_a_due_is_paid_by_the_first_coin_pocketed_and_the_turn_continues() {
     let mut table = table(9, 9, Queen::OnBoard).white_owes(2);
     let rulings = table.pocket(&[White]);
     expect(&table, &rulings, "21", &[White], true);

@@ -185,7 +185,7 @@ fn law_74a_covered_by_that_stroke_she_stays() {
 }
 
 #[test]
-fn once_covered_the_queen_is_out_of_the_play() {
+fn a_covered_queen_is_out_of_play() {
     let mut table = table(5, 5, Queen::Black);
     let rulings = table.pocket(&[Striker]);
     expect(&table, &rulings, "45a", &[White], false);
