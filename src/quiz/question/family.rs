@@ -6,7 +6,7 @@ use strum::{EnumString, IntoStaticStr, VariantArray};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumString, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Family {
-    /// Where will the two go, whatever the pieces and the loss?
+    /// Where will the two discs go, for any pieces and any loss?
     WhereTo,
     /// Both rays from the impact angle, equal masses.
     FromAngle,
@@ -26,7 +26,7 @@ pub enum Family {
     Restitution,
     /// The greatest deflection of a striker.
     LargestDeflection,
-    /// A mass from what is seen after the collision.
+    /// A mass, calculated from what can be seen after the collision.
     Weigh,
     /// Smooth rims with e = 0, compared with rims that stick: how the two move on.
     SlipOrStick,
@@ -40,7 +40,8 @@ pub enum Family {
     MakeItSo,
     /// The questions in words, one idea each.
     Concept,
-    /// Those that were written after the codes of [`Concept`](Self::Concept) were fixed.
+    /// Questions in words that were written after the codes of [`Concept`](Self::Concept) were
+    /// fixed.
     Ideas,
 }
 
