@@ -2,13 +2,13 @@
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question, Topic};
 
-/// How many draws are tried before a topic is sought at another difficulty or in another family:
+/// How many draws are tried for a topic before another difficulty or another family is tried:
 /// enough for the rarest topic.
 const DRAWS: usize = 200;
 
 /// A question about each of these topics, from these families of theirs, shuffled, easy ones first
-/// as far as possible. If it can be avoided no family comes twice in a row, because returning to an
-/// idea works best after something else. A topic without questions is left out.
+/// as far as possible. No family comes twice in a row if that can be avoided, because returning to
+/// an idea works best after something else. A topic without questions is left out.
 pub(super) fn questions(
     topics: &[Topic],
     families: fn(&Topic) -> Vec<Family>,
@@ -63,7 +63,7 @@ mod tests {
     use super::*;
     use crate::quiz::concepts;
 
-    /// Every topic that there is.
+    /// All topics.
     fn all() -> Vec<Topic> {
         let asked = |seed| {
             let mut dice = Dice::new(seed);
@@ -102,7 +102,7 @@ mod tests {
         }
         let all = ["from-angle", "speeds", "unequal-masses", "where-to"];
         assert_eq!(met.into_iter().collect::<Vec<_>>(), all);
-        // What is alone is asked all the same, and what is unknown is not.
+        // A topic with only one family is asked about all the same; an unknown topic is left out.
         let same = ["striker-speed", "target-speed", "a-chapter"].map(Topic::with_id);
         assert_eq!(
             questions(&same, Topic::families, &mut Dice::new(7)).len(),
