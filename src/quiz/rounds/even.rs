@@ -17,9 +17,9 @@ const ENOUGH: [u32; 2] = [16, 3];
 const PREFERRED: u32 = 8;
 
 /// What a question can show, and how strongly: about the logarithm, to base 3, of how much more
-/// likely a fit is than by guessing. Whole numbers, so that no choice depends on the last digit. An
-/// answer that has to be calculated to less than half of the largest tolerance is given too rarely
-/// to be included.
+/// likely a fit is than by guessing. Whole numbers are used, so that no choice depends on the last
+/// digit. An answer that has to be calculated to less than half of the largest tolerance is given
+/// too rarely to be included.
 fn shown(question: &Question) -> impl Iterator<Item = (Misconception, u32)> {
     let strength = match question.form {
         Form::Rays { .. } => 4,
