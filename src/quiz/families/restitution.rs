@@ -59,7 +59,7 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
         .chooses(HeavyRebounds, place(2))
         .says(
             "You made the striker heavier. But with a loss even an equal striker moves on along \
-             the line of impact, and a heavier one moves on faster.",
+             the line of impact.",
         )
         .chooses(LossForbidsSquare, place(3))
         .says("You assumed that a loss rules out the right angle. It only requires other masses.")

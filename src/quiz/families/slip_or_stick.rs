@@ -280,8 +280,8 @@ fn loss(hit: &Hit) -> Option<Question> {
         )
         .wrong(GripStopsAll, 100.0 * (1.0 - share))
         .says(
-            "You assumed that they move on together. But smooth rims do not stop the motion \
-               perpendicular to the line of impact.",
+            "You assumed that they move on together. But smooth rims do not stop the \
+               perpendicular motion.",
         )
         .wrong(MomentumLost, 100.0 * at_stake)
         .says(
