@@ -67,7 +67,7 @@ impl Concept {
         faults
     }
 
-    /// How the right choice is given away by its length alone.
+    /// A message if the right choice is given away by its length alone.
     fn stands_out(&self) -> Option<String> {
         let (by, factor) = STANDING_OUT;
         let [right, least, most] = self.letters();

@@ -118,7 +118,7 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
     let name = hit.pieces.target_name();
     let [m1, m2] = hit.masses_g();
     let (u1, u2) = (hit.speed, target_speed.unwrap_or(0.0));
-    // In the same direction the striker has to catch up.
+    // If both move in the same direction, the striker has to catch up.
     if u2 >= u1 {
         return None;
     }

@@ -57,7 +57,7 @@ impl Outline {
         Self::with_text(hit, hit.setting(), picture)
     }
 
-    /// A question about a hit with its own setting and picture.
+    /// A question about a hit, with this setting and picture.
     pub(super) fn with_text(hit: &Hit, text: impl Into<String>, picture: Illustration) -> Self {
         let mut draft = Self::new(text, picture);
         draft.question.figures = figures(hit);

@@ -14,7 +14,7 @@ const FOILS: [(&str, f64); 4] = [
 /// Two angles in degrees, and the count at the first divided by the count at the second.
 const WHOLE: [(u32, u32, u32); 4] = [(60, 180, 16), (60, 120, 9), (60, 90, 4), (90, 180, 4)];
 
-/// A foil and the α-particles thrown at it.
+/// A foil and the α-particles that hit it.
 struct FoilBeam {
     foil: &'static str,
     charge: f64,
@@ -120,7 +120,7 @@ fn whole_ratio(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         .why(why(near_deg, far_deg, significant))
 }
 
-/// The right ratio and the wrong ones.
+/// Adds the right ratio and the wrong ones.
 fn wrong_ratios(draft: Outline, from_deg: f64, to_deg: f64, by_energy: f64) -> Outline {
     // At 180° the sine of the whole angle is 0, except for rounding.
     let whole = (to_deg < 175.0).then(|| times_as_many(2.0 * from_deg, 2.0 * to_deg));

@@ -214,8 +214,8 @@ mod tests {
         assert_eq!(named(&clues), [copied]);
     }
 
-    /// Therefore the chance that a misconception is ever named for somebody who guesses is at most
-    /// one over the odds (Ville's inequality).
+    /// This is why the chance that a misconception is ever named for somebody who guesses is at
+    /// most one over the odds (Ville's inequality).
     #[test]
     fn the_expected_ratio_of_a_guess_is_one() {
         for by_chance in [0.01, 0.08, 0.2, 1.0 / 3.0, 0.5] {
@@ -226,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn one_question_names_nothing_however_often_it_is_answered() {
+    fn one_question_names_no_misconception_however_often_it_is_answered() {
         let clues = vec![clue(1, Some(CopiedAngle), 0.01); 4];
         assert!(Evidence::of(CopiedAngle, &clues).weight > 10.0);
         assert_eq!(named(&clues), []);

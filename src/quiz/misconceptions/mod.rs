@@ -40,7 +40,7 @@ mod tests {
 
     /// The predictions of each misconception, calculated by hand.
     #[test]
-    fn predictions_in_degrees() {
+    fn predictions_agree_with_a_calculation_by_hand() {
         let still = f64::NAN;
         let angle = |alpha_deg| ImpactPoint::Angle { alpha_deg };
         let equal = hit(Pieces::Equal, angle(30.0), 1.0);

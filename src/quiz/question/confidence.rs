@@ -60,10 +60,10 @@ impl Confidence {
     /// | think so | −2 | 9 |
     /// | sure | −6 | 10 |
     ///
-    /// and linear in between. The lines cross at a credit of 0.5 (guess and think so) and 0.8
-    /// (think so and sure), so "guess" earns the most for an expected credit below a half, and
-    /// "sure" only above four fifths: honesty earns the most points. This is the idea of
-    /// certainty-based marking (A. R. Gardner-Medwin, 1995) with other numbers.
+    /// Between these credits the points are linear. The lines cross at a credit of 0.5 (guess and
+    /// think so) and 0.8 (think so and sure), so "guess" earns the most for an expected credit
+    /// below a half, and "sure" only above four fifths: honesty earns the most points. This is the
+    /// idea of certainty-based marking (A. R. Gardner-Medwin, 1995) with other numbers.
     pub fn points(self, credit: f64) -> f64 {
         let (worst, best) = match self {
             Self::Guess => (0.0, 7.0),

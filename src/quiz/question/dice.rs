@@ -64,13 +64,13 @@ mod tests {
     }
 
     #[test]
-    fn choices_are_in_range_and_even() {
+    fn choices_are_in_range_and_equally_likely() {
         let mut dice = Dice::new(1);
         let mut counts = [0; 6];
         for _ in 0..60_000 {
             counts[dice.below(6) as usize] += 1;
         }
-        // Five standard deviations about 10,000.
+        // Five standard deviations on either side of 10,000.
         assert!(
             counts.iter().all(|n| (9_540..10_460).contains(n)),
             "{counts:?}"

@@ -16,13 +16,13 @@ pub enum Family {
     FromPicture,
     /// Both rays with unequal masses.
     UnequalMasses,
-    /// How fast each one leaves.
+    /// The final speed of each disc.
     Speeds,
     /// The angle between the paths.
     Separation,
     /// What share of the energy each disc has after the collision.
     EnergyShare,
-    /// What the coefficient of restitution does, and what it is.
+    /// The effects of the coefficient of restitution, and its value.
     Restitution,
     /// The greatest deflection of a striker.
     LargestDeflection,
@@ -30,7 +30,7 @@ pub enum Family {
     Weigh,
     /// Smooth rims with e = 0, compared with rims that stick: how the two move on.
     SlipOrStick,
-    /// Two equal discs that both move: in which frame is it 90°?
+    /// Two equal discs that both move: in which frame is the angle between their paths 90°?
     BothMoving,
     /// The speed of the centre-of-mass frame, and the scattering angle Θ in it.
     CentreOfMass,

@@ -93,7 +93,7 @@ pub struct Grade {
     /// The error of the angle in radians, for two rays the larger one; `None` if there was no
     /// angle.
     pub angle_error: Option<f64>,
-    /// Each of the two rays, if the question asked for rays.
+    /// The grades of the two rays, if the question asked for rays.
     pub rays: Option<RaysGrade>,
     /// How sure the player was.
     pub confidence: Confidence,
@@ -124,7 +124,7 @@ impl Form {
         self.distance(said, &self.truth()) <= 1.0
     }
 
-    /// Each of the two rays, if the question asks for rays.
+    /// The grades of the two rays, if the question asks for rays.
     pub(crate) fn rays_grade(&self, said: &Response) -> Option<RaysGrade> {
         match (self, said) {
             (Self::Rays { truth, .. }, Response::Rays(said)) => Some(RaysGrade::new(said, truth)),

@@ -37,7 +37,7 @@ pub enum Illustration {
 pub struct Markings {
     /// The impact parameter, between the two centre lines.
     pub offset: bool,
-    /// The line of impact where the two will meet, and α.
+    /// The line of impact where the two discs will meet, and α.
     pub angle: bool,
     /// Numbers: speeds, and the values of the marked geometry. Without them the picture alone gives
     /// the information.

@@ -224,7 +224,7 @@ mod tests {
         }
     }
 
-    /// Therefore an answer that fits the truth or a misconception fits no other answer, if the
+    /// This is why an answer that fits the truth or a misconception fits no other answer, if the
     /// answers are far enough apart.
     #[test]
     fn the_distance_is_never_less_than_the_spacing() {

@@ -20,7 +20,7 @@ pub struct Question {
     pub family: Family,
     /// How hard it is.
     pub difficulty: Difficulty,
-    /// What it is about: "equal masses, by offset".
+    /// Its topic: "equal masses, by offset".
     pub topic: Topic,
     /// The question in words.
     pub text: String,

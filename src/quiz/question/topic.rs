@@ -77,7 +77,7 @@ impl Topic {
         families.split(' ').filter_map(Family::with_id).collect()
     }
 
-    /// The topics that the chapter of an id teaches.
+    /// The topics taught in the chapter with this id.
     pub(in crate::quiz) fn taught_in(chapter: &str) -> impl Iterator<Item = Self> {
         let taught = ROWS.iter().filter(move |row| row.chapter == chapter);
         taught.map(|row| Self::with_id(row.id.as_str()))

@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn chapters_without_questions_make_no_round() {
+    fn chapters_without_questions_give_no_round() {
         assert_eq!(ChaptersRead::of(["a-worked-shot"]), None);
         assert_eq!(ChaptersRead::of(["my-own-chapter"]), None);
         let read = ChaptersRead::of(["marbles", "my-own-chapter", "the-line-of-impact"]);

@@ -164,10 +164,10 @@ pub struct Code {
     pub seed: u64,
 }
 
-/// Why a text is not the code of a round.
+/// The reason why a text is not the code of a round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NoCode {
-    /// It does not look like one.
+    /// The text does not look like a code.
     #[error(
         "expected the code of a round, such as mixed-7, quick-7, exam-7, a topic such as \
          speeds-7, or 7 for ten hits"

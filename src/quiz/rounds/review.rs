@@ -6,9 +6,10 @@ use crate::quiz::question::{Dice, Difficulty, Family, Question, Topic};
 /// enough for the rarest topic.
 const DRAWS: usize = 200;
 
-/// A question about each of these topics, from these families of theirs, shuffled, easy ones first
-/// as far as possible. No family comes twice in a row if that can be avoided, because returning to
-/// an idea works best after something else. A topic without questions is left out.
+/// A question about each of these topics, from the families that `families` gives for it. The
+/// questions are shuffled, with easy ones first as far as possible. No family comes twice in a row
+/// if that can be avoided, because returning to an idea works best after something else. A topic
+/// without questions is left out.
 pub(super) fn questions(
     topics: &[Topic],
     families: fn(&Topic) -> Vec<Family>,
@@ -25,7 +26,8 @@ pub(super) fn questions(
     while !left.is_empty() {
         let last = questions.last().map(|question| question.family);
         let another = |family: &Family| Some(*family) != last;
-        // A topic that only the last family asks about waits, unless nothing else is left.
+        // A topic about which only the last family asks is postponed, unless nothing else is
+        // left.
         let next = left.iter().position(|(_, all)| all.iter().any(another));
         let (topic, mut families) = left.remove(next.unwrap_or(0));
         dice.shuffle(&mut families);
@@ -36,8 +38,8 @@ pub(super) fn questions(
     questions
 }
 
-/// A question about a topic, of the first of these families that has one, of this
-/// difficulty if there is one.
+/// A question about a topic, from the first of these families that has one, and of this difficulty
+/// if possible.
 fn about(
     topic: &Topic,
     families: &[Family],

@@ -22,8 +22,8 @@ pub struct Round {
     questions: Vec<Question>,
 }
 
-/// The families of mixed rounds: all of the first version of codes except the first, which has a
-/// course of its own. Families that are added later follow them.
+/// The families of mixed rounds: all families in the first version of codes except the first, which
+/// has a course of its own. Families that are added later come after them.
 const MIXED: &[Family] = Family::ALL.split_at(17).0.split_at(1).1;
 
 /// How many times a repeated question is redrawn before it is accepted.

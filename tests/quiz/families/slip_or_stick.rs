@@ -11,7 +11,7 @@ fn passes_the_checks_of_every_family() {
 }
 
 #[test]
-fn what_is_true_follows_from_shared_momentum_along_the_line_or_in_all() {
+fn the_true_answers_follow_from_momentum_shared_along_the_line_of_impact_or_completely() {
     for question in all(Family::SlipOrStick) {
         let [m1, m2, u] = ["m1_g", "m2_g", "speed"].map(|name| figure(&question, name));
         let alpha = figure(&question, "alpha_deg").to_radians().abs();

@@ -58,7 +58,7 @@ fn each_family_asks_the_questions_that_its_name_promises() {
 }
 
 #[test]
-fn a_question_by_the_picture_alone_gives_no_numbers() {
+fn a_question_from_the_picture_alone_gives_no_numbers() {
     for difficulty in Difficulty::ALL {
         for question in questions(Family::FromPicture, difficulty) {
             let Illustration::Before { shown, .. } = question.picture else {
