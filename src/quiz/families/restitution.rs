@@ -64,7 +64,7 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
         .chooses(LossForbidsSquare, place(3))
         .says("You assumed that a loss rules out the right angle. It only requires other masses.")
         .why(format!(
-            "{COMPONENT} With a loss equal masses do not do that, but m₁ = e m₂ = {} × {} g = {} g does.",
+            "{COMPONENT} With a loss this requires m₁ = e m₂ = {} × {} g = {} g.",
             significant(e),
             significant(f64::from(coin_g)),
             significant(e * f64::from(coin_g))
