@@ -288,7 +288,7 @@ fn the_expected_input_is_named() {
         (&["quiz", "--code", "review-7"], "a review has no code"),
         (
             &["quiz", "--code", "hits12-7"],
-            "no number of questions for ten hits",
+            "ten hits without a number of questions",
         ),
         (
             &["quiz", "--code", "7", "--seed", "5"],

@@ -5,15 +5,15 @@ use std::path::Path;
 use super::{Concept, read, with_id};
 use crate::files::{FileError, FileErrors, FileLibrary, escape_control};
 
-/// Most letters of a subject, which is the name of a file.
+/// The most letters of a subject, which is the name of a file.
 const LONGEST_SUBJECT: usize = 40;
 
-/// Questions read from files, in the order of the files and in them.
+/// Questions read from files, in the order of the files and of the questions in each file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Library {
-    /// The questions; no two have the same id, nor that of one in the program.
+    /// The questions; no two have the same id, and none has the id of a built-in question.
     pub concepts: Vec<Concept>,
-    /// What was wrong with files that are left out.
+    /// The errors in files that are left out.
     pub problems: Vec<FileError>,
 }
 
@@ -40,14 +40,14 @@ impl FileLibrary for Library {
 }
 
 impl Library {
-    /// Adds the questions in the bytes of a file of that subject.
+    /// Adds the questions in the bytes of a file about that subject.
     pub fn add(&mut self, subject: &str, name: &str, bytes: &[u8]) {
         let subject = escape_control(subject, LONGEST_SUBJECT);
         let added = self.add_all(&subject, name, bytes);
         self.problems.extend(added.err().into_iter().flatten());
     }
 
-    /// Adds the questions of a file if all of them are good.
+    /// Adds the questions of a file if all of them are valid.
     fn add_all(&mut self, subject: &str, name: &str, bytes: &[u8]) -> Result<(), FileErrors> {
         let mut fresh = Vec::new();
         read::file(subject, name, bytes, &mut fresh)?;

@@ -30,7 +30,7 @@ struct MovingPair {
     line_deg: u32,
     /// The side of the striker's path on which the coin lies: 1 for the right.
     side: f64,
-    /// Direction of the striker on the picture, in degrees.
+    /// Direction of the striker in the picture, in degrees.
     direction_deg: f64,
 }
 
@@ -46,7 +46,8 @@ impl MovingPair {
         })
     }
 
-    /// The collision, if they approach each other and it is neither too grazing nor too head-on to draw.
+    /// The collision, if the discs approach each other and it is neither too close to a graze nor
+    /// too close to head-on to be drawn.
     fn collision(&self) -> Option<Collision> {
         let towards = |speed: u32, deg: f64| {
             f64::from(speed) * DVec2::from_angle(rad_from_deg(self.direction_deg + deg))
@@ -119,7 +120,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
 
 const TOPIC: &str = "both-moving";
 
-/// Which observer sees 90°, or what a moving observer sees.
+/// Which observer sees 90°, or the angle that a moving observer sees.
 fn frames(
     pair: &MovingPair,
     outcome: &CollisionOutcome,
@@ -149,7 +150,7 @@ fn frames(
                               this observer see?"
         )
     };
-    // Then the laboratory frame would be the centre-of-mass frame.
+    // With equal and opposite velocities the laboratory frame would be the centre-of-mass frame.
     if pair.way_deg == 180 && pair.speed == pair.target_speed {
         return None;
     }
@@ -209,7 +210,7 @@ fn frames(
 }
 
 /// More or less than 90° in the laboratory frame. For equal masses without loss v₁·v₂ = u₁·u₂,
-/// so the initial directions alone decide.
+/// so the initial directions alone decide the answer.
 fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Option<Question> {
     const CORNERS: [&str; 3] = ["Less than 90°", "Exactly 90°", "More than 90°"];
     let separation = outcome.separation?;
@@ -277,7 +278,7 @@ fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Opt
         ))
 }
 
-/// How fast one of the two leaves: equal discs exchange their components along the line of
+/// The final speed of one of the two discs: equal discs exchange their components along the line of
 /// impact, and each keeps its own perpendicular component.
 fn speed(
     pair: &MovingPair,

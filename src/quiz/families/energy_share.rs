@@ -50,8 +50,8 @@ fn kept(hit: &Hit) -> Option<Question> {
         ))
         .wrong(SineCosine, PERCENT * shares.passed)
         .says(
-            "That is the coin's share. Head-on the striker keeps nothing, so the striker's share \
-             contains a sine.",
+            "That is the coin's share. Head-on the striker keeps no energy, so its share contains \
+             a sine.",
         )
         .wrong(HalfAndHalf, 50.0)
         .says(HALVES)
@@ -121,7 +121,7 @@ fn passed(hit: &Hit) -> Option<Question> {
         ))
 }
 
-/// The share that is lost: only energy of the relative motion along the line of impact can be.
+/// The share that is lost: only energy of the relative motion along the line of impact can be lost.
 fn lost(hit: &Hit) -> Option<Question> {
     let alpha = hit.alpha().abs();
     let masses = RestingTarget::from(&hit.collision());

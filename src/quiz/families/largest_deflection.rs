@@ -42,7 +42,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A hit with these masses at the greatest deflection, or one at 30° where no α gives a greatest.
+/// A hit with these masses at the greatest deflection, or at 30° if no α gives a greatest one.
 fn turned_most(
     (m1_g, m2_g): (u32, u32),
     e_tenths: u32,
@@ -79,7 +79,7 @@ fn setting(hit: &Hit) -> String {
     format!("{who}. {}", hit.loss())
 }
 
-/// Whether there is a limit, and which.
+/// Whether the deflection has a limit, and how large it is.
 fn limit(dice: &mut Dice) -> Option<Question> {
     let pairs = if dice.below(5) < 2 {
         HEAVIER.concat()
@@ -183,7 +183,7 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
 }
 
 /// A question about where to aim a heavier striker without loss: the hit, the largest θ₁, the α
-/// at which it occurs, and the outline with its setting.
+/// at which it occurs, and the outline with the setting.
 fn aimed(dice: &mut Dice) -> Option<(Hit, f64, f64, Outline)> {
     let hit = turned_most(*dice.pick(&HEAVIER.concat())?, 10, Difficulty::Hard, dice);
     let (theta1, alpha) = turned(&hit)?;

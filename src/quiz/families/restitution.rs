@@ -58,13 +58,13 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
         .says(here_e(NOT_HERE, e))
         .chooses(HeavyRebounds, place(2))
         .says(
-            "You made the striker heavier. But a loss already lets it go on along the line of \
-             impact, and a heavier striker goes on even more.",
+            "You made the striker heavier. But with a loss even an equal striker moves on along \
+             the line of impact.",
         )
         .chooses(LossForbidsSquare, place(3))
         .says("You assumed that a loss rules out the right angle. It only requires other masses.")
         .why(format!(
-            "{COMPONENT} With a loss equal masses do not do that, but m₁ = e m₂ = {} × {} g = {} g does.",
+            "{COMPONENT} With a loss this requires m₁ = e m₂ = {} × {} g = {} g.",
             significant(e),
             significant(f64::from(coin_g)),
             significant(e * f64::from(coin_g))
@@ -149,7 +149,7 @@ fn striker_for_square(dice: &mut Dice) -> Option<Question> {
         ))
 }
 
-/// The e for which the angle between two given masses' paths is 90°.
+/// The e for which the angle between the paths of two given masses is 90°.
 fn e_for_square(dice: &mut Dice) -> Option<Question> {
     let hit = square(dice)?;
     let e = hit.restitution;

@@ -1,4 +1,4 @@
-//! Weighing by what is seen after the collision: which disc is heavier, and by how much.
+//! Weighing by what can be seen after the collision: which disc is heavier, and by how much.
 
 use super::prelude::*;
 use super::separation::FOLLOWS_OR_BOUNCES;
@@ -58,7 +58,7 @@ impl SeenHit {
         })
     }
 
-    /// A question about what was seen of this striker.
+    /// A question about the angles seen, with this name for the striker.
     fn outline(&self, striker: &str) -> Outline {
         let text = format!(
             "{striker} hit a coin at rest. {}",
@@ -69,7 +69,7 @@ impl SeenHit {
     }
 }
 
-/// A sentence with the two angles seen.
+/// The sentence with the two angles seen.
 pub(super) fn seen_angles(theta1: f64, theta2: f64) -> String {
     format!(
         "The striker was deflected by θ₁ = {}; the coin left at θ₂ = {} on the other side.",

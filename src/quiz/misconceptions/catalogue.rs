@@ -1,4 +1,4 @@
-//! The misconceptions in words, which stand in `assets/misconceptions.toml`.
+//! The descriptions of the misconceptions, which are in `assets/misconceptions.toml`.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -9,7 +9,7 @@ use serde::Deserialize;
 use crate::quiz::question::Question;
 use crate::quiz::question::{Misconception, Passage, Topic};
 
-/// What is said of a misconception.
+/// The description of a misconception.
 #[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct Description {
@@ -21,8 +21,8 @@ struct Description {
     elsewhere: Vec<Elsewhere>,
 }
 
-/// The page that settles a misconception in questions about these topics; "centre-of-mass/turn" is
-/// one of which the turn is asked.
+/// The page that corrects a misconception in questions about these topics; "centre-of-mass/turn" is
+/// a topic whose question is named "turn".
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Elsewhere {
@@ -31,14 +31,14 @@ struct Elsewhere {
     page: String,
 }
 
-/// Where a misconception is from.
+/// The source of a misconception.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
     /// A study describes it: "Hestenes et al. 1992: greater mass implies greater force".
     Study(&'static str),
-    /// A slip of algebra or of reading: nobody believes it.
+    /// A slip in algebra or reading, which nobody believes.
     Slip,
-    /// The answer of a plausible wrong step, of which we know no study.
+    /// The answer of a plausible wrong step; we know of no study that describes it.
     Ours,
 }
 
@@ -48,12 +48,12 @@ impl Misconception {
         &self.description().name
     }
 
-    /// What to try next against it.
+    /// What to try next to correct it.
     pub fn advice(self) -> &'static str {
         &self.description().advice
     }
 
-    /// Where it is from.
+    /// Its source.
     pub fn origin(self) -> Origin {
         match self.description().source.as_str() {
             "slip" => Origin::Slip,
@@ -62,13 +62,13 @@ impl Misconception {
         }
     }
 
-    /// The page of a chapter that settles it.
+    /// The page of a chapter that corrects it.
     pub(crate) fn settled_by(self) -> Passage {
         let Description { chapter, page, .. } = self.description();
         Passage { chapter, page }
     }
 
-    /// The page that settles it in questions about this topic, of which this is asked
+    /// The page that corrects it in questions about this topic with this name
     /// ([`Question::asked`]).
     pub(crate) fn settled_in(self, topic: &Topic, asked: Option<&str>) -> Passage {
         let case = format!("{}/{}", topic.id(), asked.unwrap_or_default());

@@ -21,28 +21,28 @@ pub enum Measure {
     Mass,
     /// A length in millimetres.
     Length,
-    /// How many times as much.
+    /// A factor.
     Times,
     /// A coefficient of restitution.
     Restitution,
-    /// A number of a chapter, in any unit, with its own tolerance.
+    /// A number asked for in a chapter, in any unit, with its own tolerance.
     Own {
         /// Its symbol in formulas: "θ₁".
         sign: String,
         /// Its unit.
         unit: String,
-        /// How far off still counts as right.
+        /// The largest error that counts as right.
         tolerance: f64,
     },
 }
 
 impl Measure {
-    /// In words what counts as right: see [`distance`](Self::distance).
+    /// What counts as right, in words: see [`distance`](Self::distance).
     pub(crate) const RIGHT: &str = "an angle, a share or e within a tenth of the true value, but \
                                     never more than 4°, 4 percentage points or 0.04 off; any other \
                                     number within a twentieth";
 
-    /// The unit behind a number, as typed beside it; empty for a pure number.
+    /// The unit printed after a number; empty for a pure number.
     pub fn unit(&self) -> &str {
         self.words().0
     }
@@ -99,9 +99,9 @@ impl Measure {
     /// The distance of `said` from `truth` in units of the tolerance.
     ///
     /// The tolerance of an angle, a share or e is a tenth of the true value, but at most 4°, 4
-    /// percentage points or 0.04, because it can be seen or calculated better than that, and at
-    /// least 1°, a fifth of a point or 0.01. All other numbers may differ by a twentieth either
-    /// way, as a ratio; infinite if a ratio is meaningless.
+    /// percentage points or 0.04, because a large value can be read or calculated better than that,
+    /// and at least 1°, a fifth of a point or 0.01. All other numbers may differ by a twentieth
+    /// either way, as a ratio; the distance is infinite if a ratio is meaningless.
     pub fn distance(&self, said: f64, truth: f64) -> f64 {
         self.spacing(said, truth) / self.width(truth)
     }
@@ -135,7 +135,7 @@ impl Measure {
                     f64::INFINITY
                 }
             }
-            // Exactly at the limit it is right, despite rounding.
+            // A number exactly at the limit is right, despite rounding.
             Self::Own { tolerance, .. } => ((a - b).abs() / tolerance - ROUNDING).max(0.0),
         }
     }
@@ -171,7 +171,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_printed_with_sense() {
+    fn numbers_are_printed_with_sensible_precision() {
         for (quantity, x, text) in [
             (Measure::Angle, 63.434_948, "63.4°"),
             (Measure::Share, 25.0, "25.0 %"),
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn near_enough_is_one_and_ratios_count_both_ways_alike() {
+    fn the_limit_is_at_distance_one_and_ratios_are_symmetric() {
         assert!((Measure::Angle.distance(64.0, 60.0) - 1.0).abs() < 1e-12);
         assert!((Measure::Angle.distance(-179.0, 179.0) - 0.5).abs() < 1e-12);
         assert!((Measure::Speed.distance(2.1, 2.0) - 1.0).abs() < 1e-12);
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn small_numbers_count_by_themselves_and_large_ones_by_points() {
+    fn the_tolerance_is_relative_for_small_numbers_and_absolute_for_large_ones() {
         for (quantity, said, truth, right) in [
             (Measure::Angle, 14.0, 10.2, false),
             (Measure::Angle, 11.0, 10.2, true),
@@ -224,10 +224,10 @@ mod tests {
         }
     }
 
-    /// So an answer that fits the truth or a belief fits nothing else, as long as they
-    /// are spaced.
+    /// This is why an answer that fits the truth or a misconception fits no other answer, if the
+    /// answers are far enough apart.
     #[test]
-    fn nothing_is_right_that_is_wide_of_the_spacing() {
+    fn the_distance_is_never_less_than_the_spacing() {
         for quantity in [Measure::Angle, Measure::Share, Measure::Restitution] {
             for (said, truth) in (0..=100).flat_map(|a| (0..=100).map(move |b| (a, b))) {
                 let scale = quantity.largest().min(100.0) / 100.0;

@@ -20,11 +20,11 @@ pub struct Question {
     pub family: Family,
     /// How hard it is.
     pub difficulty: Difficulty,
-    /// What it is about: "equal masses, by offset".
+    /// Its topic: "equal masses, by offset".
     pub topic: Topic,
     /// The question in words.
     pub text: String,
-    /// What is seen beside it.
+    /// The picture beside it.
     pub picture: Illustration,
     /// How it is answered, and the true answer.
     pub form: Form,
@@ -41,10 +41,10 @@ pub struct Question {
     pub figures: Figures,
 }
 
-/// What a misconception would answer.
+/// The answer that a misconception leads to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WrongAnswer {
-    /// Which misconception.
+    /// The misconception.
     pub misconception: Misconception,
     /// Its answer.
     pub said: Response,
@@ -55,8 +55,8 @@ pub struct WrongAnswer {
 }
 
 impl WrongAnswer {
-    /// Which misconception the codes of rounds count it as: see [`Misconception::in_codes`].
-    /// `None` also for a choice that followed no known misconception when they were fixed.
+    /// The misconception that it counts as in the codes of rounds: see [`Misconception::in_codes`].
+    /// Also `None` for a choice that showed no known misconception when the codes were fixed.
     pub fn in_codes(&self) -> Option<Misconception> {
         match (self.misconception, self.said) {
             (Misconception::LossOpensAngle, Response::Choice(_)) => None,
@@ -68,7 +68,7 @@ impl WrongAnswer {
 /// The misconception that an answer fits best.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Diagnosis {
-    /// Which one.
+    /// The misconception.
     pub misconception: Misconception,
     /// How much of the answer fits it.
     pub fit: Fit,
@@ -77,7 +77,7 @@ pub struct Diagnosis {
 /// How much of an answer fits a misconception.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fit {
-    /// All of it.
+    /// The whole answer.
     Whole,
     /// Only the ray that reveals it; the other ray has an error of its own.
     OneRay(Ray),
@@ -124,7 +124,7 @@ impl Question {
     /// Finds the misconception that an answer fits best, if it fits one.
     ///
     /// A right answer fits none. A fit of the whole answer takes precedence over a fit of the
-    /// telltale ray alone; among those the closest, compared in steps of a fortieth of the
+    /// telltale ray alone. Among equal fits the closest is chosen, in steps of a fortieth of the
     /// tolerance (a tenth of a degree), and then the first in
     /// [`OF_RAYS`](crate::quiz::misconceptions::OF_RAYS). A telltale ray must also be wrong.
     pub fn diagnose(&self, answer: &Answer) -> Option<Diagnosis> {
@@ -147,7 +147,7 @@ impl Question {
             .map(|(belief, fit, _)| (belief, fit))
     }
 
-    /// Which of its topic's questions it is, where there are several.
+    /// The name of the question within its topic, if the topic has several.
     pub(crate) fn asked(&self) -> Option<&str> {
         self.figures.get("asked")?.as_str()
     }

@@ -1,4 +1,4 @@
-//! What questions are about: their topics, and which families ask about which.
+//! What questions are about: their topics, and the families that ask about each topic.
 //!
 //! Knowledge and reviews are stored by topic. One family may ask about several topics, and several
 //! families about one, each in its own way. The topic of a question in words is its file's name,
@@ -13,7 +13,7 @@ use serde::Deserialize;
 use super::{Family, Passage};
 
 /// What a question is about. Store it by its [`id`](Self::id), which never changes; show its
-/// [`name`](Self::name). Two with the same id are one topic.
+/// [`name`](Self::name). Topics with the same id are equal.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Topic(Cow<'static, str>);
 
@@ -77,7 +77,7 @@ impl Topic {
         families.split(' ').filter_map(Family::with_id).collect()
     }
 
-    /// The topics that the chapter of an id teaches.
+    /// The topics taught in the chapter with this id.
     pub(in crate::quiz) fn taught_in(chapter: &str) -> impl Iterator<Item = Self> {
         let taught = ROWS.iter().filter(move |row| row.chapter == chapter);
         taught.map(|row| Self::with_id(row.id.as_str()))
@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ids_and_names_are_each_one_topic() {
+    fn no_two_topics_have_the_same_id_or_name() {
         let lines = include_str!("../../../assets/topics.csv").lines().count();
         assert_eq!(ROWS.len(), lines - 1);
         let of = |text: fn(&TopicRow) -> &str| ROWS.iter().map(text).collect::<BTreeSet<_>>();
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn every_family_named_is_one() {
+    fn the_topic_table_names_only_known_families() {
         for row in ROWS.iter().filter(|row| !row.families.is_empty()) {
             for id in row.families.split(' ') {
                 assert!(Family::with_id(id).is_some(), "{}: {id}", row.id);

@@ -1,4 +1,4 @@
-//! Rounds that ask only about what has been read.
+//! Rounds that ask only about chapters that have been read.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -38,7 +38,7 @@ impl ChaptersRead {
         Self::of_letters(ids.into_iter().filter_map(letter))
     }
 
-    /// The chapters of the letters in a code; `None` if they are none, or not in order.
+    /// The chapters of the letters in a code; `None` if the letters are invalid or not in order.
     pub(super) fn parse(letters: &str) -> Option<Self> {
         let chapters = Self::of_letters(letters.chars())?;
         (chapters.to_string() == letters).then_some(chapters)
@@ -87,7 +87,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_round_asks_only_about_what_was_read_and_never_twice_the_same() {
+    fn a_round_asks_only_about_the_chapters_read_and_repeats_no_question() {
         for (code, chapters) in [
             ("read-b-7", &["the-line-of-impact"][..]),
             ("read-bf-7", &["the-line-of-impact", "marbles"]),
@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn chapters_without_questions_make_no_round() {
+    fn chapters_without_questions_give_no_round() {
         assert_eq!(ChaptersRead::of(["a-worked-shot"]), None);
         assert_eq!(ChaptersRead::of(["my-own-chapter"]), None);
         let read = ChaptersRead::of(["marbles", "my-own-chapter", "the-line-of-impact"]);

@@ -16,7 +16,7 @@ const READ: &str = "read";
 /// What a round is made of.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Course {
-    /// Which questions.
+    /// Which questions it asks.
     pub kind: CourseKind,
     /// How many of them.
     pub count: usize,
@@ -27,9 +27,9 @@ pub struct Course {
 pub enum CourseKind {
     /// Ten hits to predict: the round whose code is a bare number.
     Hits,
-    /// A few of all kinds.
+    /// A few questions of all kinds.
     Quick,
-    /// All kinds, mixed by the earlier rule, for existing codes.
+    /// All kinds, mixed by an earlier rule, for existing codes.
     Mixed,
     /// All kinds, mixed so that every misconception is tested often enough to be detected.
     Even,
@@ -41,10 +41,10 @@ pub enum CourseKind {
     Exam,
     /// One family.
     Topic(Family),
-    /// What these chapters teach.
+    /// The topics that these chapters teach.
     Read(ChaptersRead),
-    /// A question about each of these topics, which are due, the longest due first; if there are
-    /// many, about the first of them.
+    /// A question about each of these topics, which are due for review, the longest due first; if
+    /// there are many, about the first of them.
     Review(Vec<Topic>),
     /// A teacher's own questions in words. A code that has just been read has none yet:
     /// [`Code::with_own`] adds them.
@@ -52,8 +52,8 @@ pub enum CourseKind {
 }
 
 impl CourseKind {
-    /// The kinds that do not depend on earlier answers; one topic, and what is due, come after
-    /// them.
+    /// The kinds that are available to everyone; the rounds on one topic and the review are listed
+    /// after them.
     pub const ALWAYS: [Self; 5] = [
         Self::FindOut,
         Self::Quick,
@@ -117,9 +117,9 @@ impl CourseKind {
 }
 
 impl Course {
-    /// Most questions of a round.
+    /// The most questions in a round.
     pub const MOST: usize = 60;
-    /// Most questions of one review; what is left waits for the next.
+    /// The most questions in a review; the remaining topics are left for the next.
     pub const REVIEWED: usize = 10;
 
     /// A round of the usual length.
@@ -143,8 +143,8 @@ impl Course {
         matches!(self.kind, CourseKind::Exam | CourseKind::FindOut)
     }
 
-    /// Whether questions depend on earlier answers, so that the round cannot be on paper or for a
-    /// class.
+    /// Whether questions depend on earlier answers, so that the round cannot be printed or given to
+    /// a class.
     pub(crate) fn follows_answers(&self) -> bool {
         self.kind == CourseKind::FindOut
     }
@@ -153,9 +153,9 @@ impl Course {
 /// The code of a round: the same code gives the same questions on every machine and in every
 /// version.
 ///
-/// It reads `even-7`, with a count `even12-7`, a topic `speeds-7`, a misconception
-/// `copied-angle-7`, what some chapters teach `read-abd-7`, and `hits-7` or simply `7` for ten
-/// hits. Only `own-7` depends on something else: on the teacher's own files.
+/// Examples: `even-7`; with a count, `even12-7`; a topic, `speeds-7`; a misconception,
+/// `copied-angle-7`; what some chapters teach, `read-abd-7`; ten hits, `hits-7` or simply `7`. Only
+/// `own-7` depends on something else: on the teacher's own files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Code {
     /// What the round is made of.
@@ -164,10 +164,10 @@ pub struct Code {
     pub seed: u64,
 }
 
-/// Why a text is not the code of a round.
+/// The reason why a text is not the code of a round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum NoCode {
-    /// It does not look like one.
+    /// The text does not look like a code.
     #[error(
         "expected the code of a round, such as mixed-7, quick-7, exam-7, a topic such as \
          speeds-7, or 7 for ten hits"
@@ -179,13 +179,13 @@ pub enum NoCode {
         Course::MOST
     )]
     Count,
-    /// Ten hits are ten.
-    #[error("expected no number of questions for ten hits, as in hits-7")]
+    /// The number of ten hits is fixed.
+    #[error("expected the code of ten hits without a number of questions, as in hits-7")]
     Hits,
     /// A review depends on one player's answers.
     #[error(
-        "a review has no code, as everyone has another; choose it in carrom quiz, or give \
-         a code such as mixed-7"
+        "a review has no code, because it is different for everyone; choose it in carrom quiz, or \
+         give a code such as mixed-7"
     )]
     Review,
 }
@@ -204,10 +204,10 @@ impl Code {
         Self::read(text).ok()
     }
 
-    /// The same.
+    /// Reads a code. Case and surrounding blanks do not matter.
     ///
     /// # Errors
-    /// Why it is none.
+    /// If it is not a code, the reason.
     pub fn read(text: &str) -> Result<Self, NoCode> {
         let text = text.trim().to_ascii_lowercase();
         let (name, seed) = text.rsplit_once('-').unwrap_or(("hits", &text));
@@ -226,7 +226,7 @@ impl Code {
                 let fixed = kind == CourseKind::Hits;
                 let course = (count.parse().ok())
                     .map(|count| (count, Course::of(kind, count)))
-                    // A count that would be changed is not part of a valid code.
+                    // A code with a count that would be clamped is invalid.
                     .filter(|(count, course)| course.count == *count);
                 let no_count = if fixed { NoCode::Hits } else { NoCode::Count };
                 course.ok_or(no_count)?.1
@@ -235,11 +235,11 @@ impl Code {
         Ok(Self { course, seed })
     }
 
-    /// The round stored with an answer, as codes are written: the code, or that of a review, which
-    /// cannot be opened again.
+    /// Reads the round stored with an answer: its code, or the name of a review, which cannot be
+    /// opened again. The name is returned in its standard spelling.
     ///
     /// # Errors
-    /// Why it is not such a name.
+    /// If it is not such a name, the reason.
     pub(crate) fn read_noted(text: &str) -> Result<(String, Option<Self>), NoCode> {
         match Self::read(text) {
             Ok(code) => Ok((code.to_string(), Some(code))),
@@ -268,17 +268,17 @@ impl Code {
     pub(crate) fn same_for_all(self) -> Result<Self, String> {
         match self.course.follows_answers() {
             true => Err(format!(
-                "expected a round that is the same for all; {self} asks everyone by their own \
-                 answers"
+                "expected a round that is the same for everyone; the questions of {self} depend on \
+                 the answers"
             )),
             false => Ok(self),
         }
     }
 
-    /// The code with a teacher's questions, if it asks for these.
+    /// The code with a teacher's own questions, if it requires them.
     ///
     /// # Errors
-    /// If it does and there are none, the reason in words.
+    /// If it requires them and there are none, the reason in words.
     pub fn with_own(mut self, own: &Arc<Library>) -> Result<Self, String> {
         if let CourseKind::Own(library) = &mut self.course.kind {
             if own.concepts.is_empty() {
@@ -312,7 +312,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_code_is_read_as_it_is_written() {
+    fn a_code_is_printed_as_it_was_read() {
         for text in [
             "7",
             "mixed-7",
@@ -340,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn the_round_of_a_noted_answer_is_named_by_its_code() {
+    fn the_round_of_a_stored_answer_is_named_by_its_code() {
         let noted = |text| Code::read_noted(text).map(|(name, code)| (name, code.is_some()));
         for (text, name, is_code) in [
             (" MIXED10-007 ", "mixed-7", true),

@@ -9,17 +9,17 @@ use crate::quiz::question::{Dice, Difficulty, Family, Form, Misconception, Quest
 /// How many candidates are drawn for each question.
 const CANDIDATES: usize = 32;
 
-/// How much a common misconception, and another, should be tested in a round of twenty, measured by
-/// [`shown`].
+/// How much each common misconception, and each other one, should be tested in a round of twenty,
+/// in the units of [`shown`].
 const ENOUGH: [u32; 2] = [16, 3];
 
-/// The weight of a deficit of a common misconception.
+/// How many times as much a missing test of a common misconception weighs as one of another.
 const PREFERRED: u32 = 8;
 
 /// What a question can show, and how strongly: about the logarithm, to base 3, of how much more
-/// likely a fit is than by guessing. Whole numbers, so that no choice depends on the last digit. An
-/// answer that has to be calculated to less than half of the largest tolerance shows too rarely to
-/// count.
+/// likely a fit is than by guessing. Whole numbers are used, so that no choice depends on the last
+/// digit. An answer that has to be calculated to less than half of the largest tolerance is given
+/// too rarely to be included.
 fn shown(question: &Question) -> impl Iterator<Item = (Misconception, u32)> {
     let strength = match question.form {
         Form::Rays { .. } => 4,
@@ -43,7 +43,7 @@ impl TimesMet {
         met.map(|(_, strength)| strength).sum()
     }
 
-    /// How much a question adds to what has not been tested enough, in a round of `count`.
+    /// How much a question contributes to the tests that are still missing, in a round of `count`.
     fn gain(&self, question: &Question, count: usize) -> u32 {
         let each = shown(question).map(|(it, strength)| {
             let common = Misconception::COMMON.contains(&it);
@@ -55,12 +55,12 @@ impl TimesMet {
     }
 }
 
-/// In a round shorter than this every third question is of a family that has not come yet, whatever
-/// it can show, so that the round stays mixed. A longer one has room for both.
+/// In a round shorter than this every third question is of a family that has not been used yet,
+/// whatever it can show, so that the round stays mixed. A longer round is mixed anyway.
 const LONG: usize = 16;
 
-/// Questions of these families, rising in difficulty. No family comes twice in a row, and none much
-/// more often than once in four.
+/// Questions of these families, rising in difficulty. No family comes twice in a row, and none
+/// makes up much more than a quarter of the questions.
 pub(super) fn questions(families: &[Family], count: usize, dice: &mut Dice) -> Vec<Question> {
     let mut met = TimesMet::default();
     let mut questions: Vec<Question> = Vec::with_capacity(count);

@@ -10,11 +10,11 @@ use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Questi
 
 /// The probability of holding none of the misconceptions, before the first answer.
 const NONE_BEFORE: f64 = 0.25;
-/// How many times as likely a common misconception is as another.
+/// How many times as likely a common misconception is as any other.
 const COMMON: f64 = 5.0;
-/// From this probability on, a named misconception is established.
+/// The probability at which a named misconception is established.
 const CLEAR: f64 = 0.95;
-/// From this probability of "none" on, none is left.
+/// The probability of "none" at which no misconception is considered left.
 const NONE_LEFT: f64 = 0.9;
 /// The smallest number of questions before the round can end.
 const FEWEST: usize = 3;
@@ -36,8 +36,8 @@ const CANDIDATES: [(Family, usize); 11] = [
     (Family::Concept, 6),
 ];
 
-/// Misconceptions that are not tested for: only students who have read about foils, friction or the
-/// greatest deflection can show them.
+/// Misconceptions that are not tested for, because only students who have read about foils,
+/// friction or the greatest deflection can show them.
 const NOT_SOUGHT: [Misconception; 8] = [
     Misconception::EveryAngleAlike,
     Misconception::BeyondLargest,
@@ -56,7 +56,7 @@ struct Posterior {
 }
 
 impl Posterior {
-    /// After answers with this evidence.
+    /// The probabilities after answers with this evidence.
     fn new(evidence: &[Evidence]) -> Self {
         let weight = |it: Misconception| {
             let found = evidence.iter().find(|found| found.misconception == it);
@@ -98,8 +98,8 @@ impl Posterior {
             .filter_map(|belief| Some((belief, belief.in_codes()?)))
             .collect();
         let others = (1.0 - by_chance * known.len() as f64).max(0.0);
-        // The probability of each misconception that can show, and that it then shows: an answer
-        // with a small tolerance is missed more easily.
+        // The probability of each misconception that this question can show, and the probability
+        // that its holder then shows it: an answer with a small tolerance is missed more easily.
         let held = known.iter().map(|(belief, misconception)| {
             let shows = (1.0 - SLIP) * question.width(belief);
             (self.of(*misconception), shows)
@@ -109,7 +109,7 @@ impl Posterior {
             .clone()
             .map(|(likely, shows)| likely * (1.0 - shows))
             .sum();
-        // A student who holds none of these fits each by chance.
+        // The answer of a student who holds none of these fits each of them by chance.
         let each = held
             .clone()
             .map(|(likely, shows)| likely * shows + elsewhere * by_chance);
@@ -125,7 +125,8 @@ fn bits(p: f64) -> f64 {
     if p > 0.0 { -p * p.log2() } else { 0.0 }
 }
 
-/// Whether these answers settle it: one misconception is named and established, or none is left. `in_codes` are the same answers with misconceptions as codes count them.
+/// Whether these answers settle the result: one misconception is named and established, or none is
+/// left. `in_codes` are the same answers with misconceptions as codes count them.
 pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
     if clues.len() < FEWEST {
         return false;
@@ -138,7 +139,7 @@ pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
 }
 
 /// The most informative question after these answers, with misconceptions as codes count them, of
-/// those drawn with the dice; none of `asked` again.
+/// those drawn with the dice; no question of `asked` is repeated.
 pub(super) fn ask(asked: &[Question], in_codes: &[Clue], dice: &mut Dice) -> Option<Question> {
     let posterior = Posterior::new(&evidence(in_codes));
     let hardest = match asked.len() < BEFORE_HARD {
