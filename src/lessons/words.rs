@@ -2,7 +2,7 @@
 
 use super::Constant;
 
-/// The words of a directive, taken one by one by the code that knows them.
+/// The words of a directive, from which the parser takes the words that it knows one by one.
 #[derive(Debug, Clone)]
 pub(super) struct Words {
     bare: Vec<String>,
