@@ -1,5 +1,5 @@
-//! Whether a shot meets the goals of a level, or what happened instead, in words: from the record
-//! of the shot alone.
+//! Reports in words whether a shot meets the goals of a level, or what happened instead. It uses
+//! only the record of the shot.
 
 use glam::DVec2;
 
@@ -11,19 +11,19 @@ use crate::physics::angle::angle_between;
 use crate::physics::units::mm_from_m;
 use crate::physics::{DiscState, Event, EventKind, Shot};
 
-/// The results of a level's goals, in their order.
+/// The results of a level's goals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Judgement {
-    /// A finding for each goal.
+    /// A finding for each goal, in the order of the goals.
     pub findings: Vec<Finding>,
 }
 
 /// The result of one goal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
-    /// Whether it is met.
+    /// Whether the goal is met.
     pub met: bool,
-    /// What happened, in words with numbers.
+    /// What happened: "the striker came to rest 12 mm outside its circle".
     pub text: String,
 }
 
@@ -33,7 +33,7 @@ impl Judgement {
         self.findings.iter().all(|finding| finding.met)
     }
 
-    /// How many goals are met.
+    /// The number of goals met.
     pub(crate) fn met(&self) -> usize {
         self.findings.iter().filter(|finding| finding.met).count()
     }
@@ -159,7 +159,7 @@ impl Goal {
 }
 
 impl GoalCircle {
-    /// Whether a disc at a point is inside; `came` is the beginning of the sentence.
+    /// Whether a point is inside the circle; `came` is the beginning of the sentence.
     fn judge(&self, point: DVec2, came: &str) -> Finding {
         let outside = self.outside_mm(point);
         if outside > 0.0 {
@@ -176,16 +176,16 @@ impl GoalCircle {
     }
 }
 
-/// Why a measure of the first collision is undefined.
+/// Why a quantity of the first collision is undefined.
 enum Missing {
-    /// The disc had no part in it, or there was none.
+    /// The disc was not in the first collision, or there was none.
     Part,
     /// A disc stopped.
     Direction,
 }
 
 impl Missing {
-    /// In words; a measure of both discs has no `name`.
+    /// The reason in words; `name` is empty for a quantity of both discs.
     fn text(&self, name: &str) -> String {
         match (self, name) {
             (Self::Direction, "") => "one of the two stopped, so there is no angle".into(),
@@ -196,10 +196,10 @@ impl Missing {
     }
 }
 
-/// The first time two discs meet.
+/// The first collision of two discs.
 struct FirstImpact {
     discs: [usize; 2],
-    /// Which of the two was shot: the other is at rest.
+    /// The index in `discs` of the one that was shot; the other is at rest.
     moving: usize,
     before: DVec2,
     afters: [DVec2; 2],
@@ -227,7 +227,7 @@ impl FirstImpact {
         })
     }
 
-    /// The value of a measure, in the unit of the goal's range.
+    /// The value of a quantity, in the unit of the goal's range.
     fn shows(&self, measure: HitMeasure, shot: &Shot) -> Result<f64, Missing> {
         let after = |disc| {
             let both = self.discs.into_iter().zip(self.afters);
@@ -281,7 +281,7 @@ fn before_meeting(one: usize, other: usize, shot: &Shot) -> Option<&[Event]> {
     shot.events().get(..at)
 }
 
-/// How many times a disc hits a cushion.
+/// The number of times that a disc hits a cushion.
 fn cushions(disc: usize, events: &[Event]) -> usize {
     let met = |kind| matches!(kind, EventKind::Cushion { disc: met, .. } if met == disc);
     events.iter().filter(|event| met(event.kind)).count()
