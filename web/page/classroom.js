@@ -51,7 +51,7 @@ const classroom = (() => {
     } catch {}
   }
 
-  // The link that this page opens: a pupil who was in this class before is not asked again.
+  // The link that this page opens; a pupil who was in this class before need not enter a name again.
   function fragment() {
     const given = address.fragment();
     if (!isHere()) return given;
