@@ -204,7 +204,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         match panic::catch_unwind(|| play(next)) {
             Ok(said) => inputs += said?,
             Err(_) => {
-                eprintln!("that was session {next}");
+                eprintln!("session {next} panicked");
                 process::exit(1);
             }
         }
