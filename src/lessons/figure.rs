@@ -78,7 +78,7 @@ impl Figure {
     /// once the page's question is answered.
     ///
     /// # Errors
-    /// What was expected.
+    /// A message that states what was expected.
     pub(super) fn read(text: &str, shots: &Shots) -> Result<Self, String> {
         let (text, then) = text.split_once(" then ").unwrap_or((text, ""));
         let mut words = Words::of(text)?;
@@ -127,7 +127,7 @@ impl Figure {
     /// Reads a figure as the command line names it; the only shot is the worked one.
     ///
     /// # Errors
-    /// What was expected.
+    /// A message that states what was expected.
     pub(crate) fn from_words(text: &str) -> Result<Self, String> {
         Self::read(text, &Shots::default())
     }

@@ -18,7 +18,7 @@ impl WrittenFigure {
     /// Reads `3.46`, `-1`, `3.2e-7`, `sqrt 5` or `2 sqrt 3`.
     ///
     /// # Errors
-    /// What was expected.
+    /// A message that states what was expected.
     pub(super) fn read(text: &str) -> Result<Self, String> {
         let text = text.trim().replace('−', "-");
         let wrong = || format!("expected a figure such as 3.46, 3.2e-7 or 2 sqrt 3, found {text}");

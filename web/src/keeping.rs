@@ -341,7 +341,7 @@ mod tests {
             browser
         }
 
-        /// Passes the files to the carrom.
+        /// Passes the browser's files to carrom.
         fn hand_over(&mut self) {
             let files: Vec<_> = self.files.clone().into_iter().collect();
             self.keeping.take_files(&files);

@@ -11,7 +11,7 @@ impl Formula {
     /// Reads a formula.
     ///
     /// # Errors
-    /// What was expected.
+    /// A message that states what was expected.
     ///
     /// ```
     /// use carrom::lessons::Formula;
