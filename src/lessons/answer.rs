@@ -64,7 +64,7 @@ mod tests {
             let read = tries_of_json(&given_json(&given));
             assert_eq!(read, Some((given.answer, first)));
         }
-        // The format from before there were second tries.
+        // The format of answers stored before second tries existed.
         let before = serde_json::from_str("{\"choice\":2}").unwrap();
         assert_eq!(tries_of_json(&before), Some((Response::Choice(1), None)));
     }

@@ -208,15 +208,17 @@ fn rays(figure: Option<&Figure>) -> Result<CheckpointKind, String> {
         Some(figure) if figure.kind.is_hit() && figure.shot.collision().outcome().hit() => {
             Ok(CheckpointKind::Rays)
         }
-        _ => {
-            Err("expected a figure of a hit on the page (lab or split), to turn the rays in".into())
-        }
+        _ => Err(
+            "expected a figure of a collision on the page (lab or split), for turning the rays"
+                .into(),
+        ),
     }
 }
 
 fn number(words: &mut Words, meaning: &Meaning) -> Result<CheckpointKind, String> {
     let tolerance = words.number("tolerance", 1e-9, 1e6)?;
-    let tolerance = tolerance.ok_or("expected tolerance= and how far off still counts as right")?;
+    let tolerance =
+        tolerance.ok_or("expected tolerance= and the largest error that counts as right")?;
     let expected = match words.field("answer") {
         Some(answer) => {
             let value = answer.parse().ok().filter(|value: &f64| value.abs() < 1e9);
@@ -275,8 +277,7 @@ fn read_choices(
         }
         let right = first.strip_prefix("- [x] ");
         let Some(text) = right.or_else(|| first.strip_prefix("- [ ] ")) else {
-            let message =
-                "expected - [ ] or - [x] and a line to choose, and indented lines after it";
+            let message = "expected - [ ] or - [x] and an option, and indented lines after it";
             return source.refuse(*number, message);
         };
         let length = rest

@@ -210,8 +210,8 @@ fn read_adjust(fields: &Fields, scene: Option<&Scene>) -> Option<Adjust> {
     Some(adjust)
 }
 
-/// Checks that the disc that is shot has room at every x, in metres, within a range. It has if
-/// there is room at both ends and at the point nearest to each of the other discs and pockets.
+/// Checks that the disc that is shot has room at every x, in metres, within a range. It is enough
+/// to check both ends and the points nearest to each of the other discs and pockets.
 fn check_places(scene: &Scene, range: Range) -> Result<(), String> {
     let number = scene.stroke.disc;
     let Some(&piece) = scene.pieces.get(number) else {

@@ -61,7 +61,7 @@ const classroom = (() => {
     return placeHere(given);
   }
 
-  // The same on a page that the host of a class has served.
+  // The link on a page that a class's host has served.
   function placeHere(given) {
     const before = kept();
     const link = /(^|&)code=([^&]*)/.exec(given);

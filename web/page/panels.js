@@ -405,8 +405,8 @@ const panels = (() => {
     for (const kind of ["autocapitalize", "autocorrect"]) input.setAttribute(kind, "off");
     // The text sent to the game, which it may not show yet.
     let item = null, sent = "", isComposing = false;
-    // A phone's keyboard composes each word, and a tap on a button does not end that: so what
-    // is being composed is sent too.
+    // A phone's keyboard composes each word, and a tap on a button does not end that, so the word
+    // being composed is sent too.
     const send = () => {
       if (input.value === sent) return;
       choose(item);

@@ -1,4 +1,4 @@
-//! What a link opens: `#quiz=mixed-7&player=Ana`, in the words of the command line.
+//! Opens what a link names: `#quiz=mixed-7&player=Ana`, with the names of the command line.
 
 use carrom::app::{App, Data};
 use carrom::class::team_names;
