@@ -1,13 +1,13 @@
 //! Whether the right misconception is named: `cargo bench --bench diagnosis`.
 //!
 //! Simulated students answer rounds of *Find out*, of the mixed course and of the older mixed
-//! course; printed is for how many the misconception that is named first is the one they
-//! hold. `-- 50` takes 50 students of each kind instead of 200.
+//! course. The benchmark prints for how many of them the misconception named first is the one
+//! that they hold. `-- 50` simulates 50 students of each kind instead of 200.
 //!
-//! A student works out rays and numbers by physics of their own, below: none of it is the
-//! grader's. Of choices they take the one that says what they believe. Where their belief says
-//! nothing they either guess or know the answer. Their hand is unsteady: 2° (one standard
-//! deviation) on every angle, 2 % on every other number.
+//! The code below calculates a student's rays and numbers without the grader's physics. Among
+//! choices the student picks the one that agrees with the belief. If the belief predicts
+//! nothing, the student either guesses or knows the answer. Each angle has a random error of 2°
+//! (one standard deviation), every other number one of 2 %.
 
 use std::f64::consts::{PI, TAU};
 use std::thread;
@@ -19,32 +19,32 @@ use carrom::quiz::{
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-/// Standard deviation of an angle, in degrees, and of any other number, as a share of it.
+/// The standard deviation of an angle, in degrees, and of any other number, as a share of it.
 const NOISE: (f64, f64) = (2.0, 0.02);
 
 /// What a student believes.
 #[derive(Clone, Copy, PartialEq)]
 enum Belief {
-    /// Both leave at the impact angle.
+    /// Both discs leave at the impact angle.
     CopiesTheAngle,
-    /// Both leave at 45°.
+    /// Both discs leave at 45°.
     HalfAndHalf,
-    /// The two part at 90°, whatever they weigh and lose.
+    /// The angle between the paths is 90°, whatever the masses and the loss.
     AlwaysSquare,
-    /// Right for equal masses, which all are taken to be.
+    /// All answers are calculated as for equal masses.
     IgnoresMass,
-    /// Both angles right, each given to the other.
+    /// Both angles are right, but exchanged.
     Swapped,
-    /// A heavier striker goes straight on; a heavier target throws the striker back as a wall.
+    /// A heavier striker goes straight on; a heavier target reflects the striker like a wall.
     HeavyUnmoved,
-    /// The head-on formula for the whole velocity, at any angle.
+    /// The head-on formula is used for the whole velocity, at any angle.
     HeadOnFormula,
-    /// The right angle is seen from the centre of mass, and every angle of that frame and of
-    /// the board is taken for that of the other.
+    /// The right angle is in the centre-of-mass frame, and every angle in that frame is confused
+    /// with the angle in the laboratory frame.
     SquareInTheCentreFrame,
-    /// Nothing; every answer is right.
+    /// No misconception; every answer is right.
     Knows,
-    /// Nothing; every answer is a guess.
+    /// No misconception; every answer is a guess.
     Guesses,
 }
 
@@ -79,7 +79,7 @@ impl Belief {
         }
     }
 
-    /// The misconception that is to be named.
+    /// The misconception that carrom should name.
     fn right(self) -> Option<Misconception> {
         Some(match self {
             CopiesTheAngle => Misconception::CopiedAngle,
@@ -94,19 +94,19 @@ impl Belief {
     }
 }
 
-/// A student at work.
+/// A simulated student.
 struct Student {
     belief: Belief,
-    /// Whether they know the answer where their belief says nothing; else they guess.
+    /// Whether the student knows the answer if the belief predicts nothing; otherwise they guess.
     knows_elsewhere: bool,
     dice: Pcg64,
 }
 
-/// The figures of a question about a hit on a target at rest, as a student reads them.
+/// The figures in a question about a collision with a target at rest.
 struct HitFigures {
     m1: f64,
     m2: f64,
-    /// Impact angle, in degrees.
+    /// The impact angle, in degrees.
     alpha: f64,
     e: f64,
     u: f64,
@@ -131,12 +131,12 @@ impl HitFigures {
         })
     }
 
-    /// The striker's and the target's angle in degrees off the old path, each to its own side,
-    /// by the impulse along the line of centres; `None` for one that stays.
+    /// The angles of striker and target in degrees from the original direction, each positive on its
+    /// own side, from the impulse along the line of centres; `None` for a disc that stays at rest.
     fn angles(&self) -> (Option<f64>, Option<f64>) {
         let (sin, cos) = self.alpha.to_radians().sin_cos();
         let given_up = (1.0 + self.e) * self.m2 / (self.m1 + self.m2) * cos;
-        // What is left of the velocity: ahead, and to the side away from the target.
+        // The striker's final velocity: forwards, and to the side away from the target.
         let (ahead, aside) = (1.0 - given_up * cos, given_up * sin);
         let moves = ahead.hypot(aside) > 1e-9;
         (
@@ -145,7 +145,7 @@ impl HitFigures {
         )
     }
 
-    /// The same with both masses equal.
+    /// The same collision with equal masses.
     fn as_equals(&self) -> Self {
         Self {
             m1: self.m1,
@@ -154,7 +154,7 @@ impl HitFigures {
         }
     }
 
-    /// Both speeds after a hit in which no angle matters.
+    /// Both speeds after the collision, as if it were head-on.
     fn head_on_speeds(&self) -> (f64, f64) {
         let all = self.m1 + self.m2;
         (
@@ -164,7 +164,8 @@ impl HitFigures {
     }
 }
 
-/// The rays a student means, in degrees, each to its own side; `None` for a disc that stays.
+/// The rays that a student predicts, in degrees, each positive on its own side; `None` for a disc
+/// that stays at rest.
 type Angles = (Option<f64>, Option<f64>);
 
 impl Student {
@@ -180,13 +181,13 @@ impl Student {
         from + (to - from) * self.dice.random::<f64>()
     }
 
-    /// From a normal distribution about 0 (Box and Muller).
+    /// A random number from the standard normal distribution (Box and Muller).
     fn normal(&mut self) -> f64 {
         let radius = (-2.0 * (1.0 - self.dice.random::<f64>()).ln()).sqrt();
         radius * (TAU * self.dice.random::<f64>()).cos()
     }
 
-    /// What they say to a question.
+    /// The student's answer to a question.
     fn answer(&mut self, question: &Question) -> Answer {
         let said = match self.believed(question) {
             Some(said) => self.with_noise(question, said),
@@ -198,7 +199,7 @@ impl Student {
         Answer::new(said, Confidence::ThinkSo)
     }
 
-    /// What their belief says, if it says anything.
+    /// The answer that the belief predicts, if any.
     fn believed(&self, question: &Question) -> Option<Response> {
         match &question.form {
             Form::Rays { side, .. } => {
@@ -230,7 +231,7 @@ impl Student {
         }
     }
 
-    /// Where they send the two.
+    /// The directions that the belief predicts for both discs.
     fn angles(&self, hit: &HitFigures) -> Option<Angles> {
         let both = |striker: f64, target: f64| Some((Some(striker), Some(target)));
         match self.belief {
@@ -248,7 +249,7 @@ impl Student {
         }
     }
 
-    /// The number they reckon, by what is asked for.
+    /// The number that the belief predicts.
     fn number(&self, question: &Question) -> Option<f64> {
         let asked = question.figures.get("asked").and_then(|it| it.as_str());
         let asked = asked.unwrap_or_default();
@@ -257,7 +258,7 @@ impl Student {
         if family == "both-moving" {
             let [u1, u2] = ["speed", "target_speed"].map(figure);
             return match (self.belief, asked) {
-                // Equal discs exchange their velocities, whole.
+                // Equal discs exchange their whole velocities.
                 (HeadOnFormula, "striker-speed") => u2,
                 (HeadOnFormula, "target-speed") => u1,
                 (HalfAndHalf | AlwaysSquare | IgnoresMass, "separation") => Some(90.0),
@@ -306,7 +307,7 @@ impl Student {
         }
     }
 
-    /// The same said with an unsteady hand.
+    /// The same answer with random errors.
     fn with_noise(&mut self, question: &Question, said: Response) -> Response {
         let (angle, share) = NOISE;
         match said {
@@ -330,7 +331,7 @@ impl Student {
         }
     }
 
-    /// A guess: rays anywhere in the quarter on their own side, or now and then on the other;
+    /// A guess: rays anywhere in the quarter turn on their own side or, sometimes, on the other;
     /// angles within a quarter or a half turn, shares and e anywhere, other numbers within a
     /// factor of two.
     fn guess(&mut self, question: &Question) -> Response {
@@ -365,7 +366,7 @@ impl Student {
         }
     }
 
-    /// Answers a round to its end: what the answers say.
+    /// Answers a whole round; returns the evidence in the answers.
     fn play(&mut self, code: Code) -> Vec<Clue> {
         let mut round = Round::of(code);
         let mut answers: Vec<Answer> = Vec::new();
@@ -380,15 +381,16 @@ impl Student {
     }
 }
 
-/// What became of many students of one kind in one course.
+/// The results of many students of one kind in one course.
 #[derive(Default)]
 struct Outcome {
     students: usize,
-    /// How many had theirs named first; of those who hold none, how many had any named.
+    /// The number of students whose misconception is named first; for students without one, the
+    /// number for whom any is named.
     named: usize,
-    /// The misconceptions that others had named first.
+    /// The wrong misconceptions that were named first.
     others: Vec<Misconception>,
-    /// How many questions each was asked, rising.
+    /// The number of questions that each student was asked, in ascending order.
     asked: Vec<usize>,
 }
 
@@ -415,7 +417,7 @@ fn outcome(belief: Belief, knows: bool, course: &Course, students: u64) -> Outco
     outcome
 }
 
-/// The misconceptions among these, each with how often.
+/// The misconceptions in a list, each with its count.
 fn counted(misconceptions: &[Misconception]) -> String {
     let count = |it: &Misconception| misconceptions.iter().filter(|other| *other == it).count();
     let mut all: Vec<_> = Misconception::ALL
@@ -441,8 +443,8 @@ fn main() {
         ("older mixed, 20", Course::of(CourseKind::Mixed, 20)),
         ("older mixed, 10", Course::of(CourseKind::Mixed, 10)),
     ];
-    println!("{students} students of each kind; the share whose own belief is named first");
-    println!("(of who knows and who guesses: the share of whom anything is named)\n");
+    println!("{students} students of each kind; the share whose own misconception is named first");
+    println!("(for students who know or guess: the share for whom any is named)\n");
     let only = std::env::args().find_map(|arg| arg.strip_prefix("only=").map(str::to_owned));
     for (name, course) in &courses {
         if only

@@ -10,9 +10,9 @@ use crate::quiz::concepts::read_hit;
 const FORMAT: u32 = 1;
 /// The line before and after a header.
 const FENCE: &str = "+++";
-/// The longest title.
+/// The largest length of a title, in characters.
 const TITLE: usize = 32;
-/// The longest description.
+/// The largest length of a description, in characters.
 const ABOUT: usize = 100;
 
 /// The header of a chapter; invalid parts are `None`.
@@ -20,7 +20,7 @@ pub(super) struct Header {
     pub(super) title: Option<String>,
     pub(super) about: Option<String>,
     pub(super) shots: Option<Shots>,
-    /// The first line after it.
+    /// The first line after the header.
     pub(super) ends: usize,
 }
 

@@ -6,7 +6,7 @@ use super::{CollisionSpec, Formula, Inline, Quantity, Tone};
 use super::{header::Shots, words::Words, written::WrittenFigure};
 use crate::files::{Source, all};
 
-/// The shots that names in a text refer to.
+/// The shots to which names in a text refer.
 pub(super) struct Meaning<'a> {
     /// The shots of the chapter.
     pub(super) shots: &'a Shots,

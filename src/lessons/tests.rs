@@ -6,7 +6,7 @@ use crate::quiz::concepts;
 use crate::quiz::{Dice, Difficulty, Family, Misconception, Topic};
 
 #[test]
-fn the_chapters_in_the_program_are_whole() {
+fn all_built_in_chapters_are_valid() {
     let library = ChapterLibrary::embedded();
     assert_eq!(library.problems, []);
     assert!(!library.chapters.is_empty());
@@ -26,7 +26,7 @@ fn each_misconception_and_each_topic_leads_to_a_page_that_exists() {
     }
 }
 
-/// The chapters as they are written, by their ids.
+/// The source texts of the chapters, by id.
 fn chapters() -> BTreeMap<String, String> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/lessons");
     let files = std::fs::read_dir(folder).unwrap().map(|it| it.unwrap());
@@ -38,7 +38,7 @@ fn chapters() -> BTreeMap<String, String> {
     files.map(chapter).collect()
 }
 
-/// A table `words | ids` in lines: the words of which a page must contain one, by the ids.
+/// Reads a table with lines `words | ids`: for each id the words of which a page must contain one.
 fn words_by_id(table: &'static str) -> BTreeMap<&'static str, Vec<&'static str>> {
     let mut all = BTreeMap::new();
     for line in table.lines().map(str::trim).filter(|line| !line.is_empty()) {
@@ -51,7 +51,7 @@ fn words_by_id(table: &'static str) -> BTreeMap<&'static str, Vec<&'static str>>
     all
 }
 
-/// What a page must speak of to treat a misconception: one of these words, as they are written
+/// A page that treats a misconception contains at least one of these phrases, as they are written
 /// in the chapters.
 const OF_MISCONCEPTIONS: &str = "
     impact angle, at α =, 180 deg - 2 alpha, 90 deg - alpha | copied-angle
@@ -103,8 +103,8 @@ const OF_MISCONCEPTIONS: &str = "
     2 alpha, 2α, 2 theta_2 | double-angle-forgotten
 ";
 
-/// What a page must speak of to treat what questions about a topic ask for, written in the same
-/// way.
+/// A page that treats what questions about a topic ask for contains one of these phrases, in the
+/// same format.
 const OF_TOPICS: &str = "
     angle, deflect, direction, leaves, rebound | equal-masses equal-masses-by-offset equal-masses-lossy
     angle, deflect, direction, leaves, rebound | heavier-striker heavier-striker-by-offset from-the-picture
@@ -137,7 +137,7 @@ const OF_TOPICS: &str = "
     momentum, impulse | momentum
 ";
 
-/// What may be shown in which question: a misconception, a topic and what is asked about it.
+/// All cases that questions can show: a misconception, a topic, and what is asked about it.
 fn cases() -> BTreeSet<(&'static str, Topic, Option<String>)> {
     let mut cases = BTreeSet::new();
     let all = Family::ALL
@@ -156,10 +156,10 @@ fn cases() -> BTreeSet<(&'static str, Topic, Option<String>)> {
     cases
 }
 
-/// Wherever an answer shows a misconception, the page that it leads to treats that case: it
-/// speaks of the misconception, and of what the question asks for.
+/// If an answer shows a misconception, the page to which it links treats that case: it contains
+/// phrases about the misconception and about what the question asks for.
 #[test]
-fn the_page_against_a_misconception_treats_what_was_asked() {
+fn the_page_linked_from_a_misconception_treats_the_question() {
     let chapters = chapters();
     let (misconceptions, topics) = (words_by_id(OF_MISCONCEPTIONS), words_by_id(OF_TOPICS));
     let cases = cases();
@@ -188,7 +188,7 @@ fn the_page_against_a_misconception_treats_what_was_asked() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     let met: BTreeSet<_> = cases.iter().map(|(id, ..)| *id).collect();
     assert_eq!(met.len(), Misconception::ALL.len());
-    // Every other page that is named is led to.
+    // Every page named under `elsewhere` is used.
     for misconception in Misconception::ALL {
         for name in misconception.settled_elsewhere() {
             let led_to = cases.iter().any(|(id, topic, asked)| {
@@ -227,7 +227,7 @@ fn words(line: &str) -> impl Iterator<Item = &str> {
     line.split(ends).filter(|word| !word.is_empty())
 }
 
-/// The symbols of a formula: all its words that are no functions.
+/// The symbols of a formula: all its words that are not functions.
 fn in_formula(formula: &Formula) -> Vec<String> {
     let functions = ["sin", "cos", "tan", "arcsin"];
     let line = formula.inline();
@@ -279,7 +279,7 @@ fn each_symbol_of_a_chapter_has_one_meaning_in_the_notation() {
                 let chapters = notation.get(&*symbol);
                 assert!(
                     chapters.is_some_and(|cell| names_chapter(cell, number)),
-                    "chapter {number}, {}: docs/notation.md has no meaning of {symbol} here",
+                    "chapter {number}, {}: docs/notation.md lists no meaning of {symbol} here",
                     page.title
                 );
             }

@@ -71,7 +71,7 @@ fn the_coin_gets_three_quarters_of_the_energy() {
     met("kind = \"energy\"\ndisc = 0\nbetween_percent = [24.999, 25.001]");
     missed(
         "kind = \"energy\"\ndisc = 0\nbetween_percent = [50, 60]",
-        "the striker took 25 % of the energy, required 50 to 60 %",
+        "the striker had 25 % of the energy, required 50 to 60 %",
     );
 }
 
@@ -127,11 +127,11 @@ fn goals_about_pockets_and_untouched_discs() {
     );
     missed(
         "kind = \"bank\"\ndisc = 0\ntarget = 1",
-        "the striker met the white coin without a cushion",
+        "the striker hit the white coin without a cushion",
     );
     missed(
         "kind = \"bank\"\ndisc = 0\ntarget = 2",
-        "the striker met another disc first",
+        "the striker hit another disc first",
     );
     // The queen never moves, and it is 350.96 mm from the pocket's centre at (347.75, 347.75).
     missed(
@@ -156,7 +156,7 @@ fn cushions_are_counted() {
     let bank = "kind = \"bank\"\ndisc = 0\ntarget = 1";
     let once = judged(bank, 180.0);
     assert!(once.met);
-    assert_eq!(once.text, "the striker met the white coin off 1 cushion");
+    assert_eq!(once.text, "the striker hit the white coin off 1 cushion");
     let twice = judged(&format!("{bank}\nleast = 2"), 180.0);
     assert!(!twice.met);
     assert_eq!(twice.text, once.text);
@@ -167,7 +167,7 @@ fn cushions_are_counted() {
     assert!(judged(goal, 180.0).met);
     missed(
         "kind = \"cushions\"\ndisc = 2\nleast = 1",
-        "the queen met no cushion",
+        "the queen hit no cushion",
     );
 }
 
@@ -205,11 +205,11 @@ fn pocketed_discs_must_fall_in_the_required_order() {
     };
     let right = judged("discs = [1, 0]");
     assert!(right.met);
-    assert_eq!(right.text, "the white coin, then the striker fell");
+    assert_eq!(right.text, "pocketed: the white coin, then the striker");
     let wrong = judged("discs = [0, 1]");
     assert!(!wrong.met);
     assert_eq!(
         wrong.text,
-        "the white coin, then the striker fell: the wrong order"
+        "pocketed: the white coin, then the striker, in the wrong order"
     );
 }

@@ -43,7 +43,7 @@ const program = (() => {
 
   // Sends a command, followed by bytes of files; returns the reply, with its bytes.
   function call(command, bytes) {
-    // A program that has just opened does not know the time.
+    // A newly opened program does not know the time.
     if (command.do === "open") told = 0;
     const json = encoder.encode(JSON.stringify(command));
     const length = json.length + (bytes ? 1 + bytes.length : 0);
@@ -58,7 +58,7 @@ const program = (() => {
     return reply;
   }
 
-  // The day begins this many seconds before the day in UTC.
+  // Sends the time, and how many seconds before the day in UTC the local day begins.
   function tellTime() {
     const now = Date.now();
     if (now - told < 500) return;

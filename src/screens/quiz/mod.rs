@@ -45,7 +45,7 @@ pub(crate) enum QuizAction {
     LookBack(ListAction),
     /// start another round of the same kind
     Another,
-    /// open the page of the chapters that settles it
+    /// open the page of the chapters that explains it
     ReadUp,
     /// check with two questions whether you still believe it
     Check,
