@@ -1,4 +1,4 @@
-//! The head of a request: what it asks for, and whether that is allowed.
+//! The head of an HTTP request: what it requests, and whether that is allowed.
 //!
 //! Another web page that a pupil has open must not reach the class: the `Host` has to be an address
 //! of this server, which prevents DNS rebinding, and the `Origin` of a WebSocket has to be the page
@@ -6,13 +6,13 @@
 
 use std::net::IpAddr;
 
-/// Most bytes of a head.
+/// The most bytes in a head.
 pub(super) const LONGEST: usize = 8 * 1024;
-/// Most lines of a head.
+/// The most lines in a head.
 const MOST_LINES: usize = 64;
 pub(crate) const TALK: &str = "/class";
 
-/// What a request asks for.
+/// What a client requests.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum HttpRequest {
     /// The page.
@@ -21,7 +21,7 @@ pub(super) enum HttpRequest {
         gzip: bool,
         /// The tag of the page in the browser's cache.
         known: Option<String>,
-        /// Whether only the head of the answer is wanted.
+        /// Whether the client requests only the head (`HEAD`).
         head_only: bool,
     },
     /// A WebSocket, with this key.
@@ -52,7 +52,7 @@ pub(super) fn read(bytes: &[u8], port: u16) -> Option<(usize, HttpRequest)> {
 }
 
 fn requested(request: &httparse::Request, port: u16) -> HttpRequest {
-    // A line that occurs twice cannot be relied upon.
+    // A header that occurs twice is ignored, because its meaning is unclear.
     let only = |name: &str| {
         let mut found = request
             .headers
