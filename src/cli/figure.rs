@@ -34,7 +34,7 @@ pub(super) struct Args {
     light: bool,
 }
 
-/// Draws in Unicode and full colour unless the options say otherwise.
+/// Figures are drawn in Unicode and full colour by default.
 const AUTO: Auto = Auto {
     charset: Charset::Unicode,
     depth: Depth::True,

@@ -21,7 +21,7 @@ pub(super) struct Args {
     force: bool,
 }
 
-/// A guide with its name on the command line.
+/// A guide, with its name on the command line.
 #[derive(Debug)]
 struct Guide {
     name: &'static str,
@@ -29,7 +29,7 @@ struct Guide {
     markdown: &'static str,
 }
 
-/// In the order in which a teacher needs them.
+/// All guides, in the order in which a teacher needs them.
 static GUIDES: [Guide; 11] = [
     Guide {
         name: "start",
@@ -113,7 +113,7 @@ fn documents(folder: &Path) -> Vec<Document> {
     let contents = format!("# Guides to carrom\n\n{links}");
     let page = |name: &str, text: &str| (folder.join(format!("{name}.html")), guide_page(text));
     let guides = GUIDES.iter().map(|guide| {
-        // In the sources this link leads out of the folder.
+        // In the source text, this link leaves the folder of the guides.
         let text = guide.markdown.replace("../levels/README.md", "levels.md");
         page(guide.name, &text)
     });

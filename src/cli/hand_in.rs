@@ -21,7 +21,7 @@ const ENDING: &str = "json";
 #[command(after_help = "\
 Examples:
   carrom hand-in --player Ada --class 10b
-                                writes hand-in-ada.json, with every answer of Ada
+                                writes hand-in-ada.json, with all of Ada's answers
   carrom hand-in --code mixed-7 --out ada.json
                                 the answers of one round
 
@@ -75,7 +75,7 @@ pub(super) struct GatherArgs {
     force: bool,
 }
 
-/// A file to write; whether it is a table.
+/// Reads the name of the file to write.
 fn gathered(path: &str) -> Result<NamedFile, String> {
     written::named_file(path, ["html", "csv"])
 }

@@ -8,7 +8,7 @@ use anyhow::anyhow;
 use super::{Failure, GlobalOptions, given};
 use crate::levels::{Finding, Level, LevelLibrary, Trial, winning_share};
 
-/// How many aims the measure of difficulty tries.
+/// How many aims are tried to measure the difficulty.
 const TRIES: u32 = 4000;
 
 /// Check level files and prove that their levels can be won

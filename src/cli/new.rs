@@ -53,7 +53,7 @@ impl Kind {
         }
     }
 
-    /// The file's name. A chapter's begins with its number in the book.
+    /// The file's name. The name of a chapter's file begins with its number in the book.
     fn file(self, name: &str) -> String {
         match self {
             Self::Chapter => format!("01-{name}.md"),
@@ -89,7 +89,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     )?)
 }
 
-/// The longest name: a chapter's title has no more room.
+/// The most characters in a name; a chapter's title has no room for more.
 const LONGEST: usize = 32;
 
 fn name(text: &str) -> Result<String, String> {

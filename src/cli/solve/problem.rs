@@ -9,8 +9,8 @@ use glam::DVec2;
 use crate::numbers::typed;
 use crate::physics::{Bond, Collision, CollisionSpec, FieldRange, ImpactPoint};
 
-/// Wide enough for dust and for planets' rings, narrow enough to prevent overflow and
-/// underflow in the calculation.
+/// The ranges of the fields, wide enough for dust and for planetary rings, but narrow enough to
+/// prevent overflow and underflow in the calculation.
 const RANGES: [FieldRange; 10] = [
     FieldRange::new("m1_g", "grams", 1e-12, 1e12),
     FieldRange::new("m2_g", "grams", 1e-12, 1e12),
@@ -100,8 +100,8 @@ pub(super) struct Solvable {
 }
 
 impl Problem {
-    /// The problem with the usual masses and speed where they are not given, and which ones
-    /// these are. Lines of a batch must give them.
+    /// The problem with default masses and speed if they are not given, and a list of these
+    /// assumptions. Lines of a batch must give them.
     pub(super) fn with_usual(self) -> (Self, Vec<Cow<'static, str>>) {
         let mut assumed = Vec::new();
         for (mass, name) in [(self.m1_g, "m1"), (self.m2_g, "m2")] {

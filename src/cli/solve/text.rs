@@ -3,7 +3,7 @@
 use crate::physics::worked::WorkedStep;
 use crate::widgets::{Charset, text};
 
-/// Columns that prose is wrapped to.
+/// The columns to which prose is wrapped.
 const WIDTH: usize = 78;
 /// The indentation of prose, and of a line of working.
 const PROSE: &str = "   ";

@@ -94,7 +94,7 @@ fn requested(request: &httparse::Request, port: u16) -> HttpRequest {
             head_only: method == "HEAD",
         },
         ("GET" | "HEAD", _) => HttpRequest::No(404, "There is nothing here. The class is at /."),
-        _ => HttpRequest::No(405, "Only reading is possible here."),
+        _ => HttpRequest::No(405, "Only GET and HEAD are allowed."),
     }
 }
 

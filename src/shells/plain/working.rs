@@ -1,9 +1,9 @@
-//! The lines of a worked solution, for reading aloud.
+//! The lines of a worked solution in spoken form.
 
 use crate::physics::worked::WorkedStep;
 
-/// The lines of a step: columns are parted by commas, and a line that goes on with the one before
-/// is said together with it.
+/// The lines of a step: columns are separated by commas, and a line that continues the one before
+/// is joined to it.
 pub(super) fn lines(step: &WorkedStep) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for line in &step.lines {

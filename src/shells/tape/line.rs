@@ -4,17 +4,17 @@ use std::fmt;
 
 use crate::files::{LONGEST_QUOTE, escape_control, quoted};
 
-/// A part of a line: a bare word or a text in quotes. Shown as messages quote it.
+/// A part of a line: a bare word or a text in quotes. `Display` writes it as messages quote it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Token {
-    /// A run of characters without a blank.
+    /// A run of characters without a space.
     Word(String),
-    /// What stood between double quotes, its escapes resolved.
+    /// A text in double quotes, with its escapes resolved.
     Text(String),
 }
 
 impl Token {
-    /// The word, unless it is a text.
+    /// The word; `None` for a text in quotes.
     pub(super) fn word(&self) -> Option<&str> {
         match self {
             Self::Word(word) => Some(word),
@@ -35,7 +35,7 @@ impl fmt::Display for Token {
 /// The parts of a line; a `#` at the start of a part begins a comment.
 ///
 /// # Errors
-/// What is wrong with the line, in words.
+/// What is wrong with the line.
 pub(super) fn parts(line: &str) -> Result<Vec<Token>, String> {
     let mut parts = Vec::new();
     let mut rest = line.trim_start();

@@ -26,7 +26,7 @@ const HOUR: f64 = 3600.0;
 pub struct ParseError {
     /// Number of the line, from 1.
     pub line: usize,
-    /// What is wrong with it and what was expected.
+    /// What is wrong with the line, and what was expected.
     pub message: String,
 }
 
@@ -48,7 +48,8 @@ impl Tape {
         Ok(tape)
     }
 
-    /// Adds a line. Each screenshot has a name of its own, which `names` has with its line.
+    /// Adds a line. `names` has the names of the screenshots so far, which must differ, and their
+    /// lines.
     fn add(
         &mut self,
         line: usize,
@@ -70,7 +71,7 @@ impl Tape {
         }
         let instruction = instruction(&arguments)?;
         if let Instruction::Screenshot(name) = &instruction {
-            // Some file systems do not tell capitals from small letters.
+            // Some file systems do not distinguish upper case from lower case.
             if let Some(before) = names.insert(name.to_lowercase(), line) {
                 return Err(format!(
                     "Screenshot: the name {name} is taken by line {before}"
@@ -82,7 +83,7 @@ impl Tape {
     }
 }
 
-/// What stands after the first word of a line.
+/// The words and texts after the first word of a line.
 struct Arguments<'a> {
     of: &'a Token,
     rest: &'a [Token],
@@ -104,7 +105,7 @@ impl<'a> Arguments<'a> {
     }
 }
 
-/// Who has the class.
+/// The name of the teacher's device.
 const TEACHER: &str = "teacher";
 
 fn instruction(arguments: &Arguments) -> Result<Instruction, String> {
@@ -264,13 +265,13 @@ fn duration(part: &Token) -> Result<Duration, String> {
         })
 }
 
-/// A number in digits with perhaps a point; no sign, no exponent, no `inf`.
+/// A decimal number; a sign, an exponent or `inf` is not allowed.
 fn decimal(text: &str) -> Option<f64> {
     let plain = text.bytes().all(|b| b.is_ascii_digit() || b == b'.');
     plain.then(|| text.parse().ok())?
 }
 
-/// A name that is safe to make a file of, wherever the tape came from.
+/// A name that is safe as a file name, even if the tape is not trusted.
 fn file_name(part: &Token) -> Result<String, String> {
     let safe = |b: u8| b.is_ascii_alphanumeric() || b == b'-' || b == b'_';
     match part {
