@@ -1,4 +1,4 @@
-//! Errors of files, in words.
+//! Error messages about files.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use unicode_segmentation::UnicodeSegmentation;
 use super::is_invisible;
 use super::letters::{hides, is_picture};
 
-/// The most errors of a file that are reported; a file of another kind could have any number.
+/// The most errors that are reported for one file. A file of another kind could have any number.
 const MOST_TOLD: usize = 20;
 
 /// The most characters of one message.

@@ -1,4 +1,4 @@
-//! JSON that carrom prints.
+//! Writes JSON.
 
 use std::io::{self, Write};
 
@@ -8,8 +8,8 @@ use serde_json::ser::Formatter;
 
 use super::is_invisible;
 
-/// Writes one JSON object. Texts in it may come from anybody, and a terminal may show them:
-/// invisible and control characters are written as escapes, which read back the same.
+/// Writes one JSON object. Its texts may come from anyone and may be shown in a terminal, so
+/// invisible and control characters are written as escapes, which any reader turns back.
 ///
 /// # Errors
 /// If it cannot be written.
