@@ -25,14 +25,14 @@ pub(crate) enum Mastery {
     New,
     /// Less than half of them were right.
     NotYet,
-    /// Half of them or more were right.
+    /// At least half of them were right.
     Growing,
-    /// There are [`LATELY`], and four of five were right.
+    /// There are [`LATELY`] answers, and at least four of five were right.
     Solid,
 }
 
 impl Mastery {
-    /// As shown.
+    /// Its name, as shown.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::New => "new",
@@ -68,7 +68,7 @@ impl Mastery {
 }
 
 impl TopicStanding {
-    /// The topic of this name with these attempts.
+    /// The topic with this name and these attempts.
     pub(crate) fn of<'a>(
         name: impl Into<String>,
         attempts: impl IntoIterator<Item = &'a Attempt>,
