@@ -103,7 +103,7 @@ impl<'a> Summary<'a> {
         // "Sure" earns the most points if at least four in five are right, "guess" if at most one
         // in two is. A single wrong "think so" is not enough for a comment.
         let verdict = if 5 * sure_right < 4 * sure {
-            "Look again at the answers that were sure but wrong: they teach you most."
+            "Review the answers that were sure but wrong: they teach you most."
         } else if 2 * guesses_right > guesses
             || sure == 0 && 5 * self.right() >= 4 * self.attempts.len()
         {
@@ -284,7 +284,7 @@ mod tests {
             (vec![(Sure, true)], "Sure once, and right."),
             (
                 vec![(Sure, true), (Sure, false), (Guess, false)],
-                "Sure 2 times: 1 right. Look again at the answers that were sure but wrong: \
+                "Sure 2 times: 1 right. Review the answers that were sure but wrong: \
                  they teach you most.",
             ),
             (

@@ -140,7 +140,7 @@ fn topics(topics: &[TopicStanding]) -> Markup {
         table {
             thead { tr {
                 th { "topic" } th { "state" } th.n { "right" } th { "of the last five" }
-                th.n { "mean error" }
+                th.n { "error" }
             } }
             tbody {
                 @for topic in topics { tr {

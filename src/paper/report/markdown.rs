@@ -63,7 +63,7 @@ fn tables(report: &Report, document: &mut Markdown) {
                 degrees(topic.all.mean_error_deg()),
             ]
         });
-        let heads = ["topic", "state", "right", "of the last five", "mean error"];
+        let heads = ["topic", "state", "right", "of the last five", "error"];
         table(document, "Topics", &heads, topics, rows);
     }
     let beliefs = &report.beliefs;
