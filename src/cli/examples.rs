@@ -1,4 +1,4 @@
-//! `carrom examples`: files to start from, built into the program.
+//! `carrom examples`: the built-in example files for new levels, chapters and questions.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! `carrom figure`: a figure of the lessons as a picture, without a terminal.
+//! `carrom figure`: draws a figure of the lessons as a picture, without a terminal.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! `carrom guide`: the guides for teachers, built into the program.
+//! `carrom guide`: the built-in guides for teachers.
 
 use std::path::{Path, PathBuf};
 
@@ -106,7 +106,7 @@ fn list() -> String {
     format!("{lines}\nAll of them for a browser: carrom guide --out DIR")
 }
 
-/// The pages, and an index that links to them.
+/// The guides as HTML pages, and an index that links to them.
 fn documents(folder: &Path) -> Vec<Document> {
     let link = |guide: &Guide| format!("- [{}]({}.md)\n", capital(guide.about), guide.name);
     let links: String = GUIDES.iter().map(link).collect();

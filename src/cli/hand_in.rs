@@ -123,7 +123,7 @@ pub(super) fn gather(args: &GatherArgs, options: &GlobalOptions) -> Result<(), F
     paths.sort();
     let mut book = Gradebook::default();
     for path in &paths {
-        // A pipe or a device may never end.
+        // Reading a pipe or a device may never end.
         let bytes = match path.is_file() {
             true => files::read(path, HandIn::LARGEST_FILE),
             false => Err(files::not_a_file(path)),

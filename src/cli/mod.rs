@@ -230,7 +230,7 @@ impl OpenCommand {
     /// The screen to open, given these levels, chapters, questions and options.
     ///
     /// # Errors
-    /// If there is no level or chapter of that name, or no question for a code.
+    /// If there is no level or chapter with that name, or no question for a code.
     fn route(&self, data: &Data, options: &GlobalOptions) -> Result<Route, String> {
         Ok(match self {
             Self::Learn { chapter } => named(data, "learn", chapter.as_deref())?,
@@ -291,7 +291,7 @@ fn filled(code: Option<&Code>, own: &Arc<concepts::Library>) -> Result<Option<Co
 /// The route with this name that shows `value`, or its start if there is no value.
 ///
 /// # Errors
-/// If there is no such value.
+/// If no page of that route shows the value.
 fn named(data: &Data, name: &str, value: Option<&str>) -> Result<Route, String> {
     let value = value.unwrap_or_default();
     let route = data.route(name, value);
@@ -440,7 +440,7 @@ fn is_odd(word: &String) -> bool {
 /// The message with such arguments shortened or escaped.
 fn quoting_briefly(mut message: String, odd: &[String]) -> String {
     for word in odd {
-        // clap quotes the value after a `=` alone.
+        // clap quotes only the value after a `=`.
         let value = word
             .split_once('=')
             .map_or(word.as_str(), |(_, value)| value);
@@ -502,13 +502,13 @@ fn print_text(text: &str, options: &GlobalOptions) -> io::Result<()> {
     print(text.as_bytes())
 }
 
-/// Writes one JSON object on a line of its own.
+/// Writes one JSON object on its own line.
 fn write_json_line(out: &mut impl Write, object: &impl Serialize) -> io::Result<()> {
     write_json(out, object)?;
     out.write_all(b"\n")
 }
 
-/// Prints a report, or with --json one JSON object on a line of its own.
+/// Prints a report, or with --json one JSON object on its own line.
 fn print_report(json: Option<&impl Serialize>, words: impl FnOnce() -> String) -> io::Result<()> {
     let mut report = Vec::new();
     match json {

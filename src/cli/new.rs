@@ -1,4 +1,4 @@
-//! `carrom new`: a new file that passes its check unchanged.
+//! `carrom new`: creates a file that passes its check unchanged.
 
 use std::path::PathBuf;
 
@@ -44,7 +44,7 @@ enum Kind {
 }
 
 impl Kind {
-    /// The example to copy, and the name in it.
+    /// The path of the example to copy, and the name that it contains.
     fn example(self) -> (&'static str, &'static str) {
         match self {
             Self::Level => ("levels/our-pack/a-glance.toml", "a-glance"),
@@ -102,7 +102,7 @@ fn name(text: &str) -> Result<String, String> {
     }
 }
 
-/// "Long way round" of "long-way-round".
+/// Converts "long-way-round" to "Long way round".
 fn title(name: &str) -> String {
     capital(&name.replace('-', " "))
 }

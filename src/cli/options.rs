@@ -58,7 +58,7 @@ pub(crate) struct GlobalOptions {
     data_dir: Option<PathBuf>,
 }
 
-/// One of several names, or `None` for `auto`.
+/// The value of an option that has a fixed list of names; `None` for `auto`.
 type Choice<T> = Option<T>;
 
 /// Reads a [`Choice`].
@@ -132,7 +132,7 @@ impl GlobalOptions {
         folders.map(quoted).collect()
     }
 
-    /// The name of the player: the one given, or else the last player.
+    /// The player's name: the given one, or else that of the last player.
     pub(super) fn player_name(&self) -> String {
         let kept = || {
             let file = self.data_dir()?.join(KeptSettings::FILE);

@@ -64,7 +64,7 @@ struct ReplayReport {
     r#final: ReplayEnd,
 }
 
-/// The state of the game after its last move.
+/// The state of the game after the last move.
 #[derive(Debug, Serialize)]
 struct ReplayEnd {
     stage: &'static str,

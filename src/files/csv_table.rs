@@ -1,5 +1,5 @@
-//! Tables of comma-separated values. Every table that carrom writes is written here, so that no
-//! text from a pupil, a player or a file can act as code in the program that opens it.
+//! Tables of comma-separated values. Every table that carrom writes is made here, so that no text
+//! from a pupil, a player or a file can act as code in the program that opens the table.
 
 use unicode_width::UnicodeWidthChar;
 

@@ -21,7 +21,7 @@ impl UnplacedFile {
     /// read it.
     ///
     /// # Errors
-    /// If it cannot be written completely; then nothing of it is left.
+    /// If it cannot be written completely; then it is removed.
     pub(crate) fn write(folder: &Path, text: &str) -> io::Result<Self> {
         Self::write_with_mode(folder, text, 0o666)
     }
@@ -69,7 +69,7 @@ impl UnplacedFile {
             // The temporary name is removed when this is dropped.
             Ok(()) => Ok(true),
             Err(error) if error.kind() == ErrorKind::AlreadyExists => Ok(false),
-            // Not every file system has links.
+            // Not every file system supports hard links.
             Err(_) if is_there(path) => Ok(false),
             Err(_) => fs::rename(&self.0, path).map(|()| true),
         }

@@ -1,8 +1,9 @@
 //! Reads TOML from outside field by field, so that every error names the file, the line and the
 //! field, what was expected and what was found.
 //!
-//! Errors are noted and reading continues: the caller gets `None` for an invalid value, reads the
-//! others too, and stops only when it needs the value. So one run reports all errors of a file.
+//! Errors are noted and reading continues: the caller gets `None` for an invalid value, still reads
+//! the other fields, and stops only when it needs the value. So one run reports all errors in a
+//! file.
 
 use std::ops::RangeInclusive;
 
@@ -37,7 +38,7 @@ impl Source<'_> {
     /// document in messages, such as "a saved game"; `known` are its fields.
     ///
     /// # Errors
-    /// All errors; for a file of a newer format only that.
+    /// All errors; for a file in a newer format, only that error.
     pub(crate) fn document<T>(
         self,
         what: &str,

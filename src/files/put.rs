@@ -80,7 +80,7 @@ pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> 
 
 /// What exists at the path of a document.
 enum PathState {
-    /// Nothing.
+    /// Nothing exists there.
     Free,
     /// A file that would have to be replaced.
     There,

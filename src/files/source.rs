@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use super::{FileError, FileErrors};
 
-/// U+FEFF in UTF-8.
+/// The byte order mark U+FEFF in UTF-8.
 pub(crate) const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// The maximum number of errors collected per file, because finding the line of each takes time.
@@ -71,12 +71,12 @@ impl<'a> Source<'a> {
         self.text
     }
 
-    /// Its lines with their numbers.
+    /// The lines of the text with their numbers.
     pub(crate) fn lines(&self) -> impl Iterator<Item = (usize, &'a str)> + use<'a> {
         (self.first_line..).zip(self.text.lines())
     }
 
-    /// A part of it as a separate source, whose errors belong to the same file.
+    /// A part of the text as a separate source, whose errors belong to the same file.
     pub(crate) fn part(&self, bytes: std::ops::Range<usize>) -> Self {
         let first_line = self.line_of(bytes.start);
         Self::new(
@@ -169,7 +169,7 @@ impl<'a> Source<'a> {
         line.lines().next().unwrap_or_default()
     }
 
-    /// The key that the line around a byte sets, if it sets one.
+    /// The key set by the line around a byte; empty if there is none.
     pub(super) fn key_near(&self, at: usize) -> &'a str {
         let key = self.line_near(at).split_once('=');
         let key = key.map_or("", |(key, _)| key.trim());

@@ -26,7 +26,7 @@ pub struct HandIn {
     pub name: String,
     /// The class, as the pupil wrote it; it may be empty.
     pub class: String,
-    /// The answers, in their order.
+    /// The answers in order.
     pub attempts: Vec<Attempt>,
 }
 

@@ -13,7 +13,7 @@ pub struct ItemStatistics {
     pub round: String,
     /// The question's number in the round, from 1.
     pub number: u32,
-    /// The question, if it follows from the code.
+    /// The text of the question, if the code determines it.
     pub question: Option<String>,
     /// The answers to it, at least one.
     pub tally: Tally,

@@ -1,4 +1,4 @@
-//! The pupils who have handed in, each pupil and each answer once.
+//! The pupils who have handed in; each pupil and each answer occurs once.
 
 use std::collections::HashSet;
 
@@ -8,7 +8,7 @@ use crate::numbers::counted;
 use crate::progress::Attempt;
 use crate::quiz::Figures;
 
-/// A pupil with all answers handed in.
+/// A pupil with all answers from all hand-ins.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pupil {
     /// The name; a second pupil with the same name is "Ada (2)".
@@ -33,7 +33,7 @@ impl Pupil {
         self.is_called_as(other) && (empty || shares())
     }
 
-    /// Whether both have the same name and may be in one class.
+    /// Whether the pupil and the hand-in have the same name and may be of the same class.
     fn is_called_as(&self, other: &HandIn) -> bool {
         let alike = |a: &str, b: &str| a.to_lowercase() == b.to_lowercase();
         let unnamed = self.class.is_empty() || other.class.is_empty();

@@ -22,8 +22,8 @@ pub struct ClassResults<'a> {
 pub struct PupilResults<'a> {
     /// The pupil.
     pub pupil: &'a Pupil,
-    /// The answers that count, which are the first to each question of a round, with the round
-    /// of each.
+    /// The answers that are counted: the first one to each question of a round, with the name of
+    /// the round.
     pub answers: Vec<(&'a Attempt, String)>,
     /// The counts of these answers.
     pub tally: Tally,

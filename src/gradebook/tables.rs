@@ -101,7 +101,7 @@ fn table<T>(columns: &[(&str, CellOf<T>)], rows: &[T]) -> Result<String, String>
     csv_table(&heads, &rows)
 }
 
-/// One row per misconception: how many hold it.
+/// One row per misconception: how many pupils hold it.
 ///
 /// # Errors
 /// None in practice; the reason if a row cannot be written.

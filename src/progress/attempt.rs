@@ -190,7 +190,7 @@ impl Attempt {
         }
     }
 
-    /// Whether the player was sure, and wrong.
+    /// Whether the player was sure but wrong.
     pub(crate) fn is_surely_wrong(&self) -> bool {
         self.confidence == Some(Confidence::Sure) && !self.right
     }

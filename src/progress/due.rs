@@ -52,7 +52,7 @@ impl Review {
         self.family == LESSON || self.is_of_quiz()
     }
 
-    /// Whether the quiz can ask about it.
+    /// Whether the quiz has questions about it.
     fn is_of_quiz(&self) -> bool {
         Family::with_id(&self.family).is_some()
             && !Topic::with_id(self.topic.clone()).families().is_empty()

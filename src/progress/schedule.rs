@@ -34,7 +34,7 @@ const LAST: u32 = 5;
 /// A topic and its next review.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Review {
-    /// The family that asked about it last.
+    /// The family of the last question about it.
     pub family: String,
     /// The topic, as in [`Attempt::topic`].
     pub topic: String,

@@ -111,7 +111,7 @@ impl<'a> Summary<'a> {
         } else if thought > 1 && 2 * thought_right < thought {
             "\"Think so\" was right less than half the time: a guess would have cost nothing."
         } else if self.attempts.len() < ENOUGH_ANSWERS || self.right() == 0 {
-            // This is no evidence on calibration.
+            // These answers are too few, or all wrong, so they show nothing about calibration.
             ""
         } else {
             "You judge your knowledge well."
@@ -202,8 +202,9 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// The page to read next: the one that explains the strongest misconception, or else teaches
-    /// the first missed topic, with those missed with "sure" first; `None` if nothing was missed.
+    /// The page to read next: the one that explains the strongest misconception, or else the one
+    /// that teaches the first missed topic. Topics with a "sure" but wrong answer come first.
+    /// `None` if nothing was missed.
     pub(crate) fn passage(&self) -> Option<Passage> {
         if let Some((misconception, _)) = self.most_held() {
             let mut shown = self.attempts.iter().rev();

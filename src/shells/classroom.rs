@@ -27,7 +27,7 @@ pub struct Classroom {
 struct PupilDevice {
     name: String,
     game: Headless,
-    /// The connection, while there is one.
+    /// The current connection; `None` if there is none.
     line: Option<ConnectionId>,
     /// Whether the host can be reached.
     reaches: bool,
@@ -118,7 +118,7 @@ impl Classroom {
         self.settle();
     }
 
-    /// Advances simulated time for all.
+    /// Advances simulated time for all participants.
     pub fn pass(&mut self, time: Duration) {
         self.passed += time;
         if self.pupils.is_empty() {

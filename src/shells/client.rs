@@ -1,4 +1,4 @@
-//! A pupil's carrom that joins a class: one WebSocket to the host.
+//! The connection of a pupil's carrom to a class: one WebSocket to the host.
 
 use std::collections::BTreeMap;
 use std::io::{self, ErrorKind, Read, Write};
@@ -150,7 +150,7 @@ impl Drop for Client {
     }
 }
 
-/// The mask of a WebSocket frame, which only has to vary.
+/// The mask of a WebSocket frame, which only has to differ from frame to frame.
 fn mask() -> [u8; 4] {
     let mut mask = [0; 4];
     let _ = getrandom::fill(&mut mask);

@@ -1,4 +1,4 @@
-//! An app without a terminal: keys in, screens out, on simulated time.
+//! An app without a terminal, on simulated time: tests send keys and read screens.
 
 use std::time::Duration;
 

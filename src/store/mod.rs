@@ -4,10 +4,10 @@
 //! Several carroms may keep their games in one folder, any of them may be killed at any moment, and
 //! any file may be damaged or not be carrom's. So:
 //!
-//! - a file is written beside its place, brought to the disk and then put in its
-//!   place, so that there is always either the old or the new one;
-//! - a file is replaced only while it still holds what this store last put or found
-//!   there; otherwise the game or round moves to a new file of its own;
+//! - a file is written under a temporary name, synced to the disk and then renamed, so that
+//!   there is always either the old file or the new one;
+//! - a file is replaced only while it still has the text that this store last wrote or read;
+//!   otherwise the game or round moves to a new file;
 //! - a file is not trusted until all of it has been replayed.
 
 mod database;
@@ -296,7 +296,7 @@ impl Store {
         }
     }
 
-    /// Writes both tables of a class's round.
+    /// Writes both tables of a class round.
     fn export_class(&mut self, round: &ClassRound) -> Result<String, String> {
         let mut places = Vec::new();
         let today = self.calendar().today().map(|day| day.to_string());

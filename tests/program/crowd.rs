@@ -166,7 +166,7 @@ fn hostile(port: u16, kind: usize, over: &AtomicBool) {
             }
             // Random bytes.
             2 => stream.write_all(&[0xa5; 4096]),
-            // Heads that never end.
+            // Request heads that never end.
             3 => stream
                 .write_all(b"GET / HTTP/1.1\r\nX: y")
                 .map(|()| held.push(stream)),
@@ -461,7 +461,7 @@ fn to_the_next_vote(
         ClassStep::Describe => ("\r", here, "have voted", "- your vote -"),
         ClassStep::FirstVote => ("\r\r", here, "have voted again", "- your second vote -"),
         _ if here == questions => return None,
-        // The shot, the scores, the next question, its first vote.
+        // The keys pass the shot, the scores and the description of the next question.
         _ => ("\r\x1b[F\r\r\r", here + 1, "have voted", "- your vote -"),
     };
     pty.press(keys);

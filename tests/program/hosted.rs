@@ -350,7 +350,7 @@ fn an_invalid_message_ends_the_connection() {
         let why = said(std::slice::from_ref(&bad));
         assert!(matches!(why.as_deref(), Some("format") | None), "{why:?}");
     }
-    // Random bytes, and half a head.
+    // Random bytes, and an incomplete request head.
     for bytes in [
         &b"\xff\xfe\x00\x01\r\n\r\n"[..],
         &[7; 9000],

@@ -50,7 +50,7 @@ impl Talk {
         }
     }
 
-    /// Waits for a line with these words.
+    /// Waits for a line that contains these words.
     fn hears(&mut self, words: &str) {
         loop {
             let line = self.lines.recv_timeout(PATIENCE);

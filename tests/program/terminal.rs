@@ -229,7 +229,7 @@ fn frames_are_synchronized_and_at_most_sixty_per_second() {
     let mut pty = started(child("animated"));
     let (start, before) = (Instant::now(), pictures(&pty));
     thread::sleep(Duration::from_secs(1));
-    // Keys do not make it draw more often.
+    // Keys must not make it draw more often.
     (0..200).for_each(|_| pty.press("x"));
     pty.press("q");
     assert_eq!(pty.wait(), 0);

@@ -13,7 +13,7 @@ use scraper::{Html, Selector};
 
 use crate::folder::Folder;
 
-/// A round of each kind and of each topic.
+/// One round of each kind and of each topic.
 fn rounds() -> impl Iterator<Item = Round> {
     let topics = CourseKind::topics().map(|family| format!("{}-5", family.id()));
     let mixed = ["mixed12-7", "mixed1-3", "quick-5", "exam-3", "7"].map(str::to_owned);

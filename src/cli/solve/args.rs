@@ -54,7 +54,7 @@ pub(in crate::cli) struct Args {
 }
 
 impl Args {
-    /// Whether the impact angle or the offset is given.
+    /// Whether the arguments give an impact angle or an offset.
     pub(in crate::cli) fn is_complete(&self) -> bool {
         self.problem.alpha_deg.is_some() || self.problem.offset_mm.is_some()
     }

@@ -74,8 +74,8 @@ fn answer(text: &[u8]) -> Result<SolveAnswer, String> {
     Ok(SolveAnswer::of(problem.solvable().map_err(said)?))
 }
 
-/// A short error message in plain words, without JSON's line number: it is always 1 here
-/// and would be mistaken for the line of the batch.
+/// A short, plain error message without JSON's line number, which is always 1 here and could be
+/// mistaken for the line of the batch.
 fn said(error: impl Display) -> String {
     let message = error
         .to_string()

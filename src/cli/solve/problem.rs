@@ -93,7 +93,7 @@ pub(super) struct Problem {
 #[derive(Debug, Clone)]
 pub(super) struct Solvable {
     pub(super) collision: Collision,
-    /// Whether it was given by the offset.
+    /// Whether the problem gave the offset instead of the impact angle.
     pub(super) by_offset: bool,
     /// What was assumed because the problem does not give it, and what was ignored.
     pub(super) assumed: Vec<Cow<'static, str>>,
@@ -121,7 +121,7 @@ impl Problem {
         (usual, assumed)
     }
 
-    /// What the solution assumes or ignores, of all that can change its answer.
+    /// The assumptions and ignored values that can change the answer.
     fn assumed(&self) -> Vec<Cow<'static, str>> {
         let mut assumed: Vec<Cow<'static, str>> = Vec::new();
         if self.u2.is_none() {
@@ -152,7 +152,7 @@ impl Problem {
         assumed
     }
 
-    /// The collision with what it assumes.
+    /// The collision and its assumptions.
     pub(super) fn solvable(&self) -> Result<Solvable, ProblemError> {
         if self.alpha_deg.is_some() && self.offset_mm.is_some() {
             return Err(fault(

@@ -9,7 +9,7 @@ const WIDTH: usize = 78;
 const PROSE: &str = "   ";
 const WORKING: &str = "     ";
 
-/// The numbered steps, in the charset of the reader.
+/// The numbered steps as text in this charset.
 pub(super) fn render(steps: &[WorkedStep], charset: Charset) -> String {
     let step = |(number, step): (usize, &WorkedStep)| {
         let why = text::wrap(&charset.text(&step.why), WIDTH - PROSE.len());

@@ -53,7 +53,7 @@ fn head(report: &Report) -> Markup {
     }
 }
 
-/// The most important figures.
+/// The most important numbers.
 fn figures(report: &Report) -> Markup {
     let figure = |value: String, name: &str| {
         html! { div { strong { (value) } span.dim { (name) } } }

@@ -29,7 +29,7 @@ const HEADING: &str = "Glancing collisions";
 pub struct Worksheet<'a> {
     pub(crate) round: &'a Round,
     pub(crate) title: String,
-    /// The letter of the version, if there are several; A has the questions that the code opens
+    /// The letter of the version, if there are several. The code opens the questions of version A
     /// on a screen.
     pub(crate) version: Option<char>,
     /// The folders of own questions that are required to open the round on a screen, quoted for a
@@ -64,7 +64,7 @@ impl<'a> Worksheet<'a> {
         is_first.then(|| words::command(self.round.code(), &self.concepts))
     }
 
-    /// "mixed-7", "mixed-7, version B".
+    /// The code with the version: "mixed-7", "mixed-7, version B".
     fn code(&self) -> String {
         let code = self.round.code();
         match self.version {

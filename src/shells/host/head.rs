@@ -24,7 +24,7 @@ pub(super) enum HttpRequest {
         /// Whether the client requests only the head (`HEAD`).
         head_only: bool,
     },
-    /// A WebSocket, with this key.
+    /// A WebSocket connection with this key.
     Talk(String),
     /// A refusal: the status and the message.
     No(u16, &'static str),

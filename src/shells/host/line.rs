@@ -43,7 +43,7 @@ const HAND_IN: f64 = 20.0;
 
 /// Serves a connection until it ends.
 pub(super) fn serve(board: &Arc<Switchboard>, line: &Arc<Line>) {
-    // An error here means that the connection is lost, and nobody has to be notified.
+    // An error here means that the connection is lost, so it needs no reply.
     let _ = answer(board, line);
     hang_up(&line.stream);
     board.remove(line.id);
@@ -256,7 +256,7 @@ fn join(
     let fresh = SeatToken::of(random().map_err(|_| None)?);
     socket.get_mut().deadline = None;
     line.join();
-    // A pupil who has joined may hand something in.
+    // A pupil who has joined may send a hand-in, which is larger.
     socket.set_config(|config| {
         config.max_message_size = Some(LARGEST_HAND_IN);
         config.max_frame_size = Some(LARGEST_HAND_IN);

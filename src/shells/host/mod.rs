@@ -8,7 +8,7 @@
 //!
 //! One thread accepts connections; each connection has a thread that reads and, once it has joined,
 //! one that writes from an outbox, in which a newer state replaces an unsent older one: a slow
-//! device gets fewer states and delays nobody.
+//! device gets fewer states and does not delay the others.
 
 mod addresses;
 mod head;
@@ -190,7 +190,7 @@ fn accept(listener: &TcpListener, board: &Arc<Switchboard>) {
             return;
         }
         let Ok((stream, address)) = accepted else {
-            // Too many files are open: some of them will close.
+            // Too many files are open; wait until some of them are closed.
             thread::sleep(Duration::from_millis(50));
             continue;
         };
@@ -224,7 +224,7 @@ fn raise_limit() {
         use rustix::process::{Resource, getrlimit, setrlimit};
         let mut limit = getrlimit(Resource::Nofile);
         limit.current = limit.maximum;
-        // If that fails, the class is only smaller.
+        // If that fails, only the size of the class is limited.
         let _ = setrlimit(Resource::Nofile, limit);
     }
 }

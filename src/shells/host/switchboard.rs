@@ -20,7 +20,7 @@ const MOST_LINES: usize = 600;
 pub(super) struct Switchboard {
     /// The code of the class.
     code: Mutex<GuardedCode>,
-    /// The seat tokens of those who have joined.
+    /// The seat tokens of all devices that have joined.
     seats: Mutex<HashSet<SeatToken>>,
     opened: Instant,
     /// The port on which the server listens.
@@ -41,7 +41,7 @@ pub(super) struct Line {
     /// The address of the device.
     pub(super) address: IpAddr,
     pub(super) stream: TcpStream,
-    /// Held while a frame is written.
+    /// A lock that is held while a frame is written.
     pub(super) writing: Mutex<()>,
     joined: AtomicBool,
     outbox: Mutex<Outbox>,
@@ -121,7 +121,7 @@ impl Switchboard {
         Some(most.1)
     }
 
-    /// A connection was lost.
+    /// Removes a lost connection.
     pub(super) fn remove(&self, id: ConnectionId) {
         if let Some(line) = lock(&self.lines).remove(&id) {
             line.close();

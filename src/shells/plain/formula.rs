@@ -86,7 +86,7 @@ fn of_node(node: &Node) -> String {
     }
 }
 
-/// In brackets, unless it is a single thing.
+/// A formula in brackets, unless it is a single symbol.
 fn tight(formula: &Formula) -> String {
     let line = linear(formula);
     if formula.0.len() == 1 {

@@ -35,7 +35,7 @@ fn split(text: &str) -> Option<(f64, &str)> {
     if whole + fraction.unwrap_or(0) == 0 {
         return None;
     }
-    // Is 1,500 one and a half or fifteen hundred?
+    // It is unclear whether 1,500 means 1.5 or 1500.
     if comma && fraction == Some(3) && (1..=3).contains(&whole) && !unsigned.starts_with('0') {
         return None;
     }

@@ -12,7 +12,7 @@ use crate::widgets::flow::Run;
 use crate::widgets::input::KeyRow;
 use crate::widgets::{Item, Role, Section, Sheet, SheetKind, Words};
 
-/// Parts of the key table that lines replace, or that only sighted users need.
+/// The parts of the key table that plain lines replace, or that only sighted users need.
 const BY_OTHER_MEANS: [&str; 9] = [
     "list.", "form.", "number.", "dial.", "answer.", "ray.", "hit.", "shot.", "mystery.",
 ];

@@ -34,8 +34,9 @@ const LONGEST_MOTION: Duration = Duration::from_secs(300);
 /// The number of time steps between two checks of a moving screen.
 const LISTENED: u32 = 12;
 
-/// How many recent lines are remembered, and the length from which lines are not repeated.
+/// The number of recent lines that are remembered.
 const RECENT: usize = 60;
+/// The length from which a line is not repeated while it is remembered.
 const LONG: usize = 60;
 
 /// The most steps from one value of a field to another.
@@ -419,7 +420,7 @@ impl PlainReader {
         }
     }
 
-    /// Steps through the values of a field until it has this one.
+    /// Steps through the values of a field until it has the given value.
     fn step_to(
         &mut self,
         option: &PlainOption,
@@ -554,7 +555,7 @@ impl PlainReader {
         let is_passing = |line: &String| deeds.contains(line) || page.shown.contains(line);
         lines.retain(|line| !known.contains(&without_figures(line)) && !is_passing(line));
         if !lines.is_empty() {
-            // Actions are listed once nothing moves.
+            // Actions are listed only when nothing moves.
             page.options.clone_from(&self.page.options);
             self.page = page;
             self.note(&lines);

@@ -21,7 +21,7 @@ enum Heard {
     Line(String),
     /// An input for the app.
     Input(Input),
-    /// There is news of the class that is served.
+    /// There is news of the class that this carrom serves.
     Hosted,
     /// The input has ended.
     Ended,

@@ -8,7 +8,7 @@ use crate::files::read_line;
 /// The longest input line, in bytes; the rest of it is skipped.
 const LONGEST: usize = 1000;
 
-/// Words that are understood at any time.
+/// The help on words that are understood at any time.
 const ALWAYS: &str = "At any time: repeat reads the question again, help explains how to answer, \
                       quit leaves and saves your answers.";
 
@@ -48,7 +48,7 @@ impl<'a> Talk<'a> {
     /// Writes each line of a text in spoken form.
     ///
     /// # Errors
-    /// If nobody listens.
+    /// If the output cannot be written.
     pub fn say(&mut self, text: &str) -> Result<(), Leave> {
         for line in text.lines() {
             let line = spoken(line);
@@ -68,7 +68,7 @@ impl<'a> Talk<'a> {
     /// Writes these lines, one after the other.
     ///
     /// # Errors
-    /// If nobody listens.
+    /// If the output cannot be written.
     pub(super) fn say_all<S: AsRef<str>>(
         &mut self,
         lines: impl IntoIterator<Item = S>,

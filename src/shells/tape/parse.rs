@@ -90,7 +90,7 @@ struct Arguments<'a> {
 }
 
 impl<'a> Arguments<'a> {
-    /// Exactly `N` of them, or what was expected.
+    /// Exactly `N` arguments, or an error with what was expected.
     fn exactly<const N: usize>(&self, expected: &str) -> Result<&'a [Token; N], String> {
         self.rest.try_into().map_err(|_| self.not(expected))
     }
@@ -195,7 +195,7 @@ fn setting(arguments: &Arguments) -> Result<ScreenSetting, String> {
     })
 }
 
-/// Noon of a day, such as 2026-01-05, in seconds since 1970 began (UTC).
+/// Noon of a day, such as 2026-01-05, in seconds since the start of 1970 (UTC).
 fn noon(day: &str) -> Option<i64> {
     let date: Date = day.parse().ok()?;
     let noon = date.at(12, 0, 0, 0).to_zoned(TimeZone::UTC).ok()?;

@@ -7,7 +7,7 @@ use crate::widgets::{Sheet, cells, svg};
 /// A screen, saved under a name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Screenshot {
-    /// Its name: letters, digits, `-` and `_`.
+    /// Its name, which consists of letters, digits, `-` and `_`.
     pub name: String,
     /// The contents of every cell.
     pub cells: Buffer,

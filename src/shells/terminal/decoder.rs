@@ -2,8 +2,8 @@
 //!
 //! crossterm can do this too, but it holds back a paste until its end. A paste that never ends
 //! (because its end was lost, or a program wrote its beginning to the screen) then grows without
-//! limit and swallows every key, Ctrl+C too. Here a paste is truncated at a generous length, Ctrl+C
-//! works within it, and it ends when no more bytes arrive.
+//! limit and blocks every key, including Ctrl+C. Here a paste is truncated at a generous length,
+//! Ctrl+C works within it, and it ends when no more bytes arrive.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -23,7 +23,7 @@ const LONGEST_SEQUENCE: usize = 64;
 /// How long a single Escape waits for more bytes. Every sequence begins with Escape, and a slow
 /// connection may split a sequence.
 const AFTER_ESCAPE: Duration = Duration::from_millis(10);
-/// The pause within a paste after which it counts as ended.
+/// The pause in a paste after which the paste counts as ended.
 const WITHIN_PASTE: Duration = Duration::from_secs(1);
 
 const ESCAPE: u8 = 0x1b;

@@ -1,4 +1,4 @@
-//! The messages of other threads to the thread that draws.
+//! Messages from other threads to the drawing thread.
 
 use std::io;
 use std::sync::Arc;
@@ -64,7 +64,7 @@ impl Inbox {
 pub(super) enum Message {
     /// An input for the app.
     Input(Input),
-    /// There is news of the class that is served.
+    /// There is news of the class that this carrom serves.
     Hosted,
     /// The terminal can no longer be read.
     Lost(io::Error),

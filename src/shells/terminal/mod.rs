@@ -53,7 +53,7 @@ pub enum TerminalError {
     /// It could not be switched to raw mode or the alternate screen.
     #[error("cannot set the terminal up: {0}")]
     SetUp(#[source] io::Error),
-    /// A picture could not be written to it.
+    /// A frame could not be written to it.
     #[error("cannot write to the terminal: {0}")]
     Write(#[source] io::Error),
     /// Nothing can be read from it any more.
@@ -64,7 +64,7 @@ pub enum TerminalError {
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
-    /// The player left.
+    /// The player has quit.
     Quit,
     /// The signal with this number ended carrom.
     Signal(i32),
@@ -81,7 +81,7 @@ type FixedTerminal = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>
 /// may report any size. The rest of a larger terminal stays empty.
 const LARGEST: (u16, u16) = (1000, 500);
 
-/// How long keys may be processed without a new picture.
+/// How long keys may be processed without a new frame.
 const UNSEEN: Duration = Duration::from_millis(50);
 
 /// The area that is drawn in a terminal of this size.
@@ -142,7 +142,7 @@ struct TerminalRun {
     guard: Guard,
     messages: Receiver<Message>,
     inbox: Inbox,
-    /// For the store.
+    /// The sender for the store's results.
     sender: Sender<Message>,
     store_worker: StoreWorker,
     /// Serves a class.
@@ -152,7 +152,7 @@ struct TerminalRun {
     pace: Pace,
 }
 
-/// Whether to go on.
+/// Whether to continue the run.
 type Flow = std::ops::ControlFlow<Ending>;
 
 impl TerminalRun {
@@ -273,7 +273,7 @@ impl TerminalRun {
                 Effect::Quit => flow = Flow::Break(Ending::Quit),
                 Effect::Keep(request) => {
                     if self.store_worker.ask(request, &self.sender) {
-                        // It asks for nothing itself.
+                        // This input causes no further effects.
                         self.app.update(&Input::Saving(request.ticket));
                     }
                 }

@@ -177,7 +177,10 @@ mod tests {
         assert!(store_worker.ask(&record(2), &sender), "it is being saved");
         let start = Instant::now();
         assert!(store_worker.ask(&record(3), &sender));
-        assert!(start.elapsed() < ANSWER_PATIENCE, "the second save waited too");
+        assert!(
+            start.elapsed() < ANSWER_PATIENCE,
+            "the second save waited too"
+        );
         other.execute_batch("COMMIT").unwrap();
         for expected in [2, 3] {
             match messages.recv().unwrap() {

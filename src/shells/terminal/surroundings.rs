@@ -13,7 +13,7 @@ pub enum Unusable {
     /// Standard input or output is a file, a pipe or nothing.
     #[error("a terminal is needed, and {0} is not one")]
     NoTerminal(&'static str),
-    /// The terminal cannot place text.
+    /// The terminal cannot position text.
     #[error("a terminal that can place text is needed, and TERM is {0}")]
     Dumb(String),
 }

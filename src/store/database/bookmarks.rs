@@ -106,7 +106,7 @@ fn forget_all(
     Ok(forget("bookmark")? + forget("page_seen")?)
 }
 
-/// The answer in a row; none if it cannot be read.
+/// The answer in a row; `None` if it cannot be read.
 fn given(row: &Row) -> rusqlite::Result<Option<GivenAnswer>> {
     let (asked, answer): (Option<String>, Option<String>) = (row.get("asked")?, row.get("answer")?);
     let right: Option<bool> = row.get("is_right")?;

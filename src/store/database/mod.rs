@@ -46,7 +46,7 @@ const WAIT: Duration = Duration::from_secs(2);
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Both limits after a failure, so that the player does not wait so long at every answer.
 const LITTLE: Duration = Duration::from_millis(500);
-/// The lock file for using the database, or replacing it.
+/// The lock file for using or replacing the database.
 const LOCK: &str = ".progress.lock";
 
 /// The database with the players' progress.
@@ -61,7 +61,7 @@ pub(super) struct Database {
     /// Whether the last request failed because the database was busy.
     was_busy: bool,
     notice: Option<String>,
-    /// Whether the player has been notified of answers that are left out.
+    /// Whether the player has been notified of invalid answers.
     reported_misfits: bool,
 }
 

@@ -23,9 +23,9 @@ const READINGS: u64 = 16;
 /// The layout of the pages of a tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum PageLayout {
-    /// A table whose rows have ids; the pages at the bottom hold the rows.
+    /// A table whose rows have ids; only the leaves have rows.
     Table,
-    /// A table without ids, or an index; every page holds rows.
+    /// A table without ids, or an index; every page has rows.
     Index,
 }
 

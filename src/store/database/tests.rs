@@ -651,7 +651,7 @@ fn an_invalid_row_hides_no_other() {
     assert_eq!(found[2].topic, "a\u{fffd}");
 }
 
-/// Impossible answers are not counted, and the player is notified once. The rows stay.
+/// Impossible answers are not counted, and the player is notified once. The rows are kept.
 #[test]
 fn answers_out_of_range_are_left_out_and_counted_in_a_notice() {
     let (scratch, _) = filled("misfits");

@@ -70,7 +70,7 @@ fn tidy(text: &str) -> String {
     for (apart, together) in [("( ", "("), (" )", ")"), (" ,", ",")] {
         line = line.replace(apart, together);
     }
-    // "Forward is +."
+    // The sentence may end in a symbol, as in "Forward is +."
     line = line.replace(" . ", ". ");
     if let Some(stopped) = line.strip_suffix(" .") {
         line = format!("{stopped}.");

@@ -96,7 +96,7 @@ pub(in crate::shells::plain) fn means_unit(typed: &str, unit: &str) -> bool {
 
 /// Singular or plural, if a token is a number, after which a unit may follow.
 fn counted(token: &str) -> Option<Count> {
-    // Also the last of a pair: "(60, 0) g m/s".
+    // The last number of a pair also counts: "(60, 0) g m/s".
     let number = token
         .trim_start_matches(['(', '"', '“'])
         .trim_end_matches(')');
