@@ -556,7 +556,7 @@ mod tests {
     }
 
     #[test]
-    fn faults_of_arguments_are_reported() {
+    fn errors_in_arguments_are_reported() {
         let wrong = |arguments| open(arguments).err().unwrap_or_default();
         assert_eq!(wrong("lab 'x"), "expected a closing quote in the arguments");
         assert_eq!(wrong("man"), "expected a command that opens a screen");

@@ -82,14 +82,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_head_and_no_cell_gives_orders_to_the_program_that_shows_the_table() {
+    fn heads_and_cells_cannot_control_the_program_that_shows_the_table() {
         let hostile = "\u{1b}=cmd|A1\0\u{9b}\u{202e}";
         let written = csv_table(&[hostile, "b"], &[vec![hostile.into(), "x\ny".into()]]);
         assert_eq!(written.unwrap(), "'=cmd|A1,b\n'=cmd|A1,\"x\ny\"\n");
     }
 
     #[test]
-    fn no_part_of_a_cell_becomes_a_formula_where_other_signs_separate_cells() {
+    fn no_part_of_a_cell_becomes_a_formula_with_other_separators() {
         for (text, written) in [
             ("a;=1+1", "a;'=1+1"),
             ("a\n=1+1;b; @c", "a\n'=1+1;b; '@c"),
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_stay_numbers_and_what_only_looks_like_one_does_not() {
+    fn numbers_stay_numbers_and_similar_texts_are_escaped() {
         for number in ["-6.1", "0", "12", "1e-5", "-1.5e3"] {
             assert_eq!(safe_cell(number), number);
         }

@@ -129,7 +129,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pictures_of_several_letters_are_pictures_and_nothing_else_is() {
+    fn only_emoji_of_several_characters_are_pictures() {
         let wales = "\u{1f3f4}\u{e0067}\u{e0062}\u{e0077}\u{e006c}\u{e0073}\u{e007f}";
         for picture in ["👩‍👩‍👧", "❤️‍🔥", wales] {
             assert!(is_picture(picture), "{picture}");
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn names_stay_and_what_is_no_letter_goes() {
+    fn names_stay_and_invisible_characters_are_removed() {
         for name in [
             "Ada",
             "Zoë Müller-Łukasiewicz",

@@ -53,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn plain_names_stay_as_they_are() {
+    fn plain_names_stay_unchanged() {
         for name in [
             "Ada",
             "Zoë Müller-Łukasiewicz",
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn long_texts_are_cut() {
+    fn long_texts_are_truncated() {
         assert_eq!(clean("Ada Lovelace", 8), "Ada Lov…");
         assert_eq!(clean("Ada Lovelace", 5), "Ada…");
         assert_eq!(clean("Ada Lovelace", 12), "Ada Lovelace");

@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn whatever_is_written_is_read_as_plain_text() {
+    fn all_input_is_read_back_as_plain_text() {
         for text in NASTY {
             let mut document = Markdown::new();
             document.paragraph(text);
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn pictures_are_found_again() {
+    fn pictures_are_read_back() {
         let mut document = Markdown::new();
         document.picture("a ](x) b", "my report (1)-pictures/a%20b.svg");
         let (texts, tags) = read(document.text());
@@ -264,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn plain_words_are_left_alone() {
+    fn plain_words_are_not_escaped() {
         for text in [
             "well-aimed, at 30° (of 45°): 4.5 m/s!",
             "Ada's 1. try",

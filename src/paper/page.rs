@@ -74,7 +74,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_title_is_text_and_nothing_else() {
+    fn a_title_is_plain_text() {
         let page = html_page("</title><script>alert(1)</script>", "", Paper::A4, []);
         assert!(page.starts_with("<!DOCTYPE html><html lang=\"en\">"));
         assert!(page.contains("<title>&lt;/title&gt;&lt;script&gt;"));
@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn sheets_come_in_order() {
+    fn sheets_are_in_order() {
         let sheets = [html! { "first" }, html! { "second" }];
         let page = html_page("two", ".x { color: red }", Paper::A4, sheets);
         assert_eq!(page.matches("class=\"sheet\"").count(), 2);

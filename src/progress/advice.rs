@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn a_player_who_knows_everything_is_sent_on() {
+    fn a_player_who_knows_all_topics_gets_further_advice() {
         let attempts = vec![attempt("a", 0.0); 5];
         assert!(advice(&attempts, &Calendar::default()).contains("Try the levels"));
     }

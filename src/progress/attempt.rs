@@ -258,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn an_answer_that_no_question_can_have_got_has_a_fault() {
+    fn an_impossible_answer_has_a_fault() {
         let sound = attempt(60.0, 30.0);
         assert_eq!(sound.fault(), None);
         for (credit, error_deg) in [
@@ -314,7 +314,7 @@ mod tests {
     }
 
     #[test]
-    fn all_that_is_known_is_noted() {
+    fn an_attempt_stores_everything_about_the_answer() {
         let right = attempt(60.0, 30.0);
         assert!(right.right && !right.is_surely_wrong());
         assert!((right.credit - 1.0).abs() < 1e-12);
@@ -334,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn the_error_is_that_of_the_ray_furthest_off() {
+    fn the_error_is_the_larger_of_two_rays() {
         let copied = attempt(30.0, 30.0);
         assert!(copied.is_surely_wrong());
         assert!((copied.error_deg.unwrap() - 30.0).abs() < 1e-9);

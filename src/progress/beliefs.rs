@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn beliefs_come_fade_go_or_stay() {
+    fn misconceptions_appear_fade_vanish_or_stay() {
         const C: &[&str] = &["copied-angle", "swapped"];
         const OTHER: &[&str] = &["half-and-half"];
         const YES: (&[&str], bool) = (C, true);
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn one_answer_names_nothing_however_often_it_is_given() {
+    fn repeating_one_answer_names_no_misconception() {
         const C: &[&str] = &["copied-angle"];
         assert!(trend(&[(C, true)]).is_empty());
         let again = Attempt {
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn unknown_misconceptions_are_left_out_and_old_answers_count_where_they_show_one() {
+    fn unknown_misconceptions_are_left_out_and_old_answers_with_one_are_used() {
         assert!(trend(&[(&["unheard-of"], true), (&["unheard-of"], true)]).is_empty());
         let old = |number: u32| Attempt {
             question: figures(json!({ "number": number })),

@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn the_honest_share_is_the_one_that_pays_most() {
+    fn the_honest_range_earns_the_most_points() {
         for confidence in Confidence::ALL {
             let (from, to) = Calibrated::honest(confidence);
             for share in [from + 0.01, f64::midpoint(from, to), to - 0.01] {
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn shares_as_time_goes_by_are_those_of_the_last_few() {
+    fn shares_over_time_use_the_last_few_answers() {
         let answer = |right: bool, confidence| Attempt {
             confidence,
             ..attempt("a", if right { 0.0 } else { 20.0 })
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn the_widest_gap_is_spoken_of() {
+    fn the_comment_is_about_the_largest_gap() {
         use Confidence::{Guess, Sure, ThinkSo};
         let answers = |counts: [(Confidence, usize, usize); 3]| {
             let [a, b, c] = counts.map(|(sure, right, wrong)| calibrated(sure, right, wrong));
@@ -162,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn words_follow_from_the_shares() {
+    fn the_comment_depends_on_the_shares() {
         use Confidence::{Guess, Sure, ThinkSo};
         for (confidence, right, wrong, says) in [
             (Sure, 3, 2, "too often"),

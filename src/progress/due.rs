@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn a_review_asks_so_many_at_once_and_the_longest_due_first() {
+    fn a_review_has_a_limit_and_starts_with_the_longest_due() {
         let attempts: Vec<_> = CourseKind::topics()
             .filter(|family| ![Family::Concept, Family::Ideas].contains(family))
             .zip(1..)

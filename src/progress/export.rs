@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn times_are_told_in_utc() {
+    fn times_are_written_in_utc() {
         assert_eq!(utc(0).as_deref(), Some("1970-01-01T00:00:00Z"));
         assert_eq!(utc(951_782_400).as_deref(), Some("2000-02-29T00:00:00Z"));
         for never in [-1, i64::MIN, i64::MAX] {

@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn the_rest_of_a_known_topic_doubles_each_time() {
+    fn the_interval_of_a_known_topic_doubles_each_time() {
         assert_eq!(due(&[(0, true)]), (Some(0), 1));
         assert_eq!(due(&[(0, true), (1, true)]), (Some(1), 3));
         assert_eq!(due(&[(0, true), (1, true), (3, true)]), (Some(2), 7));
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn the_earliest_comes_first_and_what_has_no_time_not_at_all() {
+    fn the_earliest_review_is_first_and_answers_without_a_time_are_left_out() {
         let other = Attempt {
             topic: "b".into(),
             ..on_day(0, false)

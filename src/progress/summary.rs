@@ -279,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn calibration_in_words() {
+    fn the_comment_on_calibration_depends_on_the_answers() {
         use Confidence::{Guess, Sure, ThinkSo};
         for (answers, words) in [
             (vec![(Sure, true)], "Sure once, and right."),

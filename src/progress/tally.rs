@@ -189,7 +189,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn the_ends_are_those_of_angles() {
+    fn the_first_and_last_errors_are_those_of_angles() {
         let mut all: Vec<_> = (0..10).map(|_| attempt("a", 20.0)).collect();
         // Answers without an angle are in between; they are not counted.
         all.extend((0..30).map(|_| Attempt {

@@ -113,7 +113,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn topics_come_as_they_were_met_and_stand_as_they_do_lately() {
+    fn topics_are_in_order_of_appearance_with_their_recent_state() {
         let mut all = vec![attempt("b", 20.0), attempt("a", 1.0)];
         all.extend((0..3).map(|_| attempt("b", 20.0)));
         assert_eq!(topics(&all)[0].mastery(), Mastery::NotYet);
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn how_well_it_is_known_follows_from_what_was_right() {
+    fn the_mastery_of_a_topic_depends_on_right_answers() {
         for (right, wrong, mastery) in [
             (0, 0, Mastery::New),
             (0, 1, Mastery::NotYet),

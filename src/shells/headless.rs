@@ -297,7 +297,7 @@ mod tests {
     }
 
     #[test]
-    fn time_passes_only_while_the_app_asks_for_it() {
+    fn time_passes_only_while_the_app_requests_it() {
         let mut game = counter();
         game.pass(Duration::from_secs(3600));
         assert!(game.screen().contains(" 0"));
@@ -318,7 +318,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_left_where_a_wide_letter_stood() {
+    fn a_wide_letter_is_erased_completely() {
         let (code, teams, name) = (None, vec![], String::new());
         let settings = Settings {
             charset: Charset::Unicode,

@@ -68,7 +68,7 @@ fn a_missing_file_is_named() {
 }
 
 #[test]
-fn figures_are_pictures_without_a_terminal() {
+fn figures_are_drawn_without_a_terminal() {
     for figure in [
         "lab", "split", "triangle", "frames", "curves", "angles", "energy", "worked", "solve",
         "foil", "shots",

@@ -33,7 +33,7 @@ fn simulate_refuses_an_invalid_scene_with_the_same_message() {
 }
 
 #[test]
-fn ten_megabytes_of_noise_give_one_message() {
+fn ten_megabytes_of_random_bytes_cause_one_message() {
     let folder = Folder::new("noise");
     let mut state = 1_u64;
     let noise: Vec<u8> = std::iter::repeat_with(|| {

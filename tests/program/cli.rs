@@ -69,7 +69,7 @@ fn without_a_terminal_there_is_a_message() {
         assert_eq!(out(&output), "");
         let message = err(&output);
         assert!(
-            message.starts_with("carrom: a terminal is needed, and standard input is not one"),
+            message.starts_with("carrom: a terminal is needed, but standard input is not one"),
             "{message}"
         );
         assert!(

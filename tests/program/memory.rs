@@ -224,7 +224,7 @@ fn the_real_game_in_a_terminal_saves_every_explained_answer() {
 }
 
 #[test]
-fn a_damaged_database_is_reported_and_the_game_goes_on() {
+fn a_damaged_database_is_reported_and_the_game_continues() {
     let folder = Folder::new("memory-damaged");
     let path = folder.path().join("progress.db");
     let mut game = quiz(folder.path(), "Ada");

@@ -94,7 +94,7 @@ const STEPS: [ClassStep; 6] = [
 
 /// Tests every form, at both votes and after the end: out of range, of another kind, not a number.
 #[test]
-fn votes_that_do_not_fit_are_refused_at_every_question() {
+fn invalid_votes_are_refused_at_every_question() {
     let folder = Folder::new("noise-votes");
     let teacher = Teacher::with_round(&folder, STUB, ROUND);
     teacher.press("<Enter>", "question 1 of 10");

@@ -351,7 +351,7 @@ fn file_names_are_read_unchanged() {
 }
 
 #[test]
-fn a_chapter_gives_nothing_away_that_it_asks_later() {
+fn a_chapter_does_not_reveal_later_answers() {
     let folder = Folder::new("plain");
     let said = talk(
         "learn 2 --plain",

@@ -245,7 +245,7 @@ fn a_byte_order_mark_is_skipped() {
 }
 
 #[test]
-fn a_name_is_its_visible_letters() {
+fn only_names_with_visible_characters_are_accepted() {
     let folder = Folder::new("safe-name");
     let data = folder.path().to_str().unwrap();
     for (name, good) in [

@@ -427,7 +427,7 @@ fn table(store: Store) -> Headless {
 }
 
 #[test]
-fn a_failed_save_is_reported_once_and_the_game_goes_on() {
+fn a_failed_save_is_reported_once_and_the_game_continues() {
     let folder = Folder::new("no-saves");
     // A file has the name of the folder, so that nobody can write there, not even root.
     let in_the_way = folder.path().join("games");

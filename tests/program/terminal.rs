@@ -257,7 +257,7 @@ fn without_colour_bold_and_reverse_survive() {
 }
 
 #[test]
-fn a_terminal_that_cannot_place_text_is_refused() {
+fn a_terminal_that_cannot_position_text_is_refused() {
     let mut command = carrom(&[]);
     command.env("TERM", "dumb");
     let mut pty = Pty::start(command);

@@ -34,7 +34,7 @@ mod tests {
     use crate::physics::worked;
 
     #[test]
-    fn every_sign_of_a_solution_has_a_spelling_in_ascii() {
+    fn every_symbol_in_a_solution_has_an_ascii_spelling() {
         let solution = worked::steps(&CollisionSpec::default().collision(), false);
         let written = render(&solution, Charset::Ascii);
         assert!(

@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn a_talk_comes_from_the_page_that_was_served() {
+    fn only_the_served_page_can_open_a_websocket() {
         let host = "192.168.1.5:8090";
         assert!(matches!(
             talk(host, Some("http://192.168.1.5:8090")),
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn the_page_is_compressed_for_whom_that_is_right() {
+    fn the_page_is_compressed_for_browsers_that_accept_it() {
         for (encodings, wanted) in [("gzip, br", true), ("br", false), ("gzip;q=0", false)] {
             let encodings = format!("Accept-Encoding: {encodings}");
             let lines = ["GET /?x HTTP/1.1", "Host: localhost:8090", &encodings];

@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_copy_may_talk_to_its_server_and_to_nobody_else() {
+    fn the_served_copy_can_connect_only_to_its_server() {
         let file = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
                     script-src 'sha256-x'; connect-src 'none'\">";
         let page = ServedPage::new(file).unwrap();
@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn a_page_that_is_known_is_not_sent_again_and_a_changed_one_is() {
+    fn a_cached_page_is_not_sent_again_but_a_changed_one_is() {
         let [old, new] = ["one", "two"].map(|text| ServedPage::new(text).unwrap());
         let (head, _) = old.answer(true, Some(&old.tag));
         assert!(head.starts_with("HTTP/1.1 304 "));

@@ -88,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn an_invalid_number_is_refused_rather_than_cut() {
+    fn an_invalid_number_is_refused_rather_than_truncated() {
         for heard in [
             "",
             "sixty",

@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_are_heard_whatever_their_ends_and_bytes() {
+    fn lines_are_read_with_any_line_ends_and_bytes() {
         assert_eq!(
             hear_all(b" 60 \r\nstill\n\nlast"),
             ["60", "still", "", "last"]

@@ -33,7 +33,7 @@ mod tests {
     use crate::shells::plain::spoken;
 
     #[test]
-    fn no_line_begins_without_what_it_is_about() {
+    fn every_line_starts_with_its_subject() {
         let collision = CollisionSpec::default().collision();
         let steps = steps(&collision, false);
         let said: Vec<String> = steps.iter().flat_map(lines).collect();

@@ -45,7 +45,7 @@ pub(super) fn parts(line: &str) -> Result<Vec<Token>, String> {
             Some(inner) => {
                 let (text, after) = text(inner)?;
                 if !after.is_empty() && !after.starts_with(char::is_whitespace) {
-                    return Err("expected a blank after the closing quote".into());
+                    return Err("expected a space after the closing quote".into());
                 }
                 (Token::Text(text), after)
             }
@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn words_texts_and_comments_are_told_apart() {
+    fn words_texts_and_comments_are_distinguished() {
         let expected = vec![word("Expect"), Token::Text("a # \"b\"\n\\".into())];
         assert_eq!(parts(r#" Expect  "a # \"b\"\n\\" # c "d"#), Ok(expected));
         assert_eq!(parts("   # all of it"), Ok(vec![]));
@@ -102,12 +102,12 @@ mod tests {
     }
 
     #[test]
-    fn broken_texts_are_refused() {
+    fn invalid_texts_are_refused() {
         for (line, message) in [
             ("Type \"60", "expected a closing double quote"),
             ("Type \"60\\", "expected a closing double quote"),
             ("Type \"6\\0\"", "unknown escape \\0; expected"),
-            ("Type \"6\"0", "expected a blank after the closing quote"),
+            ("Type \"6\"0", "expected a space after the closing quote"),
         ] {
             let error = parts(line).unwrap_err();
             assert!(error.starts_with(message), "{line}: {error}");

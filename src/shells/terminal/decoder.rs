@@ -353,7 +353,7 @@ mod tests {
     }
 
     #[test]
-    fn keys_of_terminals_are_read_whole_and_byte_by_byte() {
+    fn keys_are_decoded_from_whole_sequences_and_from_single_bytes() {
         let held = |code, held| pressed(code, held);
         let (control, shift) = (KeyModifiers::CONTROL, KeyModifiers::SHIFT);
         for (bytes, expected) in [
@@ -400,7 +400,7 @@ mod tests {
     }
 
     #[test]
-    fn reports_of_the_mouse_are_read() {
+    fn mouse_reports_are_decoded() {
         let at = |kind, column, row| {
             let modifiers = KeyModifiers::NONE;
             vec![Event::Mouse(MouseEvent {
@@ -432,7 +432,7 @@ mod tests {
     }
 
     #[test]
-    fn unknown_sequences_are_skipped_and_the_next_key_counts() {
+    fn unknown_sequences_are_skipped_and_the_next_key_is_decoded() {
         for noise in [
             &b"\x1b[I"[..],
             b"\x1b[O",
@@ -465,7 +465,7 @@ mod tests {
     }
 
     #[test]
-    fn a_paste_is_one_text_with_what_looks_like_keys_in_it() {
+    fn a_paste_is_one_text_even_if_it_contains_key_sequences() {
         let text = "two\r\nlines \x1b[A \x1b[201 \x1b\x1b[20 ä";
         let bytes = format!("\x1b[200~{text}\x1b[201~q");
         let expected = [Event::Paste(text.into()), key(KeyCode::Char('q'))];
@@ -478,7 +478,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_paste_is_given_at_once_and_the_rest_is_dropped() {
+    fn a_long_paste_is_sent_at_once_and_the_rest_is_dropped() {
         let long = "ä".repeat(LARGEST_PASTE);
         let (mut decoder, mut events) = (Decoder::default(), VecDeque::new());
         decoder.feed(format!("\x1b[200~x{long}").as_bytes(), &mut events);
@@ -490,7 +490,7 @@ mod tests {
     }
 
     #[test]
-    fn ctrl_c_within_a_paste_counts_and_the_rest_of_it_does_not() {
+    fn ctrl_c_works_within_a_paste_and_the_rest_is_dropped() {
         let ctrl_c = pressed(KeyCode::Char('c'), KeyModifiers::CONTROL);
         let bytes = b"\x1b[200~abc\x03y\x03y\x1b[201~q";
         let expected = [ctrl_c.clone(), ctrl_c, key(KeyCode::Char('q'))];

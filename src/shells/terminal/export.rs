@@ -14,7 +14,7 @@ const MOST: u32 = 1000;
 pub(in crate::shells) fn write(name: &str, content: &str) -> Result<String, String> {
     write_beside(name, content)
         .map_err(|error| error.to_string())?
-        .ok_or_else(|| format!("there are {MOST} files of this name already"))
+        .ok_or_else(|| format!("there are already {MOST} files with this name"))
 }
 
 /// Writes the file; `None` if files with all the tried names exist.

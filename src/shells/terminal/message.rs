@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_flood_of_keys_no_more_counts_than_can_be_meant() {
+    fn a_burst_of_keys_is_limited() {
         assert_eq!(counted((0..5).map(|_| key('a'))), 5);
         assert_eq!(counted((0..100_000).map(|_| key('a'))), MOST_WAITING);
         let sizes = (0..5000).map(|_| Message::Input(Input::Resize(80, 24)));

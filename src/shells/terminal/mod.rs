@@ -295,7 +295,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_screen_without_end_is_drawn_in_part() {
+    fn a_huge_screen_is_drawn_in_part() {
         assert_eq!(drawn(80, 24), Rect::new(0, 0, 80, 24));
         assert_eq!(drawn(300, 100), Rect::new(0, 0, 300, 100));
         let most = drawn(u16::MAX, u16::MAX);

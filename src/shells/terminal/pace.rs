@@ -69,7 +69,7 @@ mod tests {
     use crate::screens::{Route, Settings};
 
     #[test]
-    fn the_first_picture_is_drawn_at_once_and_the_next_a_frame_later() {
+    fn the_first_frame_is_drawn_at_once_and_the_next_one_later() {
         let start = Instant::now();
         let mut pace = Pace::new(start);
         assert!(pace.is_due(start));
@@ -81,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn an_app_at_rest_is_waited_for_without_end() {
+    fn an_app_at_rest_needs_no_timer() {
         let start = Instant::now();
         let mut pace = Pace::new(start);
         pace.drawn(start);
@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn an_app_in_a_hurry_gets_sixty_pictures_a_second_and_a_slow_one_what_it_asks() {
+    fn a_fast_app_gets_sixty_frames_per_second_and_a_slow_one_what_it_requests() {
         let start = Instant::now();
         let mut pace = Pace::new(start);
         pace.drawn(start);

@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn a_release_is_no_press_but_a_repeat_is() {
+    fn a_repeated_key_is_a_press_but_a_released_key_is_not() {
         let with = |kind| {
             key(&KeyEvent::new_with_kind(
                 KeyCode::Up,
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_main_button_and_the_wheel_count() {
+    fn only_the_main_button_and_the_wheel_are_used() {
         let with = |kind| {
             mouse(&MouseEvent {
                 kind,

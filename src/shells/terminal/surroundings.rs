@@ -11,10 +11,10 @@ use crate::widgets::{Charset, Depth};
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum Unusable {
     /// Standard input or output is a file, a pipe or nothing.
-    #[error("a terminal is needed, and {0} is not one")]
+    #[error("a terminal is needed, but {0} is not one")]
     NoTerminal(&'static str),
     /// The terminal cannot position text.
-    #[error("a terminal that can place text is needed, and TERM is {0}")]
+    #[error("a terminal that can position text is needed, but TERM is {0}")]
     Dumb(String),
 }
 
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn only_an_empty_no_color_is_none() {
+    fn only_an_empty_no_color_is_ignored() {
         for set in ["1", "0", "no"] {
             let with = |name: &str| (name == "NO_COLOR").then(|| set.to_owned());
             assert_eq!(depth(with), Depth::None);
@@ -135,7 +135,7 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn a_terminal_must_be_able_to_place_text() {
+    fn a_terminal_must_be_able_to_position_text() {
         assert_eq!(dumb(from(&[("TERM", "xterm-256color")])), None);
         assert_eq!(dumb(from(&[("TERM", "dumb")])).as_deref(), Some("dumb"));
         assert_eq!(dumb(from(&[])).as_deref(), Some("not set"));

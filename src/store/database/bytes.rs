@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn bytes_are_a_database_again_and_those_of_a_file_too() {
+    fn a_database_opens_from_its_bytes_and_from_those_of_a_file() {
         assert_eq!(Database::in_memory().bytes(), Ok(None));
         let mut bytes = with(&[1, 2], 3).bytes().unwrap().unwrap();
         // A file on a disk has these values.
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn what_another_has_is_added_once() {
+    fn the_contents_of_another_database_are_added_once() {
         let mut own = with(&[1, 2], 1);
         let other = with(&[2, 3], 3).bytes().unwrap().unwrap();
         for _ in 0..2 {
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn damaged_bytes_are_refused_and_newer_ones_left_alone() {
+    fn useless_bytes_are_refused_and_newer_ones_left_unchanged() {
         let whole = with(&[1], 1).bytes().unwrap().unwrap();
         assert!(Database::of_bytes(b"no database", "aside").is_err());
         assert!(with(&[2], 1).take_in(&whole[..whole.len() / 2]).is_err());
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn damaged_bytes_are_mended_as_a_file_is() {
+    fn damaged_bytes_are_repaired_like_a_file() {
         let numbers: Vec<_> = (1..=200).collect();
         let whole = with(&numbers, 2).bytes().unwrap().unwrap();
         let (mut same, _) = Database::of_bytes(&whole, "aside").unwrap();

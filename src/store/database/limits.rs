@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_query_without_end_is_interrupted() {
+    fn an_endless_query_is_interrupted() {
         let mut connection = Connection::open_in_memory().unwrap();
         limit_work(&mut connection, 0).unwrap();
         let endless = "WITH RECURSIVE number (n) AS (SELECT 1 UNION ALL SELECT n + 1 FROM number) \

@@ -91,7 +91,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn signs_and_units_are_read_aloud() {
+    fn symbols_and_units_are_read_aloud() {
         for (text, read) in [
             ("60.0°", "60.0 degrees"),
             ("90 - 30.0 = 60.0°", "90 minus 30.0 equals 60.0 degrees"),
@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_that_moves_a_cursor_is_left() {
+    fn characters_that_move_a_cursor_are_removed() {
         let all: String = (0..0x3000).filter_map(char::from_u32).collect();
         for text in [spoken(&all), spoken(&verbatim(&all))] {
             assert!(text.chars().all(|c| !c.is_control()));
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_is_stopped_once() {
+    fn a_name_gets_one_full_stop() {
         let said = ["Why?", "Stop!", "So.", "So"].map(sentence);
         assert_eq!(said, ["Why?", "Stop!", "So.", "So."]);
     }
