@@ -103,7 +103,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
 fn list() -> String {
     let line = |guide: &Guide| format!("  carrom guide {:<14}{}\n", guide.name, guide.about);
     let lines: String = GUIDES.iter().map(line).collect();
-    format!("{lines}\nAll of them for a browser: carrom guide --out DIR")
+    format!("{lines}\nAll guides for a browser: carrom guide --out DIR")
 }
 
 /// The guides as HTML pages, and an index that links to them.

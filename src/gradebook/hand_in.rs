@@ -166,7 +166,7 @@ impl HandIn {
         let attempts = attempts.collect::<Result<_, _>>()?;
         let hand_in = Self::of(&written.name, &written.class, attempts);
         match hand_in.name.is_empty() {
-            true => Err("it has no name in it".into()),
+            true => Err("it has no name".into()),
             false => Ok(hand_in),
         }
     }

@@ -369,9 +369,8 @@ impl Store {
     /// How much is lost, and why.
     pub(crate) fn flush_at_end(&mut self) -> Result<(), String> {
         self.flush().map_err(|reason| {
-            let unsaved = self.unsaved.len();
-            let things = if unsaved == 1 { "thing" } else { "things" };
-            format!("{unsaved} {things} that you did could not be saved: {reason}")
+            let unsaved = counted(self.unsaved.len(), "change");
+            format!("{unsaved} could not be saved: {reason}")
         })
     }
 

@@ -355,7 +355,7 @@ fn asked(sheet: &Sheet, types: bool, rows: &[KeyRow<()>]) -> Asked {
         }
     }
     match types {
-        true => Asked::Number("A number, or what next".into(), String::new()),
+        true => Asked::Number("A number or an action".into(), String::new()),
         false => Asked::Nothing,
     }
 }

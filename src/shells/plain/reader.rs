@@ -470,13 +470,12 @@ impl PlainReader {
                 holder.input(&Key::Escape.into());
             }
         }
-        lines.push(
-            "To choose something, type its label or its words. Enter alone continues.".into(),
-        );
+        lines
+            .push("To choose something, type its label or its name. Enter alone continues.".into());
         lines.push(
             "To set a value, type its name: speed = 3. Or choose it and type more or less.".into(),
         );
-        lines.push("At any time: repeat reads the page again, glossary explains the terms of mechanics, back goes back, quit leaves and saves your answers.".into());
+        lines.push("At any time: repeat reads the page again, glossary explains the terms of mechanics, back goes back, quit saves your answers and ends carrom.".into());
         lines.extend(self.page.deeds());
         lines
     }

@@ -204,7 +204,7 @@ fn noon(day: &str) -> Option<i64> {
 }
 
 fn scroll(arguments: &Arguments) -> Result<Instruction, String> {
-    let expected = "up or down, then perhaps how far and over which cell";
+    let expected = "up or down, then optionally the number of notches and a cell";
     let (way, rest) = match arguments.rest {
         [Token::Word(way), rest @ ..] if rest.len() <= 2 => (way.as_str(), rest),
         rest => ("", rest),

@@ -51,7 +51,7 @@ use store_worker::StoreWorker;
 #[derive(Debug, Error)]
 pub enum TerminalError {
     /// It could not be switched to raw mode or the alternate screen.
-    #[error("cannot set the terminal up: {0}")]
+    #[error("cannot set up the terminal: {0}")]
     SetUp(#[source] io::Error),
     /// A frame could not be written to it.
     #[error("cannot write to the terminal: {0}")]

@@ -282,7 +282,7 @@ impl Saved {
         };
         if let Some((copy, rows)) = &self.copy {
             let taken = match listed(rows) {
-                nothing if nothing.is_empty() => "nothing that was missing".into(),
+                nothing if nothing.is_empty() => "none of the missing rows".into(),
                 taken => taken,
             };
             reported += &format!(" Taken from {copy}: {taken}.");
