@@ -1,4 +1,4 @@
-//! `carrom completions`: what a shell needs to complete carrom's arguments.
+//! `carrom completions`: the script with which a shell completes carrom's arguments.
 
 use clap::Command;
 use clap_complete::Shell;

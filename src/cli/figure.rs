@@ -1,4 +1,4 @@
-//! `carrom figure`: a figure of the lessons as a picture, without a terminal.
+//! `carrom figure`: draws a figure of the lessons as a picture, without a terminal.
 
 use std::path::PathBuf;
 
@@ -34,7 +34,7 @@ pub(super) struct Args {
     light: bool,
 }
 
-/// Draws in Unicode and full colour unless the options say otherwise.
+/// Figures are drawn in Unicode and full colour by default.
 const AUTO: Auto = Auto {
     charset: Charset::Unicode,
     depth: Depth::True,

@@ -127,7 +127,7 @@ fn reports(
     Ok(documents(&reports.collect::<Vec<_>>(), file))
 }
 
-/// Asks the store, and prints its notice if there is one.
+/// Sends a request to the store, and prints the store's notice if there is one.
 fn ask(store: &mut Store, request: StoreRequest) -> StoreReply {
     let answer = store.answer(&StoreCall { ticket: 0, request });
     if let Some(notice) = answer.notice {

@@ -85,7 +85,7 @@ pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {
     Ok(super::print_names(&documents)?)
 }
 
-/// The tape in a file.
+/// Reads the tape in a file.
 fn read(path: &Path) -> anyhow::Result<Tape> {
     let bytes = files::read(path, files::LARGEST)?;
     let name = path.display().to_string();

@@ -68,7 +68,7 @@ pub(super) struct Args {
     force: bool,
 }
 
-/// The folder of the pictures for Markdown.
+/// The folder with the pictures of the Markdown files.
 const PICTURES: &str = "pictures";
 
 pub(super) fn run(args: &Args, options: &GlobalOptions) -> Result<(), Failure> {

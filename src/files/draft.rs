@@ -1,4 +1,4 @@
-//! Writes files atomically: a name has the old file or the new one, never a part.
+//! Writes files atomically: a name has the old file or the new one, never part of one.
 
 use std::fs;
 use std::io::{self, ErrorKind, Write};
@@ -11,8 +11,8 @@ use tempfile::{Builder, TempPath};
 /// The prefix of the names of unfinished files.
 pub(crate) const UNFINISHED: &str = ".new-";
 
-/// A complete file under a temporary name: it was synced to the disk in the folder of its final
-/// name, and is removed if it is never renamed.
+/// A complete file under a temporary name, in the folder of its final name. It has been synced to
+/// the disk, and is removed if it is never renamed.
 #[derive(Debug)]
 pub(crate) struct UnplacedFile(TempPath);
 
@@ -21,12 +21,13 @@ impl UnplacedFile {
     /// read it.
     ///
     /// # Errors
-    /// If it cannot be written completely; then nothing of it is left.
+    /// If it cannot be written completely; then it is removed.
     pub(crate) fn write(folder: &Path, text: &str) -> io::Result<Self> {
         Self::write_with_mode(folder, text, 0o666)
     }
 
-    /// The same, readable only by this user from the start, if the system has such permissions.
+    /// Like [`Self::write`], but only this user can ever read the file, if the system has such
+    /// permissions.
     ///
     /// # Errors
     /// As for [`Self::write`].
@@ -65,10 +66,10 @@ impl UnplacedFile {
     pub(crate) fn place(&self, path: &Path) -> io::Result<bool> {
         // A hard link fails if the name exists; a rename would replace it.
         match fs::hard_link(&self.0, path) {
-            // The other name goes when this is dropped.
+            // The temporary name is removed when this is dropped.
             Ok(()) => Ok(true),
             Err(error) if error.kind() == ErrorKind::AlreadyExists => Ok(false),
-            // Not every file system has links.
+            // Not every file system supports hard links.
             Err(_) if is_there(path) => Ok(false),
             Err(_) => fs::rename(&self.0, path).map(|()| true),
         }

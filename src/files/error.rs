@@ -1,4 +1,4 @@
-//! Errors of files, in words.
+//! Error messages about files.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use unicode_segmentation::UnicodeSegmentation;
 use super::is_invisible;
 use super::letters::{hides, is_picture};
 
-/// The most errors of a file that are reported; a file of another kind could have any number.
+/// The most errors that are reported for one file. A file of another kind could have any number.
 const MOST_TOLD: usize = 20;
 
 /// The most characters of one message.
@@ -52,7 +52,7 @@ impl FileError {
         }
     }
 
-    /// The error and its place, without the name of the file.
+    /// The error and its position, without the name of the file.
     pub(crate) fn without_file(&self) -> String {
         match self.line {
             Some(line) => format!("line {line}: {}", self.what()),
@@ -93,7 +93,7 @@ impl FileErrors {
         (!errors.is_empty()).then_some(Self(errors))
     }
 
-    /// The error and its place, without the name of the file.
+    /// The errors and their positions, without the name of the file.
     pub(crate) fn without_file(&self) -> String {
         let errors: Vec<_> = self.0.iter().map(FileError::without_file).collect();
         errors.join("; ")
@@ -129,9 +129,9 @@ pub fn escape_control_lines(text: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// A message with what was expected, in carrom's words, and what was found, which is quoted from
-/// outside: on one line, without control characters, and with no more than [`LONGEST_QUOTE`] of
-/// what was found.
+/// A message with carrom's text about what was expected, and a quotation of what was found. The
+/// result is one line without control characters, and the quotation has at most [`LONGEST_QUOTE`]
+/// characters.
 pub(crate) fn brief(message: &str) -> String {
     let message = match message.split_once(FOUND) {
         Some((expected, found)) => {
@@ -142,8 +142,8 @@ pub(crate) fn brief(message: &str) -> String {
     escape_control(&message, LONGEST_MESSAGE)
 }
 
-/// A text from outside in quotation marks, as a message shows it: without control characters, and
-/// no more than [`LONGEST_QUOTE`] of it.
+/// A text from outside in quotation marks, for a message: without control characters, and with at
+/// most [`LONGEST_QUOTE`] characters.
 pub fn quoted(text: &str) -> String {
     match text.char_indices().nth(LONGEST_QUOTE) {
         Some((end, _)) => format!("{:?}...", text.get(..end).unwrap_or_default()),

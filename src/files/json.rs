@@ -1,4 +1,4 @@
-//! JSON that carrom prints.
+//! Writes JSON.
 
 use std::io::{self, Write};
 
@@ -8,8 +8,8 @@ use serde_json::ser::Formatter;
 
 use super::is_invisible;
 
-/// Writes one JSON object. Texts in it may come from anybody, and a terminal may show them:
-/// invisible and control characters are written as escapes, which read back the same.
+/// Writes one JSON object. Its texts may come from anyone and may be shown in a terminal, so
+/// invisible and control characters are written as escapes, which any reader turns back.
 ///
 /// # Errors
 /// If it cannot be written.
@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn json_gives_no_orders_to_a_terminal_and_reads_back_the_same() {
+    fn json_cannot_control_a_terminal_and_reads_back_the_same() {
         let text = "a\u{1b}[2J\u{9b}31m \u{202e}\u{0}\u{1fffe}\"\\ 球";
         let mut written = Vec::new();
         write_json(&mut written, &text).unwrap();

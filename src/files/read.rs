@@ -19,7 +19,7 @@ pub fn read(path: &Path, most: usize) -> Result<Vec<u8>, FileError> {
     bytes.map_err(|error| unreadable(&path.display().to_string(), &error))
 }
 
-/// The bytes of standard input, likewise.
+/// The bytes of standard input, with the same limit.
 ///
 /// # Errors
 /// If it cannot be read.

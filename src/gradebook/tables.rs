@@ -4,7 +4,7 @@ use super::{BeliefCount, ClassResults, ItemStatistics, beliefs, items};
 use crate::files::csv_table;
 use crate::numbers::fixed;
 
-/// One row per pupil: the results in all, in each round and on each topic.
+/// One row per pupil: the total results, and those in each round and on each topic.
 ///
 /// # Errors
 /// None in practice; the reason if a row cannot be written.
@@ -90,7 +90,7 @@ pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
     table(&columns, &items(results))
 }
 
-/// The cell of a row in a column.
+/// A function that returns the cell of a row.
 type CellOf<'c, T> = &'c dyn Fn(&T) -> String;
 
 /// A table of these columns, each with its heading.
@@ -101,7 +101,7 @@ fn table<T>(columns: &[(&str, CellOf<T>)], rows: &[T]) -> Result<String, String>
     csv_table(&heads, &rows)
 }
 
-/// One row per misconception: how many hold it.
+/// One row per misconception: how many pupils hold it.
 ///
 /// # Errors
 /// None in practice; the reason if a row cannot be written.

@@ -1,13 +1,13 @@
-//! What to do next.
+//! Advice on what to do next.
 
 use super::{Attempt, Calendar, LESSON, Mastery, Trend, beliefs, reviews, topics};
 
 /// How many of the last attempts count as recent.
 const LATELY: usize = 10;
 
-/// What to do next, in a sentence or two. The most useful comes first: a misconception that is
-/// still held, then what is due today, if that is known, then what the player was sure of and
-/// missed, then the topic with the worst recent results.
+/// Advice on what to do next, in one or two sentences. The most useful comes first: a misconception
+/// that is still held, then a topic that is due today, then an answer that was sure but wrong, then
+/// the topic with the worst recent results.
 pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     if attempts.is_empty() {
         return "Play a round of the quiz: ten hits, and no answer is wasted.".into();
@@ -25,9 +25,9 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     };
     if let Some(review) = calendar.today().and_then(due) {
         return match review.family.as_str() {
-            LESSON => format!("Due again, among the chapters: {}.", review.topic_name()),
+            LESSON => format!("Due for review, in the chapters: {}.", review.topic_name()),
             _ => format!(
-                "Due again: {}. A round of the quiz brings it back.",
+                "Due for review: {}. Play a round of the quiz to repeat it.",
                 review.topic_name()
             ),
         };
@@ -35,7 +35,7 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     let lately = &attempts[attempts.len().saturating_sub(LATELY)..];
     if let Some(missed) = lately.iter().rev().find(|it| it.is_surely_wrong()) {
         return format!(
-            "You were sure, and it came out differently: {}. Try one of its kind again, and read \
+            "You were sure, but wrong, in this topic: {}. Try a similar question again, and read \
              the explanation slowly.",
             missed.topic_name()
         );
@@ -49,8 +49,8 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
             share(a).total_cmp(&share(b))
         });
     match weakest {
-        Some(topic) => format!("What can teach you most now: {}.", topic.name),
-        None => "All you have met is solid. Try the levels, or a game at the table.".into(),
+        Some(topic) => format!("You can learn most from this topic now: {}.", topic.name),
+        None => "All your topics so far are solid. Try the levels, or a game at the table.".into(),
     }
 }
 
@@ -70,14 +70,14 @@ mod tests {
             advice(&attempts, &Calendar::utc(now_s))
         };
         assert!(says(None, None).contains("Play a round"));
-        assert!(says(Some(attempt("a", 9.0)), None).contains("teach you most now: a"));
+        assert!(says(Some(attempt("a", 9.0)), None).contains("from this topic now: a"));
         let sure = Attempt {
             confidence: Some(Confidence::Sure),
             time_s: Some(1000),
             ..attempt("equal-masses", 9.0)
         };
-        assert!(says(Some(sure), None).contains("came out differently: equal masses"));
-        assert!(says(None, Some(1000)).contains("Due again: equal masses"));
+        assert!(says(Some(sure), None).contains("in this topic: equal masses"));
+        assert!(says(None, Some(1000)).contains("Due for review: equal masses"));
         let held = |number: u32| Attempt {
             question: figures(json!({ "number": number, "by_chance": 0.01 })),
             misconception: Some("swapped".into()),
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn a_player_who_knows_everything_is_sent_on() {
+    fn a_player_who_knows_all_topics_gets_further_advice() {
         let attempts = vec![attempt("a", 0.0); 5];
         assert!(advice(&attempts, &Calendar::default()).contains("Try the levels"));
     }

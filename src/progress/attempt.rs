@@ -8,15 +8,15 @@ use crate::quiz::{
     Answer, Clue, Code, Confidence, Figures, Form, Grade, Misconception, Question, Rays, Topic,
 };
 
-/// The family of all questions that chapters ask.
+/// The family of all questions in chapters.
 pub const LESSON: &str = "lesson";
 
-/// The largest error of an angle, in degrees, with rounding.
+/// The largest possible error of an angle, in degrees, with a margin for rounding.
 const FURTHEST_OFF_DEG: f64 = 180.0 + 1e-6;
 /// The most choices in a chapter, with room for later versions.
 const MOST_LINES: u64 = 26;
 
-/// Figures as the text of a JSON object.
+/// Writes figures as a JSON object.
 pub(crate) fn figures_text(figures: &Figures) -> String {
     serde_json::to_string(figures).unwrap_or_default()
 }
@@ -26,18 +26,18 @@ pub(crate) fn figures_text(figures: &Figures) -> String {
 /// the player once.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
-    /// When, in seconds since 1970 began (UTC). Set by the store; `None` before that, and if the
-    /// time is unknown.
+    /// The time in seconds since the start of 1970 (UTC), set by the store; `None` before that, or
+    /// if the time is unknown.
     #[serde(default)]
     pub time_s: Option<i64>,
-    /// Who.
+    /// The player's name.
     #[serde(skip)]
     pub player: String,
     /// The family of the question, by its name in files: "where-to", or [`LESSON`].
     pub family: String,
     /// The topic: the id of a [`Topic`], or the title of the chapter.
     pub topic: String,
-    /// The seed of the round; 0 where there is none.
+    /// The seed of the round; 0 if there is none.
     pub seed: u64,
     /// Its number in the round, or the page of the chapter, from 1.
     pub number: u32,
@@ -56,7 +56,7 @@ pub struct Attempt {
     pub credit: f64,
     /// Whether it counts as right.
     pub right: bool,
-    /// How sure the player was; `None` if that is not asked.
+    /// How sure the player was; `None` if that was not asked.
     #[serde(default)]
     pub confidence: Option<Confidence>,
     /// The misconception it fits, by its name in files.
@@ -65,7 +65,7 @@ pub struct Attempt {
 }
 
 impl Attempt {
-    /// An answer to question `number` (from 1) of the round of a code.
+    /// An answer to question `number` (from 1) of the round with this code.
     pub fn of_quiz(
         player: &str,
         code: &Code,
@@ -99,19 +99,19 @@ impl Attempt {
         }
     }
 
-    /// What it was about, as shown: "equal masses, by offset", or the title of the chapter.
+    /// The name of the topic as shown: "equal masses, by offset", or the title of the chapter.
     pub(crate) fn topic_name(&self) -> String {
         topic_name(&self.family, &self.topic)
     }
 
-    /// Its fault in words; `None` if it is a possible answer to some question.
+    /// A description of its error; `None` if it is a possible answer to some question.
     ///
-    /// Files and databases can be changed by anybody. All code that counts, shows or hands in
-    /// answers relies on this check: numbers are finite and in range, and the answer is of the same
-    /// kind as the right one.
+    /// Anyone can change files and databases. All code that counts, shows or hands in answers
+    /// relies on this check: numbers are finite and in range, and the answer is of the same kind as
+    /// the right one.
     pub fn fault(&self) -> Option<&'static str> {
         let error_is_possible = |error: f64| match self.family.as_str() {
-            // A chapter may ask for any number of degrees.
+            // In a chapter, any angle is possible.
             LESSON => error >= 0.0 && error.is_finite(),
             _ => (0.0..=FURTHEST_OFF_DEG).contains(&error),
         };
@@ -120,7 +120,7 @@ impl Attempt {
         } else if !self.error_deg.is_none_or(error_is_possible) {
             Some("its error is not an angle")
         } else if !self.answer_is_possible() {
-            Some("what was answered is out of range or of the wrong kind")
+            Some("its answer is out of range or of the wrong kind")
         } else {
             None
         }
@@ -133,12 +133,12 @@ impl Attempt {
             LESSON => lesson_answer_is_possible(answer),
             _ => Form::could_be_kept(answer),
         };
-        // Even without a stored answer the result is stored.
+        // The result is stored even if the answer is not.
         answer.is_empty() || (is_like_truth && is_in_range)
     }
 
-    /// Its evidence for misconceptions. Unknown ones are left out; if it was not stored what an
-    /// answer could have shown, only what it did show is known.
+    /// Its evidence for misconceptions. Unknown ones are left out. If the misconceptions that an
+    /// answer could have shown were not stored, only the one that it did show is known.
     pub(super) fn clue(&self) -> Clue {
         let noted = self.question.get(MISCONCEPTIONS).and_then(Value::as_array);
         let noted = noted.map_or(&[][..], Vec::as_slice);
@@ -169,12 +169,12 @@ impl Attempt {
         noted.map_or_else(|| self.seed.to_string(), str::to_owned)
     }
 
-    /// Points by how close it was, 0 to [`Grade::MOST`], without the confidence.
+    /// The points for its accuracy, 0 to [`Grade::MOST`], without the confidence.
     pub fn points(&self) -> f64 {
         Grade::MOST * self.credit
     }
 
-    /// Points including the confidence.
+    /// The points including the confidence.
     pub fn earned(&self) -> f64 {
         self.confidence
             .map_or(self.points(), |it| it.points(self.credit))
@@ -190,14 +190,14 @@ impl Attempt {
         }
     }
 
-    /// Whether the player was sure, and wrong.
+    /// Whether the player was sure but wrong.
     pub(crate) fn is_surely_wrong(&self) -> bool {
         self.confidence == Some(Confidence::Sure) && !self.right
     }
 }
 
-/// Whether this is an answer to some checkpoint of a chapter: two rays, any number, or a line
-/// counted from 1.
+/// Whether this can answer a checkpoint of a chapter: two rays, any number, or a choice counted
+/// from 1.
 fn lesson_answer_is_possible(answer: &Figures) -> bool {
     match (answer.get("number"), answer.get("choice")) {
         (Some(number), None) => number.is_f64() || number.is_i64() || number.is_u64(),
@@ -208,7 +208,7 @@ fn lesson_answer_is_possible(answer: &Figures) -> bool {
     }
 }
 
-/// The name of what a family asked about, as shown.
+/// The name of a family's topic, as shown.
 pub(super) fn topic_name(family: &str, topic: &str) -> String {
     match family {
         LESSON => topic.to_owned(),
@@ -216,16 +216,16 @@ pub(super) fn topic_name(family: &str, topic: &str) -> String {
     }
 }
 
-/// Where [`Attempt::question`] has the code of the round.
+/// The key in [`Attempt::question`] of the code of the round.
 pub(crate) const ROUND: &str = "round";
 
-/// Where it says what an answer could have shown.
+/// The key of the misconceptions that an answer could have shown.
 const MISCONCEPTIONS: &str = "misconceptions";
 
-/// Where it says how likely a guess fits one of them.
+/// The key of the chance that a guess fits one of them.
 const BY_CHANCE: &str = "by_chance";
 
-/// The chance that a guess fits a number or one ray, as questions have it.
+/// The chance that a guess fits a number or one ray, as in questions.
 const ONE_BY_CHANCE: f64 = 0.08;
 
 #[cfg(test)]
@@ -258,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn an_answer_that_no_question_can_have_got_has_a_fault() {
+    fn an_impossible_answer_has_a_fault() {
         let sound = attempt(60.0, 30.0);
         assert_eq!(sound.fault(), None);
         for (credit, error_deg) in [
@@ -280,7 +280,7 @@ mod tests {
         }
         for answer in [
             "{\"choice\":99}",
-            // Of another kind than the truth.
+            // These are of another kind than the right answer.
             "{\"choice\":\"B\"}",
             "{\"theta1_deg\":200.0,\"theta2_deg\":0.0}",
             "{\"theta1_deg\":null}",
@@ -314,13 +314,13 @@ mod tests {
     }
 
     #[test]
-    fn all_that_is_known_is_noted() {
+    fn an_attempt_stores_everything_about_the_answer() {
         let right = attempt(60.0, 30.0);
         assert!(right.right && !right.is_surely_wrong());
         assert!((right.credit - 1.0).abs() < 1e-12);
         assert!(right.error_deg.unwrap() < 1e-9);
         assert_eq!(right.misconception, None);
-        // Equal masses without loss part at a right angle: 60° and 30°.
+        // Equal masses in an elastic collision leave at right angles: 60° and 30°.
         let truth = &right.truth;
         assert!((truth["theta1_deg"].as_f64().unwrap() - 60.0).abs() < 1e-9);
         assert!((truth["theta2_deg"].as_f64().unwrap() - 30.0).abs() < 1e-9);
@@ -334,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn the_error_is_that_of_the_ray_furthest_off() {
+    fn the_error_is_the_larger_of_two_rays() {
         let copied = attempt(30.0, 30.0);
         assert!(copied.is_surely_wrong());
         assert!((copied.error_deg.unwrap() - 30.0).abs() < 1e-9);
@@ -344,7 +344,7 @@ mod tests {
             ..HIT.truth()
         };
         let still = noted(rays, Confidence::Guess);
-        // The striker has no angle to be off, but its answer is none the less wrong.
+        // The striker has no angle error, but the answer for it is still wrong.
         assert!(rays.apart(&HIT.truth(), Ray::Striker).is_none());
         assert!(still.error_deg.unwrap() < 1e-9 && !still.right);
     }

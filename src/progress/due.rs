@@ -3,8 +3,8 @@
 use super::{Attempt, Calendar, LESSON, Review, reviews};
 use crate::quiz::{Course, CourseKind, Family, Topic};
 
-/// The topics of the quiz that are due, and the next one. Chapters are not included: they show
-/// themselves what to repeat.
+/// The topics of the quiz that are due, and the next one. Chapters are not included, because each
+/// chapter shows which of its questions to repeat.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Due {
     /// The topics that are due, the longest due first.
@@ -34,7 +34,7 @@ impl Due {
         due
     }
 
-    /// The topics of the next review.
+    /// The topics for the next review.
     pub fn first(&self) -> &[Topic] {
         &self.now[..self.now.len().min(Course::REVIEWED)]
     }
@@ -46,13 +46,13 @@ impl Due {
 }
 
 impl Review {
-    /// Whether anything asks about it again: the quiz, or the chapter that did before. A teacher's
-    /// own questions may have topics of their own.
+    /// Whether the quiz or the chapter still has questions about it. A topic of a teacher's own
+    /// questions may have none.
     pub(crate) fn comes_back(&self) -> bool {
         self.family == LESSON || self.is_of_quiz()
     }
 
-    /// Whether the quiz can ask about it.
+    /// Whether the quiz has questions about it.
     fn is_of_quiz(&self) -> bool {
         Family::with_id(&self.family).is_some()
             && !Topic::with_id(self.topic.clone()).families().is_empty()
@@ -66,7 +66,7 @@ mod tests {
 
     const NOW_S: i64 = 1_800_000_000;
 
-    /// A right or wrong answer to the first question of a round, so many days ago.
+    /// A right or wrong answer to the first question of a round, given `days_ago`.
     fn attempt(code: &str, right: bool, days_ago: i64) -> Attempt {
         let round = Round::of(Code::parse(code).unwrap());
         let question = &round.questions()[0];
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn a_review_asks_so_many_at_once_and_the_longest_due_first() {
+    fn a_review_has_a_limit_and_starts_with_the_longest_due() {
         let attempts: Vec<_> = CourseKind::topics()
             .filter(|family| ![Family::Concept, Family::Ideas].contains(family))
             .zip(1..)

@@ -1,8 +1,8 @@
-//! When to review which topic.
+//! Schedules the review of each topic.
 //!
-//! The schedule is kept by topic, not by family: a topic is what a person can know and forget, and
-//! several families ask about the same one in different ways. A question of another family shows
-//! whether the idea has been understood, and not only the kind of question. A review asks once
+//! The schedule is by topic, not by family: a topic is what a person can know and forget, and
+//! several families ask about the same topic in different ways. A question of another family shows
+//! whether the player has understood the idea and not only the kind of question. A review asks once
 //! about each topic that is due.
 //!
 //! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. It is due that many days
@@ -16,8 +16,8 @@
 //! - Right before it is due: nothing changes, because ten right answers on one day show no more
 //!   than one.
 //!
-//! This is the box of cards of S. Leitner (1972): the better something is known, the longer it may
-//! rest, and an answer that takes some effort has the greatest effect.
+//! This is the card box of S. Leitner (1972): the better something is known, the longer it may
+//! rest, and an answer that requires some effort has the greatest effect.
 
 use indexmap::IndexMap;
 use jiff::ToSpan;
@@ -34,34 +34,34 @@ const LAST: u32 = 5;
 /// A topic and its next review.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Review {
-    /// The family that asked about it last.
+    /// The family of the last question about it.
     pub family: String,
-    /// The topic, as [`Attempt::topic`] has it.
+    /// The topic, as in [`Attempt::topic`].
     pub topic: String,
     /// Its step on the ladder, from 0: it rests for 2ⁿ days. `None` off the ladder.
     pub step: Option<u32>,
     /// The first day on which it is due.
     pub due: Date,
-    /// When it reached its step, in seconds since 1970 began.
+    /// The time at which it reached its step, in seconds since the start of 1970.
     since_s: i64,
 }
 
 impl Review {
-    /// The topic, as shown.
+    /// The name of the topic, as shown.
     pub(crate) fn topic_name(&self) -> String {
         topic_name(&self.family, &self.topic)
     }
 
-    /// When it is due relative to `today`, in few letters: "now", "in 2 days".
+    /// When it is due relative to `today`, in short: "now", "in 2 days".
     pub fn when(&self, today: Date) -> String {
-        // Between two dates a difference in days always fits.
+        // The difference between two dates in days always fits.
         match usize::try_from((self.due - today).get_days()) {
             Ok(days @ 1..) => format!("in {}", counted(days, "day")),
             _ => "now".into(),
         }
     }
 
-    /// How many days before this one it reached its step.
+    /// The number of days from reaching its step to this day.
     fn days_to(&self, day: Date) -> u32 {
         let rest = self.step.map_or(0, |step| 1_i32 << step);
         let days = (day - self.due).get_days() + rest;
@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn the_rest_of_a_known_topic_doubles_each_time() {
+    fn the_interval_of_a_known_topic_doubles_each_time() {
         assert_eq!(due(&[(0, true)]), (Some(0), 1));
         assert_eq!(due(&[(0, true), (1, true)]), (Some(1), 3));
         assert_eq!(due(&[(0, true), (1, true), (3, true)]), (Some(2), 7));
@@ -151,7 +151,7 @@ mod tests {
         assert_eq!(due(&[(0, true), (7, true)]), (Some(2), 11));
         assert_eq!(due(&[(0, true), (60, true)]), (Some(5), 92));
         assert_eq!(due(&[(0, true), (500, true)]), (Some(LAST), 532));
-        // From off the ladder a gap earns nothing: it was not known before.
+        // Off the ladder, a long gap has no effect, because the topic was not known before.
         assert_eq!(due(&[(0, false), (60, true)]), (Some(0), 61));
         let always: Vec<_> = (0..9).map(|i| (40 * i, true)).collect();
         assert_eq!(due(&always), (Some(LAST), 8 * 40 + 32));
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn the_earliest_comes_first_and_what_has_no_time_not_at_all() {
+    fn the_earliest_review_is_first_and_answers_without_a_time_are_left_out() {
         let other = Attempt {
             topic: "b".into(),
             ..on_day(0, false)

@@ -1,4 +1,4 @@
-//! Nothing that is given plays tricks on the terminal, and what cannot be used is said.
+//! No input can control the terminal, and input that cannot be used is reported.
 
 use std::fs;
 use std::process::{Command, Output, Stdio};
@@ -66,7 +66,7 @@ fn no_escape_sequence_reaches_the_terminal() {
     }
 }
 
-/// What stands in a database, which anybody can change, gives no orders either.
+/// The contents of a database, which anyone can change, cannot do so either.
 #[test]
 fn printed_answers_cannot_control_a_terminal_or_a_spreadsheet() {
     let folder = Folder::new("safe-answers");
@@ -112,7 +112,7 @@ fn printed_answers_cannot_control_a_terminal_or_a_spreadsheet() {
     }
 }
 
-/// A line of a file may be a megabyte of noise; nobody wants to read it in a message.
+/// A line of a file may be a megabyte of random text, which must not appear in a message.
 #[test]
 fn no_message_quotes_more_than_200_characters_of_a_line() {
     let folder = Folder::new("safe-quotes");
@@ -245,7 +245,7 @@ fn a_byte_order_mark_is_skipped() {
 }
 
 #[test]
-fn a_name_is_its_visible_letters() {
+fn only_names_with_visible_characters_are_accepted() {
     let folder = Folder::new("safe-name");
     let data = folder.path().to_str().unwrap();
     for (name, good) in [
@@ -322,7 +322,7 @@ fn the_expected_input_is_named() {
     }
 }
 
-/// What is no file in a folder of chapters is no chapter, and is not passed over.
+/// Anything in a folder of chapters that is not a file is reported, not ignored.
 #[cfg(unix)]
 #[test]
 fn a_path_that_is_not_a_file_is_named() {
