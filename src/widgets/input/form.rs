@@ -18,7 +18,7 @@ const BIG: f64 = 10.0;
 pub(crate) struct Field {
     /// Its name on the panel.
     pub name: Cow<'static, str>,
-    /// Its value as it reads, with its unit.
+    /// Its value as text, with its unit.
     pub shown: String,
     /// Its value and range.
     pub value: FieldValue,
@@ -117,7 +117,7 @@ pub(crate) struct FieldRow<S> {
     pub about: &'static str,
     /// Its value and range.
     pub value: fn(&S) -> FieldValue,
-    /// Its value as it reads, with its unit.
+    /// Its value as text, with its unit.
     pub shown: fn(&S) -> String,
     /// Sets a number, clamped to its range, or the index of a choice.
     pub put: fn(&mut S, f64),

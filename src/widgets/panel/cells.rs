@@ -121,8 +121,8 @@ impl<A: Copy> Panel<A> {
         placed
     }
 
-    /// Lays the panel out on pages in large letters beside a picture, on a screen with a body of this
-    /// many rows; `None` if a letter has no large form.
+    /// Lays the panel out on pages in large letters beside a picture, on a screen with a body of
+    /// this many rows; `None` if a letter has no large form.
     pub(crate) fn paged(
         &self,
         beside: Beside,

@@ -55,8 +55,8 @@ enum Content {
     Gap,
     /// A heading for the next blocks, in one row.
     Heading(String),
-    /// A short text in large letters, if the panel has this many rows: the first of these texts that
-    /// fits.
+    /// A short text in large letters, if the panel has this many rows: the first of these texts
+    /// that fits.
     Large(Vec<String>, Role, u16),
     /// A text in the largest letters that fit.
     LargeText(LargeText),
@@ -79,13 +79,13 @@ enum Content {
         command: String,
         address: String,
     },
-    /// What something is called, and its value.
+    /// The name of a quantity, and its value.
     Fact {
         name: String,
         value: String,
         roles: [Role; 2],
     },
-    /// One row of a table: its name, and a value for each column.
+    /// One row of a table: a name, and a value for each column.
     Columns {
         name: (String, Role),
         values: Vec<(String, Role)>,
@@ -95,7 +95,7 @@ enum Content {
         name: String,
         /// The text at the right edge.
         side: String,
-        /// How it is written while another one is chosen.
+        /// The role of the line while another is chosen.
         roles: [Role; 2],
         chosen: bool,
     },
@@ -105,13 +105,13 @@ enum Content {
         letter: char,
         name: String,
         about: String,
-        /// How it is written while another one is chosen.
+        /// The role of the name while another setting is chosen.
         role: Role,
         chosen: bool,
     },
     /// Several pages, one of which is open, in one row.
     Tabs { names: Vec<String>, open: usize },
-    /// A text in more than one style, behind a mark or none.
+    /// A text in more than one style, after an optional mark.
     Flow(String, Vec<Run>),
     /// A formula, which may have several rows.
     Formula(Formula, Role),
@@ -126,7 +126,7 @@ enum Content {
         chosen: bool,
         locked: bool,
     },
-    /// A text behind a mark, under which nothing else stands.
+    /// A text after a mark, indented so that nothing is below the mark.
     Marked {
         mark: String,
         text: String,
@@ -231,9 +231,9 @@ impl TableColumn {
 pub(crate) struct TableRow<A> {
     /// A cell for each column.
     pub cells: Vec<String>,
-    /// How it is written while another one is chosen.
+    /// The role of its text while another row is chosen.
     pub role: Role,
-    /// Whether it is the one that is chosen.
+    /// Whether the row is chosen.
     pub chosen: bool,
     /// The action of a click on the row.
     pub action: Option<A>,
@@ -413,7 +413,7 @@ impl<A> Panel<A> {
         });
     }
 
-    /// What something is called, and its value.
+    /// Adds the name of a quantity, and its value.
     pub(crate) fn fact(&mut self, name: impl Into<String>, value: impl Into<String>) {
         self.coloured_fact(name, value, Role::Text);
     }
@@ -441,7 +441,7 @@ impl<A> Panel<A> {
         });
     }
 
-    /// One row of a table: its name, and a value for each column.
+    /// Adds one row of a table: a name, and a value for each column.
     pub(crate) fn columns<V: Into<String>>(
         &mut self,
         (name, role): (impl Into<String>, Role),
@@ -506,7 +506,7 @@ impl<A> Panel<A> {
         self.flow("-", vec![Run::new(text, role)]);
     }
 
-    /// A text in more than one style, behind a mark or none.
+    /// Adds a text in more than one style, after an optional mark.
     pub(crate) fn flow(&mut self, mark: impl Into<String>, runs: Vec<Run>) {
         self.push(Content::Flow(mark.into(), runs));
     }
@@ -556,7 +556,7 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// A text behind a mark, under which nothing else stands.
+    /// Adds a text after a mark, indented so that nothing is below the mark.
     pub(crate) fn marked(&mut self, mark: &str, text: impl Into<String>, role: Role) {
         self.push(Content::Marked {
             mark: mark.into(),
@@ -655,7 +655,7 @@ impl<A> Panel<A> {
 }
 
 impl Content {
-    /// Whether it is the one that is chosen.
+    /// Whether the block is the chosen one.
     fn is_chosen(&self) -> bool {
         match self {
             Self::Field { chosen, .. }
