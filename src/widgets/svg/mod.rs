@@ -1,9 +1,9 @@
 //! Vectors: pictures and screens as SVG.
 //!
-//! A [`Picture`] becomes true lines, circles and text. Of a screen, letters are text in whatever
-//! monospace font there is, each word stretched to its cells. Braille, block elements and box lines
-//! are drawn as shapes, so that no font can spoil a picture made of them; all but the round ones
-//! with hard edges, so that no seams show between cells.
+//! A [`Picture`] becomes true lines, circles and text. The letters of a screen become text in any
+//! available monospace font, with each word stretched to its cells. Braille, block elements and box
+//! lines are drawn as shapes, so that no font can distort a picture made of them. All shapes except
+//! round ones have hard edges, so that no seams are visible between cells.
 
 mod colour;
 pub(crate) mod painted;

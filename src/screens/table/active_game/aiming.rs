@@ -42,13 +42,11 @@ pub enum AimAction {
     Place(i8),
     /// practice: move the striker up or down
     PlaceUp(i8),
-    /// type a number: the angle, or with the key after it the strength or the position in
-    /// millimetres
+    /// type a number: the angle, or with the key after it the strength or the position in millimetres
     Number(EntryAction),
     /// turn the aim line, the ghost or the predicted paths on or off
     Aid(AimAid),
-    /// turn calls on or off: before each stroke, predict the directions of the two discs in the
-    /// first collision
+    /// turn calls on or off: before each stroke, predict the directions of the two discs in the first collision
     Call,
     /// hint: where to look; again: the whole stroke; a third time: set it
     Hint,
