@@ -1,4 +1,4 @@
-//! What all screens share: settings, the seed, the area for drawing.
+//! The state that all screens share: settings, the seed, the area for drawing.
 
 use std::sync::Arc;
 
@@ -106,7 +106,7 @@ impl Context {
         }
     }
 
-    /// Changes the player: the data of the previous one is forgotten here.
+    /// Changes the player; the previous player's data is removed from memory.
     pub fn change_player(&mut self, name: String) {
         if name != self.settings.player {
             self.settings.player = name;

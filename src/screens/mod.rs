@@ -49,7 +49,7 @@ pub trait Screen {
     /// The screen's name for the title line, in lower case.
     fn title(&self) -> String;
 
-    /// The route that leads back to what the screen shows now.
+    /// The route that opens this screen in its current state.
     fn route(&self, _cx: &Context) -> Route {
         Route::Home
     }

@@ -4,7 +4,7 @@ use super::Context;
 use crate::messages::{History, StoreAnswer, StoreReply, StoreRequest};
 use crate::widgets::Role;
 
-/// The player's record, as far as it is known.
+/// The player's record, if it has been loaded.
 #[derive(Debug, Clone)]
 pub(super) enum Recall {
     /// It has been requested with this ticket.

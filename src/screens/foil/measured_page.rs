@@ -168,7 +168,7 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
         format!(
             "The counts for gold go from {least} to {}, a factor of {}, and stay between {} and {} \
              of the law. Silver: {} to {}. Both are too high at small angles; Geiger and Marsden \
-             thought that this was probably within their errors. The second plot enlarges it.",
+             thought that this was probably within their errors. The second plot enlarges this.",
             words::count(most as u64),
             words::count(words::rounded(most / least) as u64),
             signed(low),

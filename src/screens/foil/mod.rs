@@ -68,7 +68,7 @@ pub(crate) enum FoilAction {
 pub(crate) struct FoilScreen {
     setup: FoilSetup,
     page: FoilPage,
-    /// The setting that keys change.
+    /// The form whose selected setting the keys change.
     form: SettingsForm,
     beam: BeamPhase,
     /// The number of earlier beams.

@@ -20,7 +20,7 @@ pub(crate) struct FoilSetup {
     pub obstacle: Obstacle,
     /// The distribution of a beam's offsets.
     pub beam: Beam,
-    /// Which of the [`METALS`] the nucleus belongs to.
+    /// The index of the nucleus in [`METALS`].
     pub metal: usize,
     /// Energy of the α-particles in MeV.
     pub energy_mev: f64,

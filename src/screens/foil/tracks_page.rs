@@ -190,10 +190,10 @@ fn write_hard<A>(angle: f64, offset: f64, panel: &mut Panel<A>) {
     panel.gap();
     let text = if offset.abs() > 1.0 {
         "A miss: beyond R, the sum of the two radii, nothing touches and nothing is deflected. \
-         That is what hard means."
+         A hard target acts only on contact."
     } else if angle >= PI - 1e-9 {
-        "Straight on, straight back. R is the sum of the two radii; the target is so heavy that it \
-         stays where it is."
+        "A head-on collision: straight on, then straight back. R is the sum of the two radii; the \
+         target is so heavy that it stays where it is."
     } else {
         "It leaves like light from a mirror: at the same angle on the other side of the line of \
          impact. So Θ = 180° − 2 α, with sin α = b/R. The target is so heavy that it stays at \
@@ -227,7 +227,7 @@ fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
     let times = count((times / 100.0).round() as u64 * 100);
     panel.paragraph(
         format!(
-            "Even head-on it comes no nearer than d. So the charge that deflects it lies within d; \
+            "Even head-on it comes no nearer than d. So the charge that deflects it is within d; \
              and the radius of the atom is about {times} times d."
         ),
         Role::Text,

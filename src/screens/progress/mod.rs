@@ -63,7 +63,7 @@ impl NextStep {
         }
     }
 
-    /// The step in a word or two.
+    /// The step, in one or two words.
     const fn name(&self) -> &'static str {
         match self {
             Self::Review(_) => "review",
@@ -86,7 +86,7 @@ enum ProgressPage {
     Topics,
     /// Whether confidence matches the answers.
     Sure,
-    /// The same over time.
+    /// Whether confidence matches the answers, over time.
     SureOverTime,
     /// The player's misconceptions.
     Beliefs,
@@ -163,7 +163,7 @@ impl Progress {
         View { second, ..view }.laid_out(layout)
     }
 
-    /// Writes the hand-in for a teacher.
+    /// Writes the file that the player hands in to a teacher.
     fn hand_in(&self, cx: &mut Context) {
         let Some(history) = self.history() else {
             return;

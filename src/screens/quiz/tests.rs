@@ -31,7 +31,7 @@ impl TestRound {
     fn of(picture: Illustration, form: Form) -> Self {
         let mut quiz = Quiz::new(Code::hits(7));
         let question = Question {
-            text: "What comes of it? Assume smooth discs.".into(),
+            text: "What happens? Assume smooth discs.".into(),
             why: "So it is.".into(),
             beliefs: vec![],
             picture,
@@ -128,7 +128,7 @@ fn tracks() -> Illustration {
     }
 }
 
-/// Each picture with each form it may have.
+/// Each picture with each form of answer that it can have.
 fn all() -> Vec<(Illustration, Form)> {
     let rays = Quiz::new(Code::hits(7)).round.questions()[0].form.clone();
     let mut all = vec![(before(), Form::Shot(aim()))];
@@ -156,7 +156,7 @@ fn every_form_is_drawn_in_every_phase_at_any_size() {
             }
             sitting.cx.body = Rect::new(0, 1, 80, 22);
         };
-        look(&mut sitting, "What comes of it?");
+        look(&mut sitting, "What happens?");
         sitting.press("1\n");
         if let Form::Rays { .. } = form {
             sitting.press("1\n");

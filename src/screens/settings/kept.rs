@@ -80,7 +80,7 @@ impl KeptSettings {
     /// Reads a settings file.
     ///
     /// # Errors
-    /// All errors in the file.
+    /// If the file has errors; all of them are reported.
     pub fn read(file: &str, bytes: &[u8]) -> Result<Self, FileErrors> {
         let ids = SETTINGS.iter().map(|setting| setting.id);
         let known: Vec<_> = ["format", PLAYER_ID].into_iter().chain(ids).collect();

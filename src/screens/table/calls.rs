@@ -1,4 +1,4 @@
-//! "Call it": predicting the directions after the first impact of a stroke.
+//! Calls: predictions of the directions after the first impact of a stroke.
 
 use super::preview::first_hit;
 use crate::game::{Call, Strike};

@@ -50,7 +50,7 @@ pub(crate) enum AnswerAction {
 }
 
 impl AnswerInput {
-    /// No answer yet.
+    /// An input without an answer yet.
     pub(crate) fn new(form: &Form) -> Self {
         match form {
             Form::Rays { side, .. } => Self::Rays(RayInput::new(*side)),
@@ -123,7 +123,7 @@ impl AnswerInput {
         }
     }
 
-    /// Carries out an action; done once the answer is complete.
+    /// Carries out an action; `Done` once the answer is complete.
     pub(crate) fn act(&mut self, action: AnswerAction) -> Outcome {
         match (self, action) {
             (Self::Rays(rays), AnswerAction::Ray(action)) => return rays.act(action),
@@ -178,7 +178,7 @@ impl AnswerInput {
         true
     }
 
-    /// What can be dragged in the question's picture, in a sentence.
+    /// A sentence about what can be dragged in the question's picture.
     pub(crate) fn drag(&self, question: &Question) -> Option<&'static str> {
         match (self, question.picture.collision()) {
             (Self::Rays(_), Some(_)) => Some(RayInput::DRAG),

@@ -1,4 +1,4 @@
-//! The clock of a collision: up to the contact, step by step there, and on.
+//! The clock of a collision: up to the contact, step by step at the contact, and onwards.
 
 use std::time::Duration;
 
@@ -86,7 +86,7 @@ impl Playback {
     pub(crate) fn time(&self) -> f64 {
         match self.stage {
             PlaybackStage::Approach(s) => {
-                // Constant rate, then a rate that falls to 0 evenly over EASE.
+                // The rate is constant, then it decreases linearly to 0 over EASE.
                 let coasting = s.min(self.coasting());
                 let easing = (s - coasting).min(EASE);
                 let time = self.rate() * (coasting + easing - easing * easing / (2.0 * EASE));

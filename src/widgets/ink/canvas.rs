@@ -261,7 +261,7 @@ impl Canvas {
         (block.symbol, Style::new().fg(ink).bg(paper))
     }
 
-    /// A point of the world on paper.
+    /// Converts a point of the world to paper.
     pub(super) fn paper(&self, world: DVec2) -> DVec2 {
         let area = self.view.area();
         let cell = self.view.to_cell(world) - dvec2(f64::from(area.x), f64::from(area.y));

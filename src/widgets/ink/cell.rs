@@ -1,4 +1,4 @@
-//! What has been drawn in one cell.
+//! The contents of one cell.
 
 use crate::widgets::picture::{DrawLayer, Pen};
 use crate::widgets::{Charset, Role};

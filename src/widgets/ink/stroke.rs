@@ -1,4 +1,4 @@
-//! From lines on paper to samples in cells.
+//! The conversion of lines on paper to samples in cells.
 //!
 //! **Paper** is the area measured in columns in both directions, x to the right and y down from
 //! its top left corner. On paper a cell is 1 wide and 2 high, so shapes are not distorted.

@@ -298,7 +298,7 @@ fn a_disc_hides_the_board_below_it_in_any_order() {
     }
 }
 
-/// A picture with one of everything.
+/// A canvas with a mark of every kind.
 fn everything(view: View, charset: Charset, size: f64) -> Canvas {
     let mut it = Picture::new(view);
     it.rectangle(dvec2(-size, -size), dvec2(size, size), Role::BoardLine);

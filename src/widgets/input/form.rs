@@ -86,7 +86,7 @@ impl FieldValue {
         }
     }
 
-    /// The value this many steps further, on the grid of steps.
+    /// The value this many steps away, on the grid of steps.
     pub(crate) fn stepped(self, steps: f64) -> f64 {
         match self {
             Self::Choice { at, count } => {
@@ -101,7 +101,7 @@ impl FieldValue {
                     true => (value / size + by + 1e-3).floor(),
                     false => (value / size + by - 1e-3).ceil(),
                 };
-                // Avoids the rounding error of a sum of tenths, and −0.
+                // This removes the rounding error of a sum of tenths, and turns −0 into 0.
                 (onto * size * 1e6).round() / 1e6 + 0.0
             }
         }

@@ -1,4 +1,4 @@
-//! Entering a number: typed, or set with the arrows.
+//! Entering a number by typing it or with the arrow keys.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -144,7 +144,7 @@ impl NumberInput {
 
     fn step(&mut self, by: f64) {
         self.entry.take();
-        // Steps of hundredths add up to hundredths.
+        // Rounding keeps the sum of steps of a hundredth at whole hundredths.
         let stepped = self.value.unwrap_or(0.0) + by;
         self.set((stepped * 100.0).round() / 100.0);
     }

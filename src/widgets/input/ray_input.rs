@@ -50,8 +50,8 @@ impl RayInput {
     /// The hint on what can be dragged in a picture with rays.
     pub(crate) const DRAG: &str = "Drag in the picture to turn the ray.";
 
-    /// No prediction yet. `side` is +1 if the coin lies to the right of the striker's path and −1
-    /// if it lies to the left.
+    /// An input without a prediction yet. `side` is +1 if the coin is to the right of the striker's
+    /// path and −1 if it is to the left.
     pub(crate) fn new(side: f64) -> Self {
         Self {
             angles_deg: [None; 2],

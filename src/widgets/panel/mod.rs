@@ -43,8 +43,8 @@ struct Block<A> {
     content: Content,
     /// The actions of clicks: none or one; for the rows of a table and prompts, one each.
     actions: Vec<A>,
-    /// If there is not room for all, blocks of the highest priority come first, all of one priority
-    /// or none; a block without a priority is always shown.
+    /// If there is not room for all blocks, those of the highest priority come first. Either all
+    /// blocks of one priority are shown or none; a block without a priority is always shown.
     worth: Option<u8>,
 }
 

@@ -11,9 +11,9 @@ use ratatui::layout::Rect;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
     area: Rect,
-    /// This point of the world …
+    /// The point of the world that is in the middle of the screen's area.
     centre: DVec2,
-    /// … is at this point of the screen, in cells.
+    /// The point of the screen, in cells, at which `centre` is drawn.
     middle: DVec2,
     /// World units per column and per row.
     per_cell: DVec2,

@@ -13,7 +13,7 @@ pub(crate) struct Axis {
     step: Option<f64>,
 }
 
-/// How values are spread along an axis.
+/// The scale of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum AxisScale {
     Linear,
@@ -48,7 +48,7 @@ impl Axis {
         self
     }
 
-    /// What it measures.
+    /// The name of the quantity, with its unit.
     pub(crate) fn name(&self) -> &str {
         &self.name
     }

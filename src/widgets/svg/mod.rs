@@ -1,4 +1,4 @@
-//! Vectors: pictures and screens as SVG.
+//! Pictures and screens as SVG.
 //!
 //! A [`Picture`] becomes true lines, circles and text. The letters of a screen become text in any
 //! available monospace font, with each word stretched to its cells. Braille, block elements and box

@@ -439,7 +439,7 @@ mod tests {
     use crate::widgets::{Charset, Theme};
 
     fn drawn(make: impl Fn(&mut Picture)) -> String {
-        // One metre is one column, nine units; the origin is in the middle of cell (5, 2).
+        // One metre is one column, or nine units; the origin is in the middle of cell (5, 2).
         let view = View::new(Rect::new(0, 0, 11, 5), DVec2::ZERO, 1.0);
         let mut picture = Picture::new(view);
         make(&mut picture);

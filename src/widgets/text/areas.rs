@@ -22,7 +22,7 @@ pub struct PictureSizes {
     pub square: [u16; 2],
 }
 
-/// A screen of cells alone.
+/// A screen that consists only of cells.
 impl From<Rect> for Room {
     fn from(area: Rect) -> Self {
         let pictures = None;

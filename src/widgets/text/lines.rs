@@ -36,7 +36,7 @@ struct Standing {
 }
 
 impl<'a> Lines<'a> {
-    /// Starts at the top of `area`, with a column of margin on the left.
+    /// Begins a text at the top of `area`, with a margin of one column on the left.
     pub(crate) fn new(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
         let [_, area] = areas::left(area, 1);
         Self {

@@ -163,7 +163,7 @@ pub(crate) fn ago(age: Duration) -> String {
 }
 
 /// The beginning of a text, in at most this many columns, with an ellipsis if it is cut. Zero-width
-/// marks are limited too: a column has at most two characters.
+/// marks are also limited: there are at most two characters per column.
 pub(crate) fn clipped(text: &str, columns: usize) -> String {
     let fits =
         |text: &str, columns| width(text) <= columns && text.chars().nth(2 * columns).is_none();

@@ -129,7 +129,7 @@ impl ActiveGame {
             .with(unnamed, TableAction::Aim)
     }
 
-    /// Aims, or carries out other actions. A typed number is a direction, unless the key after it
+    /// Aims, or carries out another action. A typed number is a direction, unless the key after it
     /// makes it a position or a speed.
     pub(super) fn aim_by(&mut self, action: AimAction, cx: &Context) -> Option<GamePhase> {
         if !matches!(action, AimAction::Number(_))
@@ -219,7 +219,7 @@ impl ActiveGame {
             return Some(self.turn(cx));
         }
         if let Err(why) = self.game().check_place(self.aim.place) {
-            self.notice = Some(format!("Not from there: {why}."));
+            self.notice = Some(format!("No stroke is possible from there: {why}."));
             return None;
         }
         self.look_ahead();
@@ -261,7 +261,7 @@ impl ActiveGame {
         }
         if self.is_pulling() {
             let what = match self.is_drawn() {
-                true => "Let go: strike. Back to the striker: cancel.",
+                true => "Let go to strike. Return to the striker to cancel.",
                 false => "Pull farther back to strike.",
             };
             panel.paragraph(what, Role::Key);
@@ -272,7 +272,7 @@ impl ActiveGame {
         } else if let Some(hinted) = &self.hint {
             hint(hinted, panel);
         } else if let Err(why) = self.game().check_place(aim.place) {
-            panel.paragraph(format!("Not from here: {why}."), Role::Warn);
+            panel.paragraph(format!("No stroke is possible from here: {why}."), Role::Warn);
         } else {
             self.write_ahead(panel);
         }

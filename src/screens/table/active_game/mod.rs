@@ -58,7 +58,7 @@ pub(super) struct ActiveGame {
     pub(super) hint: Option<Hinted>,
     /// What the mouse is dragging.
     grip: Grip,
-    /// A notice: why something cannot be done.
+    /// A notice that says why something cannot be done.
     notice: Option<String>,
     keeping: GameKeeping,
 }

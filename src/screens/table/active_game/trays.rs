@@ -159,7 +159,7 @@ fn on_the_frame(board: Rect, corner: usize, column: u16, share: f64) -> (u16, u1
     );
     let turn = dvec2(from.x, bottom);
     let to = dvec2(f64::from(column), bottom);
-    // A row is as long as two columns.
+    // A row is as high as two columns are wide.
     let (down, along) = (2.0 * from.distance(turn), turn.distance(to));
     let gone = share * (down + along);
     let at: DVec2 = if gone < down {

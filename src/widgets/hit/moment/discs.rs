@@ -12,8 +12,8 @@ const STANDS: f64 = 1e-6;
 const LETTER_ASIDE: f64 = 0.55;
 
 impl Moment<'_> {
-    /// A disc where it is now. During the explanation, and once it has left and stopped, it is
-    /// drawn so that it hides nothing, and its letter is displaced.
+    /// Draws a disc at its current position. During the explanation, and at the end of the shot, it
+    /// hides nothing and its letter is displaced.
     pub(super) fn disc(&self, picture: &mut Picture, body: usize, now: DVec2) {
         let face = self.watch.faces[body];
         let radius = self.stage.radius(body);

@@ -46,7 +46,7 @@ impl Moment<'_> {
         position - self.drift() * (time - self.watch.clock.contact)
     }
 
-    /// Whether lines and arrows are on the discs at the contact.
+    /// Whether lines and arrows are drawn on the discs at the contact.
     fn is_explaining(&self) -> bool {
         self.watch.clock.at_contact() && self.watch.step() > Some(ExplanationStep::Contact)
     }

@@ -28,7 +28,7 @@ impl Moment<'_> {
                 parts.into_iter().chain([(root, v)])
             })
             .collect();
-        // One scale for all steps, so that arrows keep their lengths.
+        // All steps have the same scale, so that arrows keep their lengths.
         let along = before[0].dot(axes[0]) * axes[0];
         let along = if self.target_rests() {
             along

@@ -39,9 +39,9 @@ const FULL: f32 = 0.4;
 
 /// The nearest glyph to every mask.
 ///
-/// The squared distance of a drawing d to a glyph g is d² − 2 d·g + g². The first
-/// term is the same for all glyphs and d·g is a sum over the samples of the mask,
-/// so it is put together from a sum over its low half and one over its high half.
+/// The squared distance of a drawing d to a glyph g is d² − 2 d·g + g². The first term is the same
+/// for all glyphs, and d·g is a sum over the samples of the mask, so it is the sum of a part for
+/// the low half of the mask and a part for the high half.
 static NEAREST: LazyLock<Box<[u8]>> = LazyLock::new(|| {
     let weights = INK.map(|(_, ink)| weights(&ink));
     let sizes = INK.map(|(_, ink)| blurred(&ink).iter().map(|ink| ink * ink).sum::<f32>());
