@@ -272,7 +272,10 @@ impl ActiveGame {
         } else if let Some(hinted) = &self.hint {
             hint(hinted, panel);
         } else if let Err(why) = self.game().check_place(aim.place) {
-            panel.paragraph(format!("No stroke is possible from here: {why}."), Role::Warn);
+            panel.paragraph(
+                format!("No stroke is possible from here: {why}."),
+                Role::Warn,
+            );
         } else {
             self.write_ahead(panel);
         }
