@@ -21,7 +21,7 @@ const OUTER_CIRCLE: f64 = 0.085;
 /// The radius of the centre circle, in metres.
 const CENTRE_CIRCLE: f64 = 0.0159;
 
-/// The largest part of `area` on which a board is square, because a cell is twice as high as wide;
+/// The largest part of `area` in which a board is square, if a cell is twice as high as wide. It is
 /// left-aligned and vertically centred.
 pub(crate) fn square(area: Rect) -> Rect {
     // One column less than twice the rows, because the board's edges run through the middles

@@ -52,7 +52,7 @@ enum NextStep {
 }
 
 impl NextStep {
-    /// The step, in one line.
+    /// The description of the step, in one line.
     fn words(&self, book: &Book) -> String {
         match self {
             Self::Review(kind) => {
@@ -63,7 +63,7 @@ impl NextStep {
         }
     }
 
-    /// The step, in one or two words.
+    /// The name of the step, in one or two words.
     const fn name(&self) -> &'static str {
         match self {
             Self::Review(_) => "review",

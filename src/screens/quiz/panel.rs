@@ -108,7 +108,7 @@ pub(super) fn feedback(watched: &AnsweredQuestion, book: &Book, panel: &mut Pane
     });
 }
 
-/// The answer beside the true one: the rays of a collision in a table, other answers in words.
+/// The answer beside the true one: the rays of a collision in a table, other answers as text.
 fn answers(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>) {
     let form = &watched.question.form;
     match (watched.reveal.watch(), form, &watched.answer.said) {
@@ -116,7 +116,7 @@ fn answers(watched: &AnsweredQuestion, panel: &mut Panel<QuizAction>) {
             let names = ["striker", target].map(Some);
             said_and_true(watch.collision(), said, names, true, panel);
         }
-        // Without a collision to define the coin's side, rays are written in words.
+        // Without a collision to define the coin's side, rays are written as text.
         (_, _, said) => {
             panel.marked("you    ", lettered(form, said), Role::Predicted);
             panel.marked("truth  ", lettered(form, &form.truth()), Role::Good);

@@ -186,7 +186,7 @@ fn alpha_deg(spec: &CollisionSpec) -> f64 {
     ratio.clamp(-1.0, 1.0).asin().to_degrees()
 }
 
-/// The side on which the coin is, as text.
+/// The text for the coin's side.
 fn side(spec: &CollisionSpec) -> &'static str {
     match spec.offset_mm() {
         mm if mm > 0.0 => " right",

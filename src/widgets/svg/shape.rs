@@ -134,7 +134,7 @@ impl CellPen<'_> {
 
     fn lines(&mut self, arms: u8, thick: f64) {
         let (width, height) = (CELL.0 as f64, CELL.1 as f64);
-        // Whole units make lines sharp, and they join those of adjacent cells.
+        // Whole units make lines sharp and align them with those of adjacent cells.
         let x = ((width - thick) / 2.0).floor();
         let y = ((height - thick) / 2.0).floor();
         let bars = [

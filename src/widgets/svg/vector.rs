@@ -363,7 +363,7 @@ impl Vectors<'_> {
         self.write_of(LETTERS, text, at, anchor, colours);
     }
 
-    /// Writes such a text in letters of the given size, but at most the usual one.
+    /// Writes an outlined text in letters of the given size, but at most the usual size.
     fn write_of(&mut self, size: f64, text: &str, at: DVec2, anchor: Anchor, colours: [Rgb; 2]) {
         let [ink, rim] = colours;
         let size = size.min(LETTERS);

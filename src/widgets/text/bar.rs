@@ -32,7 +32,7 @@ pub fn bar(share: f64, width: u16, charset: Charset) -> String {
     }
 }
 
-/// A line as long as the part of such a bar `from` one share `to` another.
+/// A line that marks the part of a bar between the shares `from` and `to`.
 pub(crate) fn stretch(from: f64, to: f64, width: u16, charset: Charset) -> String {
     let [from, to] = [from, to].map(|share| (share * f64::from(width)).round() as usize);
     let [left, line, right] = match charset {

@@ -167,7 +167,7 @@ impl Arrange {
         game.make(Move::LayOut(coins));
     }
 
-    /// Arranges the coins like this if that is possible; then the hand is empty.
+    /// Uses this arrangement of coins if it is possible; then the hand is empty.
     fn lay_out(&mut self, coins: Vec<Coin>, game: &mut ActiveGame) {
         game.make(Move::LayOut(coins));
         if game.notice.is_none() {

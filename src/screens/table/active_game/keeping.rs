@@ -37,7 +37,7 @@ impl ActiveGame {
             && let Some(strike) = active.history.strike(number)
             && !active.game().play().is_unbroken()
         {
-            // The strength is the one of the last stroke.
+            // The strength of the last stroke is restored.
             active.aim.set_speed(strike.velocity.length());
             active.look_ahead();
         }

@@ -104,7 +104,7 @@ fn computers_play_on_by_themselves_unless_steps_wait_for_a_key() {
         passed += 1;
     }
     assert!(matches!(playing.phase, GamePhase::Show(_)));
-    // A player who set steps to wait for a key has to press one here, too.
+    // If steps wait for a key, the computers do, too.
     cx.settings.wait_at_beats = true;
     waits.advance(Duration::from_secs(60), &mut cx);
     waits.advance(Duration::from_secs(60), &mut cx);
