@@ -30,7 +30,7 @@ pub(crate) enum HitPace {
 enum PlaybackStage {
     /// Running towards the contact; seconds on the screen so far.
     Approach(f64),
-    /// Held at the contact, at this step of the explanation; `stood` is the time so far, in seconds.
+    /// Held at the contact, at this step of the explanation; `stood` is the time so far in seconds.
     Contact { step: usize, stood: f64 },
     /// Running on from the contact; seconds on the screen so far.
     Departure(f64),

@@ -10,8 +10,8 @@ use crate::widgets::picture::View;
 /// Half of the picture's shorter side, in radii of the larger disc.
 const HALF_HEIGHT: f64 = 3.3;
 
-/// Half of a low picture's shorter side, in the same radii: otherwise the discs would be too small
-/// to be round.
+/// Half of a low picture's shorter side, in the same radii. It is smaller because the discs would
+/// otherwise be too small to be round.
 const LOW_HALF_HEIGHT: f64 = 2.9;
 
 /// The share of the picture's half height that is certainly visible.

@@ -1,4 +1,4 @@
-//! Lines of text below each other, for the panels beside a picture.
+//! Lines of text, one below the other, for the panels beside a picture.
 
 use ratatui::{buffer::Buffer, layout::Rect};
 

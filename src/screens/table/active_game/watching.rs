@@ -24,7 +24,7 @@ use crate::widgets::panels::{reason, said_and_true};
 use crate::widgets::replay::{ShotAction, ShotClock, ShotPlayer, WatchRate};
 use crate::widgets::{Charset, Role};
 
-/// The time that a pocketed piece takes to its tray, in seconds.
+/// The time that a pocketed piece takes to reach its tray, in seconds.
 pub(super) const FALL: f64 = 0.6;
 
 /// The time for which the end of a stroke is shown, at real speed, before computers play on, in

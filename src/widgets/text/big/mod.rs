@@ -110,8 +110,8 @@ impl Big {
     }
 
     /// A text from a given word on, up to the first word that is too long for a line or the first
-    /// line that does not fit into this many columns and rows; `at_top` of a page there is no empty
-    /// row above it.
+    /// line that does not fit into this many columns and rows. `at_top` of a page means that there
+    /// is no empty row above the text.
     fn begin(
         text: &Rc<BigText>,
         from: usize,
