@@ -4,10 +4,10 @@ use super::Context;
 use crate::messages::{History, StoreAnswer, StoreReply, StoreRequest};
 use crate::widgets::Role;
 
-/// The player's record, as far as it is known.
+/// The player's record, if it has been loaded.
 #[derive(Debug, Clone)]
 pub(super) enum Recall {
-    /// It has been asked for with this ticket.
+    /// It has been requested with this ticket.
     Asked(u64),
     /// It cannot be loaded, for this reason.
     Unknown(String),
@@ -15,13 +15,13 @@ pub(super) enum Recall {
 }
 
 impl Recall {
-    /// Asks for it.
+    /// Requests the record.
     pub(super) fn ask(cx: &mut Context) -> Self {
         let player = cx.settings.player.clone();
         Self::Asked(cx.ask(StoreRequest::Recall(Some(player))))
     }
 
-    /// Takes what came of it, if `answer` is that.
+    /// Stores the result if `answer` belongs to this request.
     pub(super) fn take(&mut self, answer: &StoreAnswer) {
         if let (Self::Asked(ticket), StoreReply::Recalled(recalled)) = (&*self, &answer.done)
             && *ticket == answer.ticket
@@ -33,7 +33,7 @@ impl Recall {
         }
     }
 
-    /// That it is being loaded, or why it cannot be.
+    /// A message that the record is being loaded, or why it cannot be.
     pub(super) fn unknown(&self) -> Option<(String, Role)> {
         match self {
             Self::Asked(_) => Some(("Loading …".into(), Role::Dim)),
@@ -45,12 +45,12 @@ impl Recall {
         }
     }
 
-    /// Whether the answer has come.
+    /// Whether the record has been loaded.
     pub(super) fn is_known(&self) -> bool {
         !matches!(self, Self::Asked(_))
     }
 
-    /// What was done, where there is something.
+    /// The player's answers, if there are any.
     pub(super) fn history(&self) -> Option<&History> {
         match self {
             Self::Known(history) if !history.attempts.is_empty() => Some(history),

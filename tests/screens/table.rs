@@ -239,7 +239,7 @@ fn a_hint_sets_the_stroke_that_it_describes_and_is_legal() {
     assert!(shown.contains(&format!("{speed} m/s place")), "{shown}");
     let place = place.trim_end_matches(" of the middle");
     assert!(shown.contains(&format!("place {place}")), "{shown}");
-    assert!(!shown.contains("Not from"), "{shown}");
+    assert!(!shown.contains("No stroke is"), "{shown}");
     // The striker stays on the board.
     game.press(" ");
     assert!(panel(&mut game).contains("Space: go on."));
@@ -511,7 +511,7 @@ fn the_striker_is_pulled_back_and_released() {
     game.mouse(MouseKind::Down, striker);
     game.mouse(MouseKind::Drag, back);
     assert!(
-        game.screen().contains("Let go: strike."),
+        game.screen().contains("Let go to strike."),
         "{}",
         game.screen()
     );

@@ -40,7 +40,7 @@ fn name_of_counts(counted_for: Option<CountedFor>) -> &'static str {
     }
 }
 
-/// The counts, and the law once there are any.
+/// The counts, and the line of the law once there are any.
 pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     let law = foil.setup.law();
     let particles = foil.setup.particles();
@@ -66,7 +66,7 @@ pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
             plot.bar(degrees(bin), degrees(bin + 1), height, Role::Trail);
         }
         // Where almost no counts are expected there is no line, because it would coincide with the
-        // axis. Near 0 the law exceeds the plot.
+        // axis. Near 0 the law is above the plot.
         let least = plot.least_clear();
         let thrown = run.thrown();
         let expected = |at| {
@@ -109,7 +109,7 @@ pub(super) fn expected_at(
     Some(thrown as f64 * share)
 }
 
-/// Where the label of the curve may be: past the middle, or else closer to its beginning.
+/// Possible positions of the curve's label: past the middle, or otherwise closer to its beginning.
 fn label_places(expected: impl Fn(f64) -> Option<f64>) -> Vec<glam::DVec2> {
     let places = (0..20).map(|bin| 97.5 - 5.0 * f64::from(bin));
     let on_curve = |at| expected(at).map(|count| glam::dvec2(at, count));
@@ -206,7 +206,7 @@ fn about(setup: &FoilSetup) -> &'static str {
              out than near the middle."
         }
         (Obstacle::Nucleus, Beam::Board) => {
-            "As if the atoms lay on a board: every offset along a line is equally likely."
+            "As if the atoms were on a board: every offset along a line is equally likely."
         }
         (Obstacle::Nucleus, Beam::Space) => {
             "Nobody can aim at a nucleus. Each particle passes through some point of the foil, and \
@@ -215,7 +215,7 @@ fn about(setup: &FoilSetup) -> &'static str {
     }
 }
 
-/// Why the share is what it is.
+/// An explanation of the share.
 fn reason(law: &ScatteringLaw, share: f64) -> String {
     let nearness = law.nearness(PI / 2.0);
     match (law.target, law.beam) {
@@ -248,7 +248,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_curve_passes_each_bin_at_what_is_expected_in_it() {
+    fn the_curve_passes_through_the_expected_count_of_each_bin() {
         for obstacle in [Obstacle::Hard, Obstacle::Nucleus] {
             for beam in [Beam::Board, Beam::Space] {
                 let law = FoilSetup {

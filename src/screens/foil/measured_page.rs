@@ -12,11 +12,11 @@ use crate::widgets::picture::{LabelSide, Pen, Picture};
 use crate::widgets::plot::{Axis, Plot};
 use crate::widgets::{Charset, Look, Role};
 
-/// A metal and how it is shown.
+/// A metal, and its appearance in the plot.
 struct ShownMetal {
     name: &'static str,
     count: fn(&Angle) -> f64,
-    /// Its mark in ASCII and in Unicode.
+    /// The mark of its counts in ASCII and in Unicode.
     marks: [char; 2],
     role: Role,
 }
@@ -51,7 +51,7 @@ pub(super) fn title(levelled: bool) -> &'static str {
     }
 }
 
-/// The two series, or why they cannot be read.
+/// The two series, or the reason why they cannot be read.
 fn series() -> Result<[Option<Series>; 2], String> {
     let angles = geiger_marsden().map_err(|fault| fault.to_string())?;
     Ok(METALS.map(|metal| Series::new(&angles, metal.count)))
@@ -168,7 +168,7 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
         format!(
             "The counts for gold go from {least} to {}, a factor of {}, and stay between {} and {} \
              of the law. Silver: {} to {}. Both are too high at small angles; Geiger and Marsden \
-             thought that this was probably within their errors. The second plot enlarges it.",
+             thought that this was probably within their errors. The second plot enlarges this.",
             words::count(most as u64),
             words::count(words::rounded(most / least) as u64),
             signed(low),
@@ -227,7 +227,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_formula_gives_what_is_said() {
+    fn the_text_gives_the_result_of_the_formula() {
         assert!(
             absolute_check().ends_with("3.2×10⁻⁷."),
             "{}",
@@ -236,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn the_band_is_said_with_its_signs() {
+    fn the_range_is_written_with_signs() {
         let [gold, silver] = series().unwrap().map(Option::unwrap);
         let said = |series: &Series| {
             let (low, high) = series.band();

@@ -54,7 +54,8 @@ impl Screen for GlossaryScreen {
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<GlossaryAction> {
-        // Its own name for Enter: in plain lines, choosing a term must not open the page at once.
+        // Enter has an action of its own: in plain mode, choosing a term must not open the page at
+        // once.
         KeyTable::new("glossary")
             .on(Key::Enter, GlossaryAction::Read, "read")
             .or([(Key::Char(' '), GlossaryAction::Read)])

@@ -7,7 +7,7 @@ use crate::widgets::Role;
 use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
 
-/// All terms by topic, and the chosen one explained.
+/// All terms by topic, and an explanation of the chosen one.
 pub(super) fn view<'s>(glossary: &GlossaryScreen, cx: &Context) -> View<'s, GlossaryAction> {
     let (chosen, entry) = glossary.chosen();
     let mut list = Panel::new("glossary");

@@ -41,18 +41,18 @@ pub enum ProgressAction {
     Back,
 }
 
-/// What to do next, by the page shown.
+/// The suggested next step, which depends on the page shown.
 enum NextStep {
-    /// A review of what is due.
+    /// A review of the topics that are due.
     Review(CourseKind),
-    /// The page that settles a misconception that is still there.
+    /// The page that corrects a misconception the player still has.
     Read(Passage),
     /// A round of the quiz that the player chooses.
     Choose,
 }
 
 impl NextStep {
-    /// The step in one line.
+    /// The description of the step, in one line.
     fn words(&self, book: &Book) -> String {
         match self {
             Self::Review(kind) => {
@@ -63,7 +63,7 @@ impl NextStep {
         }
     }
 
-    /// The step in a word or two.
+    /// The name of the step, in one or two words.
     const fn name(&self) -> &'static str {
         match self {
             Self::Review(_) => "review",
@@ -73,9 +73,9 @@ impl NextStep {
     }
 }
 
-/// Fewest columns for a panel of the usual width.
+/// The smallest number of columns for a panel of the usual width.
 const NARROW: u16 = 80;
-/// Columns of the panel on a narrow screen, where the tables need the room.
+/// The width of the panel on a narrow screen, where the tables need the room.
 const NARROW_PANEL: u16 = 26;
 
 /// The pages of the screen.
@@ -86,7 +86,7 @@ enum ProgressPage {
     Topics,
     /// Whether confidence matches the answers.
     Sure,
-    /// The same over time.
+    /// Whether confidence matches the answers, over time.
     SureOverTime,
     /// The player's misconceptions.
     Beliefs,
@@ -95,7 +95,7 @@ enum ProgressPage {
 impl ProgressPage {
     const ALL: &[Self] = Self::VARIANTS;
 
-    /// The page this many after this one, cyclically.
+    /// The page this many steps after this one, cyclically.
     fn beside(self, steps: isize) -> Self {
         let count = Self::ALL.len() as isize;
         let at = (self as isize + steps).rem_euclid(count);
@@ -122,7 +122,7 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// Requests what the player has done.
+    /// Requests the player's record.
     pub(crate) fn ask(cx: &mut Context) -> Self {
         cx.ask_for_marks();
         Self {
@@ -136,7 +136,7 @@ impl Progress {
         self.history.history()
     }
 
-    /// What Enter does on this page.
+    /// The next step that Enter starts on this page.
     fn next_step(&self) -> NextStep {
         let step = self.history().and_then(|history| match self.page {
             ProgressPage::Topics => {
@@ -152,7 +152,7 @@ impl Progress {
         step.unwrap_or(NextStep::Choose)
     }
 
-    /// The same view with the prompt of Enter at the end.
+    /// This view with the prompt for Enter at the end.
     fn with_next_step<'s>(
         &self,
         view: View<'s, ProgressAction>,
@@ -163,7 +163,7 @@ impl Progress {
         View { second, ..view }.laid_out(layout)
     }
 
-    /// Writes the hand-in for a teacher.
+    /// Writes the file that the player hands in to a teacher.
     fn hand_in(&self, cx: &mut Context) {
         let Some(history) = self.history() else {
             return;
@@ -196,7 +196,7 @@ fn nothing_yet(panel: &mut Panel<ProgressAction>) {
     }
 }
 
-/// Draws the picture, or writes why there is none.
+/// Draws the picture, or returns the reason why there is none.
 type DrawPlot<'a> = fn(&'a History, Rect, Look) -> Result<Picture, &'static str>;
 
 impl Screen for Progress {

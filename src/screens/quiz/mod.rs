@@ -70,21 +70,21 @@ pub(crate) struct Quiz {
     round: Round,
     /// The answers, in the order of the questions.
     answers: Vec<Answer>,
-    /// The same as they are kept.
+    /// The answers in the form in which they are saved.
     attempts: Vec<Attempt>,
     phase: QuizPhase,
     /// The overlays that the player has switched on.
     layers: Overlays,
 }
 
-/// The phase of a round.
+/// The phases of a round.
 #[derive(Debug, Clone)]
 enum QuizPhase {
     /// Answering, then choosing a confidence.
     Asked(Box<OpenQuestion>),
     /// Watching what happens, if there is something to watch, and reading the explanation.
     Watch(Box<AnsweredQuestion>),
-    /// The summary, with the mark at one question.
+    /// The summary, with one question marked.
     Summary(ListView),
 }
 
@@ -102,14 +102,14 @@ struct AnsweredQuestion {
     answer: Answer,
     /// The collision, if the question is about one.
     reveal: Reveal,
-    /// The right shot, still to be shown, if the player's shot was wrong.
+    /// The right shot, which is shown next if the player's shot was wrong.
     remedy: Option<Watch>,
-    /// Its index, if it was opened from the summary.
+    /// The question's index, if it was opened from the summary.
     opened: Option<usize>,
 }
 
 impl Quiz {
-    /// The round of a code, at its first question.
+    /// The round with this code, at its first question.
     pub(crate) fn new(code: Code) -> Self {
         Self::of(Round::of(code))
     }
@@ -127,9 +127,9 @@ impl Quiz {
         quiz
     }
 
-    /// The round of a code, resumed after these answers, which are already saved.
-    /// `is_explained` says whether the last of them is still being explained. The first answer
-    /// that does not fit its question is dropped, with all that follow.
+    /// The round with this code, resumed after these answers, which are already saved.
+    /// `is_explained` means that the last answer is still being explained. The first answer that
+    /// does not fit its question is dropped, with all that follow.
     pub(crate) fn left_at(
         code: Code,
         answers: &[Answer],
@@ -189,7 +189,7 @@ impl Quiz {
         self.round.course().feedback_at_end()
     }
 
-    /// Adds the answer to the question at hand, and returns it as it is kept.
+    /// Adds the answer to the current question, and returns it in the form in which it is saved.
     fn note(&mut self, question: &Question, answer: Answer, cx: &Context) -> Attempt {
         self.answers.push(answer);
         let (code, number) = (self.round.code(), self.answers.len() as u32);
@@ -202,7 +202,7 @@ impl Quiz {
     /// Records an answer, then shows the collision or asks the next question.
     fn answer(&mut self, question: Question, answer: Answer, cx: &mut Context) {
         let attempt = self.note(&question, answer, cx);
-        // Saved before the explanation is shown.
+        // The answer is saved before the explanation is shown.
         cx.record(attempt);
         if self.feedback_at_end() {
             return self.ask();
@@ -223,7 +223,7 @@ impl Quiz {
         self.phase = QuizPhase::Watch(Box::new(watched));
     }
 
-    /// Plays another round of the same kind. After a review other topics are due.
+    /// Plays another round of the same kind. After a review, other topics are due.
     fn again(&mut self, cx: &mut Context) -> Next {
         let code = self.round.code();
         if let CourseKind::Review(_) = code.course.kind {
@@ -237,14 +237,14 @@ impl Quiz {
         Next::Stay
     }
 
-    /// The misconception that was found, in a round that looks for one.
+    /// The misconception that was found, if the round looks for one.
     fn found(&self) -> Option<Misconception> {
         let follows = self.round.course().follows_answers();
         let named = follows.then(|| self.summary().most_held())?;
         named.map(|(misconception, _)| misconception)
     }
 
-    /// Checks with some questions whether the misconception that was found is still believed.
+    /// Asks further questions to check whether the player still has the misconception found.
     fn check(&mut self) {
         if let Some(misconception) = self.found() {
             let course = Course::new(CourseKind::Check(misconception));
@@ -252,7 +252,7 @@ impl Quiz {
         }
     }
 
-    /// Number of the present question, from 1.
+    /// The number of the current question, from 1.
     fn number(&self) -> usize {
         match &self.phase {
             QuizPhase::Asked(_) => self.answers.len() + 1,
@@ -273,8 +273,8 @@ impl Quiz {
         Summary::new(self.attempts.get(..feedback).unwrap_or_default())
     }
 
-    /// The page to read after a wrong answer, once its result has been shown; after a round, the
-    /// page for most of the wrong answers.
+    /// The page to read after a wrong answer, once the result has been shown; after a round, the
+    /// page that explains the most wrong answers.
     fn passage(&self) -> Option<Passage> {
         match &self.phase {
             QuizPhase::Asked(_) => None,
@@ -329,7 +329,7 @@ impl Quiz {
 }
 
 impl AnsweredQuestion {
-    /// An answer just given. For an answer by shooting, the shot itself is shown.
+    /// The question with an answer just given. If the answer is a shot, that shot is shown.
     fn new(question: Question, answer: Answer, layers: Overlays, cx: &Context) -> Self {
         let rays = answer.said.rays();
         let pace = cx.settings.pace();
@@ -490,7 +490,7 @@ impl Screen for Quiz {
                 let count = self.answers.len();
                 let before = list.chosen(count);
                 let outcome = list.act(action, count);
-                // At its ends the text scrolls further.
+                // At an end of the list, the text scrolls instead.
                 let is_at_end = list.chosen(count) == before;
                 match (outcome, action) {
                     (Outcome::Done(at), _) => self.open(at, cx),

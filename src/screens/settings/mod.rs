@@ -18,7 +18,7 @@ use crate::widgets::input::{FormAction, FormFields, KeyTable, SettingsForm, Text
 use crate::widgets::panel::Panel;
 use field::PLAYER;
 
-/// The longest name.
+/// The largest number of characters of a name.
 const LONGEST: usize = 40;
 
 #[derive(Debug, Clone, Default)]
@@ -48,7 +48,7 @@ impl SettingsScreen {
         self.form.selected(cx.settings.fields().len()) == PLAYER
     }
 
-    /// Begins typing the player's name, or goes to a setting's next value.
+    /// Starts typing the player's name, or goes to a setting's next value.
     fn enter(&mut self, cx: &mut Context) {
         if self.is_at_player(cx) {
             self.typed = Some(TextField::new("", LONGEST));

@@ -1,4 +1,4 @@
-//! The page on which a new game is agreed.
+//! The page on which the options of a new game are chosen.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -12,18 +12,18 @@ use crate::screens::View;
 use crate::widgets::input::{Field, FieldValue, FormAction, FormFields, KeyTable, SettingsForm};
 use crate::widgets::panel::Panel;
 
-/// The page: what is chosen, and the line that keys change.
+/// The page: the chosen options, and the line that keys change.
 #[derive(Debug, Clone, Default)]
 pub(super) struct NewGame {
     pub(super) options: Options,
     pub(super) form: SettingsForm,
 }
 
-/// One thing to be agreed: what it is called, and its choices: the options with each, how it
-/// reads and what it is.
+/// One line of the page: its name and its choices. A choice consists of the resulting options, its
+/// text and its description.
 type Agreement = (&'static str, Vec<(Options, String, &'static str)>);
 
-/// What keys do on the page.
+/// Actions of keys on the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum NewGameAction {
@@ -46,7 +46,7 @@ impl NewGame {
             .on(Key::Escape, NewGameAction::Back, "back")
     }
 
-    /// The pack on the board, and beside it what is agreed.
+    /// The pack on the board, and the options beside it.
     pub(super) fn view(&self) -> View<'_, TableAction> {
         let mut panel = Panel::new("a new game");
         panel.part(TableAction::NewGame, |panel| {
@@ -65,7 +65,7 @@ impl NewGame {
     }
 }
 
-/// What is to be agreed, in the order of the page.
+/// The lines of the page, in order.
 fn agreements(now: Options) -> Vec<Agreement> {
     let rules = [
         (
@@ -75,11 +75,11 @@ fn agreements(now: Options) -> Vec<Agreement> {
         ),
         (
             Rules::Friendly,
-            "As most families play: whoever clears first wins the board.",
+            "As most families play: the first to clear their coins wins the board.",
         ),
         (
             Rules::Practice,
-            "No turns and no dues: striker and coins anywhere, and every stroke can be taken back.",
+            "No turns and no penalties: place striker and coins anywhere, and take back any stroke.",
         ),
     ];
     let rules = rules.map(|(rules, about)| {
@@ -125,7 +125,7 @@ fn agreements(now: Options) -> Vec<Agreement> {
     rows
 }
 
-/// Who may play from a seat.
+/// The possible players at a seat.
 fn players(seat: Seat, now: Options) -> Vec<(Options, String, &'static str)> {
     let mut person = now;
     person.set_player(seat, Player::Person);
@@ -133,20 +133,20 @@ fn players(seat: Seat, now: Options) -> Vec<(Options, String, &'static str)> {
         1 => "you",
         _ => "a person",
     };
-    let about = "A person at this keyboard, or the computer in five strengths.";
+    let about = "A person at this keyboard, or the computer at one of five strengths.";
     let mut choices = vec![(person, shown.to_owned(), about)];
     choices.extend(Strength::ALL.map(|strength| {
         let mut options = now;
         options.set_player(seat, Player::Computer);
         options.strengths[seat as usize] = strength;
-        let about = "The computer: the stronger, the farther it looks and the steadier its hand \
-                     is. It always explains its stroke.";
+        let about = "The stronger the computer, the farther it looks ahead and the steadier its \
+                     hand. It always explains its stroke.";
         (options, format!("computer, {strength}"), about)
     }));
     choices
 }
 
-/// What is on or off: its name, where it stands, and what it is.
+/// An option that is on or off: its name, its place in the options, and its description.
 type Switch = (&'static str, fn(&mut Options) -> &mut bool, &'static str);
 
 const SWITCHES: [Switch; 4] = [

@@ -1,5 +1,5 @@
-//! The picture of a collision, which shows why the discs leave as they do. The lab, the quiz and
-//! every enlarged impact use it.
+//! The picture of a collision, which explains the final directions of the discs. The lab, the quiz
+//! and every enlarged impact use it.
 
 mod after;
 mod explain;

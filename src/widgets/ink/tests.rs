@@ -1,4 +1,4 @@
-//! Tests of the whole painter: marks are where geometry requires.
+//! Tests of the whole painter: marks are where the geometry requires.
 
 use std::f64::consts::TAU;
 
@@ -13,7 +13,7 @@ use crate::widgets::{Charset, Look, Role, Theme};
 const CHARSETS: [Charset; 2] = [Charset::Ascii, Charset::Unicode];
 const AREA: Rect = Rect::new(2, 1, 60, 30);
 
-/// A canvas on which one metre is one column and the origin is in the middle.
+/// A canvas on which one metre is one column, with the origin in the middle.
 fn canvas(charset: Charset) -> Canvas {
     Canvas::new(View::new(AREA, DVec2::ZERO, 1.0), charset)
 }
@@ -45,7 +45,7 @@ fn a_circle_is_round() {
             let mut canvas = canvas(charset);
             canvas.circle(DVec2::ZERO, radius, Role::Arc);
             let (columns, rows) = super::grid(charset);
-            // The extents of the samples, in columns of paper, to either side.
+            // The extent of the samples on either side, in columns on paper.
             let mut low = DVec2::MAX;
             let mut high = DVec2::MIN;
             for (index, cell) in canvas.cells.iter().enumerate() {
@@ -67,7 +67,7 @@ fn a_circle_is_round() {
 }
 
 #[test]
-fn a_circle_has_no_gap() {
+fn a_circle_has_no_gaps() {
     for radius in [3.0, 5.5, 8.0, 10.0, 12.7] {
         let mut canvas = canvas(Charset::Unicode);
         canvas.circle(dvec2(0.2, 0.1), radius, Role::Arc);
@@ -88,7 +88,7 @@ fn a_circle_has_no_gap() {
 }
 
 #[test]
-fn a_filled_disc_covers_its_own_area() {
+fn a_filled_disc_covers_its_true_area() {
     for radius in [3.0, 5.0, 8.5, 12.0] {
         let mut canvas = canvas(Charset::Unicode);
         canvas.disc(&Body::new(dvec2(0.3, -0.4), radius, Role::Coin, ' '));
@@ -97,7 +97,7 @@ fn a_filled_disc_covers_its_own_area() {
             .iter()
             .map(|cell| cell.cover().count_ones())
             .sum();
-        // A cell is two square columns in 64 parts.
+        // A cell has an area of two square columns and 64 parts.
         let area = f64::from(covered) / 32.0;
         let exact = TAU / 2.0 * radius * radius;
         assert!(
@@ -108,7 +108,7 @@ fn a_filled_disc_covers_its_own_area() {
 }
 
 #[test]
-fn a_line_reaches_both_its_ends_and_goes_no_further() {
+fn a_line_reaches_both_ends_and_no_further() {
     for charset in CHARSETS {
         for turn in 0..32 {
             let along = DVec2::from_angle(TAU * f64::from(turn) / 32.0) * 11.7;
@@ -122,7 +122,7 @@ fn a_line_reaches_both_its_ends_and_goes_no_further() {
                     let middle = dvec2(f64::from(x) + 0.5, f64::from(y) + 0.5);
                     ((middle - cell) * dvec2(1.0, 2.0)).length()
                 });
-                // At most in the next cell: half its diagonal and half a cell.
+                // The nearest ink is at most in the next cell: half its diagonal and half a cell.
                 assert!(nearest.fold(f64::MAX, f64::min) < 1.9, "{charset:?} {turn}");
             }
             let (a, b) = (canvas.view().to_cell(from), canvas.view().to_cell(to));
@@ -136,7 +136,7 @@ fn a_line_reaches_both_its_ends_and_goes_no_further() {
 }
 
 #[test]
-fn a_level_line_looks_the_same_wherever_it_lies() {
+fn a_horizontal_line_looks_the_same_in_every_position() {
     for tenth in 0..20 {
         let y = f64::from(tenth) / 10.0 - 7.0;
         let mut canvas = canvas(Charset::Ascii);
@@ -173,7 +173,7 @@ fn the_tip_of_an_arrow_is_in_its_cell_and_has_a_head() {
                 };
                 assert_eq!(symbol, head, "{turn}");
             }
-            // Attached: the head is never alone.
+            // The head is always attached to the shaft.
             let beside = inked(&buffer).into_iter().filter(|&(x, y)| {
                 (x, y) != cell && x.abs_diff(cell.0) <= 1 && y.abs_diff(cell.1) <= 1
             });
@@ -183,7 +183,7 @@ fn the_tip_of_an_arrow_is_in_its_cell_and_has_a_head() {
 }
 
 #[test]
-fn labels_keep_off_each_other_and_off_what_matters() {
+fn labels_do_not_cover_each_other_or_important_marks() {
     for charset in CHARSETS {
         let mut canvas = canvas(charset);
         canvas.disc(&Body::new(DVec2::ZERO, 8.0, Role::Striker, 'S'));
@@ -235,7 +235,7 @@ fn a_label_without_room_is_left_out() {
 }
 
 #[test]
-fn the_higher_layer_wins_whatever_the_order() {
+fn the_higher_layer_wins_in_any_order() {
     for charset in CHARSETS {
         let strokes = [(Role::StrikerOut, 0.0), (Role::LineOfImpact, 0.0)];
         let colours = [strokes, [strokes[1], strokes[0]]].map(|order| {
@@ -250,7 +250,7 @@ fn the_higher_layer_wins_whatever_the_order() {
 }
 
 #[test]
-fn a_disc_hides_the_board_below_it_whatever_the_order() {
+fn a_disc_hides_the_board_below_it_in_any_order() {
     for charset in CHARSETS {
         let pictures = [true, false].map(|line_first| {
             let mut canvas = canvas(charset);
@@ -279,7 +279,7 @@ fn a_disc_hides_the_board_below_it_whatever_the_order() {
     }
 }
 
-/// A picture with one of everything.
+/// A canvas with a mark of every kind.
 fn everything(view: View, charset: Charset, size: f64) -> Canvas {
     let mut it = Picture::new(view);
     it.rectangle(dvec2(-size, -size), dvec2(size, size), Role::BoardLine);
@@ -328,7 +328,7 @@ fn in_ascii_every_cell_is_printable_ascii() {
 }
 
 #[test]
-fn no_size_and_no_number_is_too_odd() {
+fn unusual_sizes_and_numbers_are_drawn_without_a_panic() {
     let odd = [
         0.0,
         1.0,
@@ -349,7 +349,7 @@ fn no_size_and_no_number_is_too_odd() {
                     View::fit(area, -corner, corner),
                     View::stretch(area, -corner, corner),
                 ] {
-                    // A buffer that is smaller than the canvas is drawn as far as it goes.
+                    // On a buffer smaller than the canvas, the part that fits is drawn.
                     let mut buffer = Buffer::empty(Rect::new(0, 0, 40, 20));
                     everything(view, charset, size).draw(&mut buffer, &Theme::default());
                 }

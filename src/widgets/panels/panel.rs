@@ -10,7 +10,7 @@ use ratatui::{
 
 use crate::widgets::{Charset, Role, Theme, sheet};
 
-/// A frame that any terminal can draw.
+/// A frame of characters that every terminal has.
 const ASCII: border::Set<'static> = border::Set {
     top_left: "+",
     top_right: "+",
@@ -22,8 +22,8 @@ const ASCII: border::Set<'static> = border::Set {
     horizontal_bottom: "-",
 };
 
-/// Draws an empty frame with a title, `+- title --+` in ASCII, rounded lines in Unicode, and
-/// returns the area inside. An empty title leaves the frame closed.
+/// Draws an empty frame with a title, like `+- title --+` in ASCII and with rounded corners in
+/// Unicode, and returns the area inside. With an empty title the top line has no gap.
 pub(crate) fn draw_panel(
     buffer: &mut Buffer,
     area: Rect,

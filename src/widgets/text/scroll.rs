@@ -1,11 +1,11 @@
-//! Text that may be longer than its place.
+//! Text that may be longer than its area.
 
 use ratatui::{buffer::Buffer, layout::Rect};
 
 use crate::messages::Key;
 use crate::widgets::{Look, Role, text};
 
-/// Rows that the keys for a page go.
+/// The number of rows that the page keys scroll.
 pub(crate) const PAGE_ROWS: i16 = 8;
 
 /// Writes a hint into the frame below `area`.
@@ -19,8 +19,8 @@ pub(crate) fn hint_below(area: Rect, buf: &mut Buffer, look: Look, hint: &str) {
     }
 }
 
-/// The keys that turn the pages of a text, with what a screen calls scrolling by so many
-/// rows.
+/// The keys that scroll a text by pages; `action` is the screen's action for scrolling by a number
+/// of rows.
 pub(crate) fn scroll_keys<A>(action: impl Fn(i16) -> A) -> [(Key, A); 2] {
     [
         (Key::PageUp, action(-PAGE_ROWS)),

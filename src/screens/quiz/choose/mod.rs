@@ -43,7 +43,7 @@ pub(crate) struct Choosing {
     own: Arc<Library>,
 }
 
-/// The page of the screen.
+/// The pages of the screen.
 #[derive(Debug, Clone, PartialEq)]
 enum ChoosingPage {
     Rounds,
@@ -52,12 +52,12 @@ enum ChoosingPage {
     Code {
         /// The typed part.
         typed: TextField,
-        /// Whether it was entered and is not a code.
+        /// Whether the text was entered and is not a valid code.
         refused: bool,
     },
 }
 
-/// The longest code that can be typed; no code is this long.
+/// The largest number of characters that can be typed; every code is shorter.
 const LONGEST: usize = 40;
 
 /// A kind of round to choose.
@@ -65,7 +65,7 @@ const LONGEST: usize = 40;
 enum RoundChoice {
     /// A kind that is always available.
     Always(CourseKind),
-    /// A review of what is due.
+    /// A review of the topics that are due.
     Review,
     /// Questions about the chapters that the player has read.
     Read,
@@ -77,7 +77,7 @@ enum RoundChoice {
     Own,
 }
 
-/// The kinds of round, each with its letter; its number works too.
+/// The kinds of round, each with its letter; the number of its row works too.
 static CHOICES: [(char, RoundChoice); 10] = [
     ('f', RoundChoice::Always(CourseKind::FindOut)),
     ('q', RoundChoice::Always(CourseKind::Quick)),
@@ -92,7 +92,7 @@ static CHOICES: [(char, RoundChoice); 10] = [
 ];
 
 impl Choosing {
-    /// Requests what the player has done.
+    /// Requests the player's record.
     pub(crate) fn ask(cx: &mut Context) -> Self {
         cx.ask_for_marks();
         Self {
@@ -104,7 +104,7 @@ impl Choosing {
         }
     }
 
-    /// The kinds of round to choose from; a teacher's questions only if a folder was given.
+    /// The kinds of round to choose from, with a teacher's questions only if a folder was given.
     fn choices(&self) -> &'static [(char, RoundChoice)] {
         match *self.own == Library::default() {
             true => &CHOICES[..CHOICES.len() - 1],
@@ -128,8 +128,8 @@ impl Choosing {
         history.map_or_else(Due::default, |it| Due::of(&it.attempts, &it.calendar))
     }
 
-    /// The kind of round that a choice begins; `None` if there is nothing to ask, or if the
-    /// player has to choose further.
+    /// The kind of round that a choice begins; `None` if there are no questions, or if the player
+    /// first has to choose a topic or a code.
     fn kind(&self, choice: &RoundChoice, book: &Book) -> Option<CourseKind> {
         match choice {
             RoundChoice::Always(kind) => Some(kind.clone()),
@@ -181,7 +181,7 @@ impl Choosing {
     }
 }
 
-/// The first question of a round.
+/// Opens the first question of a round.
 fn begin(code: Code) -> Next {
     Next::Replace(Route::Quiz { code: Some(code) })
 }
@@ -250,7 +250,7 @@ impl Screen for Choosing {
         let ChoosingPage::Code { typed, refused } = &mut self.page else {
             return false;
         };
-        // A question mark opens the help here, because no code contains one.
+        // A question mark opens the help, because no code contains one.
         let of_code = |c: char| c.is_ascii_alphanumeric() || c == '-';
         let used = !matches!(key, Key::Char(c) if !of_code(c)) && typed.update(key);
         *refused &= !used;

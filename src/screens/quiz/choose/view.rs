@@ -14,7 +14,7 @@ const WHY_MIXED: &str = "Mixed questions feel harder than many of one kind in a 
     miss more of them. But each time you have to recognize the kind of question first, and this \
     helps you remember: weeks later you know more.";
 
-/// Opens the chosen line.
+/// The action that opens the chosen line.
 const OPEN: ChoosingAction = ChoosingAction::List(ListAction::Open);
 
 /// The list of the page, and a description of the chosen line.
