@@ -63,7 +63,7 @@ const OF_MISCONCEPTIONS: &str = "
     along n, line of centres | pushed-ahead
     opposite directions | same-side
     higher up, the other side | sides-exchanged
-    wall, loses all its speed, goes on, reversed, with equal masses, rebounds from | off-a-wall
+    wall, loses all its speed, goes on, moves on, reversed, with equal masses, rebounds from | off-a-wall
     not a fraction of 90°, is the sine of α | offset-as-angle
     e = 0.8, e = 0, coefficient of restitution, e = 1, with a loss, is lost | lossless
     rebounds, the striker stops | always-stops
