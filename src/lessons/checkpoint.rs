@@ -67,6 +67,17 @@ impl Expected {
         }
     }
 
+    /// The smallest and the largest number that make sense.
+    fn range(&self) -> (f64, f64) {
+        const ANY: (f64, f64) = (-1e9, 1e9);
+        match self {
+            Self::Of(quantity, _) | Self::Figure(quantity) if quantity.is_part_of_whole() => {
+                (0.0, 1.0)
+            }
+            _ => ANY,
+        }
+    }
+
     /// The symbol of the quantity and the unit.
     pub(crate) fn sign_and_unit(&self) -> (&str, &str) {
         match self {
@@ -107,6 +118,7 @@ impl Checkpoint {
                         sign: sign.into(),
                         unit: unit.into(),
                         tolerance: *tolerance,
+                        range: expected.range(),
                     },
                     truth: expected.value(figure).unwrap_or(f64::INFINITY),
                 }

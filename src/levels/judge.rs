@@ -23,7 +23,7 @@ pub struct Judgement {
 pub struct Finding {
     /// Whether the goal is met.
     pub met: bool,
-    /// What happened: "the striker came to rest 12 mm outside its circle".
+    /// What happened: "the striker came to rest 12 mm short of its circle".
     pub text: String,
 }
 
@@ -90,13 +90,14 @@ impl Goal {
                     DiscState::Pocketed => found(false, format!("{name} was pocketed")),
                     DiscState::Moving => found(false, format!("{name} never came to rest")),
                     DiscState::Resting => {
-                        circle.judge(end.position, &format!("{name} came to rest"))
+                        let came = shot.path(*disc).last().map(|leg| leg.to - leg.from);
+                        circle.judge(end.position, came, &format!("{name} came to rest"))
                     }
                 }
             }
             Self::Pass { disc, circle } => {
                 let nearest = nearest_on_path(shot, *disc, circle.centre);
-                circle.judge(nearest, &format!("{} passed", name(disc)))
+                circle.judge(nearest, None, &format!("{} passed", name(disc)))
             }
             Self::Bank {
                 disc,
@@ -161,20 +162,38 @@ impl Goal {
 }
 
 impl GoalCircle {
-    /// Whether a point is inside the circle; `came` is the beginning of the sentence.
-    fn judge(&self, point: DVec2, came: &str) -> Finding {
+    /// Whether a point is inside the circle. `path` is the last straight part of a path that ends
+    /// at the point, and `did` is the beginning of the sentence.
+    fn judge(&self, point: DVec2, path: Option<DVec2>, did: &str) -> Finding {
         let outside = self.outside_mm(point);
         if outside > 0.0 {
+            let missed = path.map_or("outside", |path| self.side(point, path));
             return found(
                 false,
-                format!("{came} {} mm outside its circle", figures(outside)),
+                format!("{did} {} mm {missed} its circle", figures(outside)),
             );
         }
         let off = figures(mm_from_m(self.centre.distance(point)));
         found(
             true,
-            format!("{came} {off} mm from the middle of its circle"),
+            format!("{did} {off} mm from the middle of its circle"),
         )
+    }
+
+    /// Where a point at the end of a path lies relative to the circle.
+    fn side(&self, point: DVec2, path: DVec2) -> &'static str {
+        let to_centre = self.centre - point;
+        let (ahead, left) = (path.dot(to_centre), path.perp_dot(to_centre));
+        if left.abs() > ahead.abs() {
+            match left > 0.0 {
+                true => "to the right of",
+                false => "to the left of",
+            }
+        } else if ahead > 0.0 {
+            "short of"
+        } else {
+            "beyond"
+        }
     }
 }
 

@@ -25,7 +25,10 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     };
     if let Some(review) = calendar.today().and_then(due) {
         return match review.family.as_str() {
-            LESSON => format!("Due for review, in the chapters: {}.", review.topic_name()),
+            LESSON => ended(format!(
+                "Due for review, in the chapters: {}",
+                review.topic_name()
+            )),
             _ => format!(
                 "Due for review: {}. Play a round of the quiz to repeat it.",
                 review.topic_name()
@@ -34,11 +37,11 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     }
     let lately = &attempts[attempts.len().saturating_sub(LATELY)..];
     if let Some(missed) = lately.iter().rev().find(|it| it.is_surely_wrong()) {
-        return format!(
-            "You were sure, but wrong, in this topic: {}. Try a similar question again, and read \
-             the explanation slowly.",
+        let topic = format!(
+            "You were sure, but wrong, in this topic: {}",
             missed.topic_name()
         );
+        return ended(topic) + " Try a similar question again, and read the explanation slowly.";
     }
     let topics = topics(attempts);
     let weakest = topics
@@ -49,8 +52,19 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
             share(a).total_cmp(&share(b))
         });
     match weakest {
-        Some(topic) => format!("You can learn most from this topic now: {}.", topic.name),
+        Some(topic) => ended(format!(
+            "You can learn most from this topic now: {}",
+            topic.name
+        )),
         None => "All your topics so far are solid. Try the levels, or a game at the table.".into(),
+    }
+}
+
+/// A sentence with its full stop, unless it ends with the title of a page that is a question.
+fn ended(sentence: String) -> String {
+    match sentence.ends_with(['?', '!', '.']) {
+        true => sentence,
+        false => sentence + ".",
     }
 }
 
@@ -86,6 +100,12 @@ mod tests {
         says(Some(held(1)), None);
         let swapped = Misconception::with_id("swapped").unwrap();
         assert_eq!(says(Some(held(2)), None), swapped.advice());
+    }
+
+    #[test]
+    fn a_topic_that_is_a_question_needs_no_full_stop() {
+        assert_eq!(ended("Due: Which way?".into()), "Due: Which way?");
+        assert_eq!(ended("Due: equal masses".into()), "Due: equal masses.");
     }
 
     #[test]

@@ -5,7 +5,7 @@ use crate::numbers;
 use crate::physics::units::rad_from_deg;
 use crate::quiz::{
     Clue, Confidence, Evidence, Grade, Misconception, Origin, Passage, Rays, RaysGrade, Topic,
-    named,
+    evidence, named,
 };
 
 /// The fewest answers for a comment on calibration.
@@ -172,17 +172,34 @@ impl<'a> Summary<'a> {
         if asked == 0 {
             return vec!["There are no answers yet, so there is no finding.".into()];
         }
+        let suspected = self.suspected();
         let why = if 5 * right >= 4 * asked {
-            "No misconception stands in your way. Try a mixed round, or a level that \
-             needs an exact cut."
-        } else {
+            "No misconception stands in your way. Try a mixed round, or a level that needs an \
+             exact cut."
+                .into()
+        } else if suspected.is_empty() {
             "Your wrong answers have no pattern: no known misconception explains them. Go through \
              them once more, with the explanations; then begin with the first chapters."
+                .into()
+        } else {
+            format!(
+                "Some answers fit a known misconception: {}. But they are too few to conclude that \
+                 you believe it. Read their explanations, then answer more questions.",
+                suspected.join(", ")
+            )
         };
         vec![
             "No misconception stands out.".into(),
             format!("{right} of {asked} answers were right. {why}"),
         ]
+    }
+
+    /// The names of the misconceptions that at least one answer fits, those with the most evidence
+    /// first.
+    fn suspected(&self) -> Vec<&'static str> {
+        let clues: Vec<Clue> = self.attempts.iter().map(Attempt::clue).collect();
+        let shown = evidence(&clues).into_iter().filter(|it| it.times > 0);
+        shown.map(|it| it.misconception.name()).collect()
     }
 
     /// A comment on whether a checked misconception still shows.
@@ -315,6 +332,24 @@ mod tests {
         ] {
             assert_eq!(summary(&answers).calibration_words(), words);
         }
+    }
+
+    /// The table of the round names the misconception that one answer fits.
+    #[test]
+    fn one_answer_that_fits_a_misconception_is_not_called_a_wrong_answer_without_a_pattern() {
+        let question = Question::from(&HIT);
+        let of = |theta1: f64, theta2: f64| {
+            let said = Response::Rays(Rays::new(theta1.to_radians(), theta2.to_radians()));
+            let answer = Answer::new(said, Confidence::Sure);
+            let attempt = Attempt::of_quiz("Ada", &Code::hits(7), 1, &question, &answer);
+            Summary::new(Vec::leak(vec![attempt])).finding().join(" ")
+        };
+        let half = of(45.0, 45.0);
+        let name = Misconception::HalfAndHalf.name();
+        assert!(half.contains(name) && half.contains("too few"), "{half}");
+        assert!(!half.contains("no known"), "{half}");
+        let nonsense = of(-120.0, 120.0);
+        assert!(nonsense.contains("no known misconception"), "{nonsense}");
     }
 
     /// The answers in this round are not angles, and one in three is wrong.

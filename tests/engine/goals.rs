@@ -108,8 +108,15 @@ fn circle_goals_are_met_by_paths_and_by_final_positions() {
             "kind = \"rest\"\ndisc = 0\n{}",
             circle(x - 3.1 * cos, y + 3.1 * sin)
         ),
-        "the striker came to rest 3.00 mm outside its circle",
+        "the striker came to rest 3.00 mm to the right of its circle",
     );
+    for (ahead, where_to) in [(5.1, "short of"), (-5.1, "beyond")] {
+        let circle = circle(x + ahead * sin, y + ahead * cos);
+        missed(
+            &format!("kind = \"rest\"\ndisc = 0\n{circle}"),
+            &format!("the striker came to rest 5.00 mm {where_to} its circle"),
+        );
+    }
     missed(
         &format!("kind = \"pass\"\ndisc = 2\n{}", circle(0.0, 290.0)),
         "the queen passed 9.90 mm outside its circle",

@@ -243,10 +243,11 @@ fn last_side(text: &str, mark: &str, readings: [Option<f64>; 2]) -> Option<f64> 
 /// Like [`check_equations`], for angles that are found from a sine, cosine or tangent.
 fn check_inverses(text: &str) -> Result<usize, String> {
     type Inverse = fn(f64) -> f64;
-    const INVERSES: [(&str, Inverse, &str); 7] = [
+    const INVERSES: [(&str, Inverse, &str); 8] = [
         ("sin θ₁ = ", f64::asin, "So θ₁ = "),
         ("tan θ₁ = ", f64::atan, "and θ₁ = "),
         ("tangent of the angle is ", f64::atan, "the angle is "),
+        ("tan φ = ", f64::atan, "so φ = "),
         ("cosine of the angle is ", f64::acos, "the angle is "),
         (
             "sine of half the angle is ",
@@ -266,8 +267,12 @@ fn check_inverses(text: &str) -> Result<usize, String> {
         };
         let side = last_side(text, mark, [None; 2]).ok_or_else(|| format!("{mark}{text}"))?;
         let tokens = tokens(angle, [None; 2]);
-        let angle = tokens.split(|(_, token)| *token == Token::End).next();
-        let angle = angle.and_then(|it| printed(&bare(it))).ok_or(text)?;
+        let chain = tokens.split(|(_, token)| *token == Token::End).next();
+        // The angle may be a sum: "180° − 71.6° = 108.4°".
+        let mut sides = chain
+            .ok_or(text)?
+            .rsplit(|(_, token)| *token == Token::Sign('='));
+        let angle = sides.next().and_then(|it| printed(&bare(it))).ok_or(text)?;
         // An angle with a negative tangent is obtuse.
         let found = match inverse(side).to_degrees() {
             below if below < 0.0 => below + 180.0,
@@ -386,6 +391,9 @@ fn the_checker_finds_wrong_equations() {
         Ok(1)
     );
     assert!(check_inverses("sin θ₁ = m₂ / m₁ = 0.500. So θ₁ = 31.0°.").is_err());
+    let sum = "tan φ = 2.12 / (−0.707), so φ = 180° − 71.6° = 108.4°.";
+    assert_eq!(check_inverses(sum), Ok(1));
+    assert!(check_inverses("tan φ = 2.12 / (−0.707), so φ = 71.6°.").is_err());
     let tangent = "the tangent of the angle is 1.00 / 2.00, and the angle is 26.6°.";
     assert_eq!(check_inverses(tangent), Ok(1));
 }

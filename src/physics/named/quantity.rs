@@ -153,6 +153,11 @@ impl Quantity {
         Self::ALL.into_iter().find(|quantity| quantity.name == name)
     }
 
+    /// Whether it is a part of a whole, from 0 to 1.
+    pub(crate) fn is_part_of_whole(&self) -> bool {
+        matches!(self.name, "energy1_share" | "energy2_share" | "lost_share")
+    }
+
     /// Its value in its unit; `None` if it is undefined, such as the direction of a disc at rest.
     pub(crate) fn of(&self, collision: &Collision) -> Option<f64> {
         let value = (self.of)(collision, &collision.outcome())? * self.scale;

@@ -70,7 +70,7 @@ fn turn(hit: &Hit, turn: f64) -> Outline {
             DoubleAngleForgotten,
             180.0 - deg_from_rad(hit.alpha().abs()),
         )
-        .says("You subtracted α from 180° only once. It must be subtracted twice.")
+        .says("Your answer is close to 180° − α. But α must be subtracted twice.")
         .wrong(FramesMixed, on_board)
         .says("That is the striker's deflection in the laboratory frame.")
 }
@@ -237,8 +237,7 @@ fn target_on_the_board(hit: &Hit, turn_deg: f64) -> Option<Question> {
         .number(Measure::Angle, 90.0 - turn_deg / 2.0)
         .wrong(DoubleAngleForgotten, 180.0 - turn_deg)
         .says(format!(
-            "You subtracted Θ from 180°. In the laboratory frame the {name} leaves at α, which is \
-             half of that."
+            "Your answer is close to 180° − Θ. In the laboratory frame the {name} leaves at α, which is half of that."
         ))
         .wrong(Swapped, theta1_deg(hit, turn_deg)?)
         .says(format!(

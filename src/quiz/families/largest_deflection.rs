@@ -118,8 +118,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
             )
             .chooses(HalfAndHalf, BELOW)
             .says(
-                "Did you assume that 45° is the most? That is only the collision that shares \
-                   the energy equally.",
+                "Did you assume that equal angles are the limit? At 45° the discs only share the energy equally.",
             )
             .why(
                 "With equal masses the striker leaves at right angles to the line of impact, at \
@@ -138,8 +137,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
                    rebound.",
             )
             .why(
-                "Head-on a lighter striker bounces straight back: 180°. By choosing the offset \
-                 you can get any deflection from 180° down to 0° at a graze.",
+                "Head-on a lighter striker bounces straight back: 180°. Other offsets give every deflection from 180° down to 0° at a graze.",
             ),
     }
 }
@@ -169,7 +167,7 @@ fn how_much(e_tenths: u32, difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
         .ask("What is the greatest angle by which the striker can be deflected?")
         .number(Measure::Angle, deg_from_rad(theta1))
         .wrong(BeyondLargest, 90.0)
-        .says("You assumed a deflection of 90°. But a light coin cannot stop the forward motion.")
+        .says("Your answer is close to 90°. But a light coin cannot stop the forward motion.")
         .wrong(HeavyUnmoved, 0.0)
         .says("You assumed that the striker goes straight on. But off-centre it is deflected.")
         .wrong(SineCosine, 90.0 - deg_from_rad(theta1))
@@ -205,7 +203,7 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         ))
         .number(Measure::Angle, deg_from_rad(alpha))
         .wrong(HalfAndHalf, 45.0)
-        .says("You answered 45°. That would be right only for a very heavy striker.")
+        .says("Your answer is close to 45°. That would be right only for a very heavy striker.")
         .wrong(CopiedAngle, theta1_deg)
         .says("That is the deflection itself. The impact angle is the coin's direction.")
         .wrong(DoubleAngleForgotten, 90.0 - theta1_deg)

@@ -124,17 +124,14 @@ impl ShotTask {
                 AlwaysSquare,
                 if_so(!equal && across, reach_mm * wanted.cos()),
             )
-            .says("You assumed 90° between the paths. That is right only for equal masses.")
+            .says("Your offset fits an angle close to 90° between the paths. That is right only for equal masses.")
             .wrong(CopiedAngle, if_so(across, reach_mm * wanted.sin()))
             .says("You used the line of impact, the target's path, as the striker's.")
             .wrong(
                 OffsetAsAngle,
                 self.at(reach_mm * deg_from_rad(alpha) / 90.0),
             )
-            .says(format!(
-                "You made the offset proportional to α = {}, not to sin α.",
-                degrees(alpha)
-            ))
+            .says("You made the offset proportional to α. It is proportional to sin α.")
             .wrong(SidesExchanged, self.at(-reach_mm * alpha.sin()))
             .says("With this offset the striker leaves on the other side, away from the target.")
             .wrong(FramesMixed, if_so(!equal, reach_mm * (wanted / 2.0).cos()))

@@ -138,7 +138,7 @@ fn striker_for_square(dice: &mut Dice) -> Option<Question> {
             e,
         ))
         .wrong(UpsideDown, m2 / e)
-        .says("You inverted the ratio: m₁ / m₂ is e, not 1 / e.")
+        .says("You inverted the ratio. m₁ / m₂ is e, not 1 / e.")
         .wrong(EAsEnergy, e.sqrt() * m2)
         .says("You used √e, as if e were a share of energy. e compares speeds.")
         .why(format!(
@@ -165,7 +165,7 @@ fn e_for_square(dice: &mut Dice) -> Option<Question> {
         .wrong(EAsEnergy, e * e)
         .says("You squared the ratio, as if e were a share of energy. e compares speeds.")
         .wrong(LossOnEverything, 1.0 - e)
-        .says("You calculated 1 − m₁/m₂. The coefficient of restitution is m₁/m₂ itself.")
+        .says("Your answer is close to 1 − m₁/m₂. The coefficient of restitution is m₁/m₂ itself.")
         .why(format!(
             "{COMPONENT} {PROPORTIONAL} So e = m₁ / m₂ = {} g / {} g = {}.",
             significant(hit.masses_g()[0]),
@@ -236,7 +236,7 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
         .wrong(UpsideDown, k * (m1 + m2) / m1 - 1.0)
         .says("You swapped the two masses.")
         .wrong(Lossless, 1.0)
-        .says("You assumed e = 1: then the angles would differ.")
+        .says("An e close to 1 means no loss. Then the angles would differ.")
         .why(format!(
             "Along the line of impact the striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {shown}. As k = (1 + e) m₂ / (m₁ + m₂), e = {shown} × {} / {} \
              − 1 = {}.",

@@ -172,8 +172,7 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
         .number(Measure::Angle, wide(&hit)?)
         .wrong(AlwaysSquare, 90.0)
         .says(
-            "You assumed a right angle. That requires m₁ = e m₂: equal masses if no energy is \
-               lost.",
+            "Your answer is close to 90°. A right angle requires m₁ = e m₂: equal masses if no energy is lost.",
         )
         .wrong(CopiedAngle, 2.0 * deg_from_rad(alpha))
         .says(twice_alpha(alpha, hit.pieces.target_name()))
@@ -192,7 +191,7 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
 /// Feedback for an answer of twice the impact angle.
 pub(super) fn twice_alpha(alpha: f64, name: &str) -> String {
     format!(
-        "You answered twice {}. But only the {name} leaves at the impact angle.",
+        "Your answer is close to twice {}. But only the {name} leaves at the impact angle.",
         degrees(alpha)
     )
 }

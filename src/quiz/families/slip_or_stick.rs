@@ -180,7 +180,7 @@ fn parting(hit: &Hit) -> Option<Question> {
              the line of impact.",
         )
         .wrong(AlwaysSquare, 90.0)
-        .says("You answered 90°. That is right for equal masses if no energy is lost.")
+        .says("Your answer is close to 90°. That is right for equal masses if no energy is lost.")
         .why(format!(
             "{} Perpendicular to it the striker keeps {across} m/s, the {name} has none: the \
              tangent of the angle is {across} / {shown}, and the angle is {}.",

@@ -71,8 +71,8 @@ pub(super) fn sine_for_cosine(name: &str) -> String {
 }
 
 /// Feedback for a lossless speed multiplied by e.
-pub(super) const SHRUNK: &str = "You multiplied the speed for e = 1 by e. But e multiplies the \
-                                 speed of separation, not each of the two speeds.";
+pub(super) const SHRUNK: &str = "Your answer fits e times the speed without loss. But e multiplies \
+                                 the speed of separation, not each of the two speeds.";
 
 /// The striker's speed with equal masses: it keeps only the component perpendicular to the line
 /// of impact.

@@ -205,6 +205,6 @@ fn by_angles(seen: &SeenHit) -> Option<Question> {
             DoubleAngleForgotten,
             STRIKER * theta1.sin() / (theta1 + theta2).sin(),
         )
-        .says("You used θ₂, but the formula contains 2θ₂.")
+        .says("You used θ₂, but the formula contains twice θ₂.")
         .why(why)
 }

@@ -80,7 +80,7 @@ fn undiagnosed(question: &Question, answer: &Answer) -> (&'static str, String) {
         _ => (
             "off",
             format!(
-                "You said {}; it is {}.",
+                "You said {}. The answer is {}.",
                 form.words(&answer.said),
                 form.words(&form.truth())
             ),
@@ -174,7 +174,9 @@ mod tests {
         assert_eq!(
             marbles,
             "[right] Right, and this is why. The marble leaves along the line of impact n, at \
-             45.0°. The striker has 2.12 m/s along t and −0.707 m/s along n, at 108.4° to n: θ₁ = 108.4° − 45.0° = 63.4°."
+             45.0°. Along t the striker keeps u₁ₜ = 2.12 m/s; along n it has (m₁ − e m₂) / (m₁ + \
+             m₂) u₁ₙ = −0.333 × 2.12 m/s = −0.707 m/s. For the angle φ between the paths, tan φ = \
+             2.12 / (−0.707), so φ = 180° − 71.6° = 108.4°. θ₁ = 108.4° − 45.0° = 63.4°."
         );
     }
 

@@ -70,24 +70,27 @@ impl Misconception {
         let alpha = hit.alpha().abs();
         match self {
             Self::CopiedAngle => format!(
-                "For the striker you used the impact angle, {}, which is the {name}'s.",
+                "The angle you gave the striker is close to the impact angle, {}. That is the {name}'s.",
                 degrees(alpha)
             ),
             Self::AlwaysSquare if hit.restitution < 1.0 => {
-                "You assumed a right angle. That does not hold if energy is lost.".into()
+                "The angle between your paths is close to 90°. But the 90° rule does not hold if \
+                 energy is lost."
+                    .into()
             }
             Self::AlwaysSquare => {
-                "You assumed a right angle. That does not hold for unequal masses.".into()
+                "The angle between your paths is close to 90°. But the 90° rule does not hold for \
+                 unequal masses."
+                    .into()
             }
-            Self::HalfAndHalf => "You gave each disc 45°. But the two angles are equal only at \
-                                  one offset."
+            Self::HalfAndHalf => "The angles you gave are close to 45.0° each. But they are equal only at one offset."
                 .into(),
             Self::Swapped => match hit.truth() {
                 Rays {
                     striker: Some(theta1),
                     target: Some(theta2),
                 } if !hit.head_on() => format!(
-                    "Your angles are swapped: {} is the {name}'s, {} the striker's.",
+                    "Your angles are swapped. The {name} leaves at {}, the striker at {}.",
                     degrees(theta2.abs()),
                     degrees(theta1.abs())
                 ),
@@ -114,18 +117,21 @@ impl Misconception {
                 format!("You sent both to the {side}. But their sideways momenta add up to zero.")
             }
             Self::SidesExchanged => {
-                format!("Your angles are right, the sides are not: the {name} lies to the {side}.")
+                format!(
+                    "Your angles are right, the sides are not: seen along the path, the {name} lies \
+                     to the {side}."
+                )
             }
             Self::OffAWall => format!(
-                "You deflected the striker by {}, as off a wall. But the {name} can move.",
+                "You gave the striker a deflection close to {}, as off a wall. But the {name} can move.",
                 degrees(PI - 2.0 * alpha)
             ),
             Self::OffsetAsAngle => format!(
-                "You used the offset as a share of 90°, {}. But that share is the sine of α.",
+                "Your angles fit an α close to {}, proportional to the offset. But sin α is proportional to it.",
                 degrees(FRAC_PI_2 * hit.alpha().sin().abs())
             ),
             Self::Lossless => format!(
-                "Your angles are those for e = 1. With e = {} the discs separate more slowly.",
+                "Your angles are close to those for e = 1. With e = {} the discs separate more slowly.",
                 significant(hit.restitution)
             ),
             Self::AlwaysStops => {

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::physics::CollisionOutcome;
 
-use crate::numbers::{Intermediate, bare_millimetres, degrees, fixed, significant};
+use crate::numbers::{Intermediate, bare_millimetres, degrees, fixed, significant, true_minus};
 use crate::physics::ImpactPoint;
 use crate::quiz::question::Hit;
 
@@ -50,17 +50,45 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
         );
     }
     let shown = Intermediate::angle(separation, |whole| degrees(whole - alpha));
-    let alpha = Intermediate::angle(alpha, |alpha| degrees(shown.value - alpha));
+    let rest_of_sum = Intermediate::angle(alpha, |alpha| degrees(shown.value - alpha));
     let between =
         |along: f64, across: f64| fixed(across.atan2(along).to_degrees(), shown.decimals());
-    let along = Intermediate::new(along, |along| between(along, across));
+    let [m1, m2] = hit.masses_g();
+    let kept = (m1 - hit.restitution * m2) / (m1 + m2);
+    let (along, kept, before) = component_along(along, kept, |along| between(along, across));
     let across = Intermediate::new(across, |across| between(along.value, across));
-    let sign = if along.value < 0.0 { "−" } else { "" };
+    let (tangent, sum) = if along.value < 0.0 {
+        let acute = fixed(180.0 - shown.value.to_degrees(), shown.decimals());
+        (
+            format!("{across} / (−{})", along.size()),
+            format!("180° − {acute}° = {shown}°"),
+        )
+    } else {
+        (format!("{across} / {along}"), format!("{shown}°"))
+    };
     format!(
-        "The striker has {across} m/s along t and {sign}{along} m/s along n, at {shown}° to n: θ₁ = {shown}° − {alpha}° = {}.",
+        "Along t the striker keeps u₁ₜ = {across} m/s; along n it has (m₁ − e m₂) / (m₁ + m₂) u₁ₙ = \
+         {kept} × {before} m/s = {along} m/s. For the angle φ between the paths, tan φ = {tangent}, \
+         so φ = {sum}. θ₁ = {shown}° − {rest_of_sum}° = {}.",
         degrees(theta1),
-        along = along.size()
+        kept = true_minus(&kept.to_string()),
+        along = true_minus(&along.to_string()),
     )
+}
+
+/// A final component along the line of impact, the fraction of the initial component that it is,
+/// and that initial component. The product of the last two, as printed, is the first, which
+/// `result` needs.
+pub(crate) fn component_along<T: PartialEq>(
+    along: f64,
+    fraction: f64,
+    result: impl Fn(f64) -> T,
+) -> (Intermediate, Intermediate, Intermediate) {
+    let after = Intermediate::new(along, result);
+    let product = |before: f64, fraction: f64| fixed(before * fraction, after.decimals());
+    let before = Intermediate::new(along / fraction, |before| product(before, fraction));
+    let fraction = Intermediate::new(fraction, |fraction| product(before.value, fraction));
+    (after, fraction, before)
 }
 
 fn head_on(hit: &Hit, outcome: &CollisionOutcome) -> String {

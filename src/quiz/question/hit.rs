@@ -188,12 +188,13 @@ impl Hit {
         let place = match self.given {
             _ if self.head_on() => "The collision is head-on (offset 0).".to_owned(),
             ImpactPoint::Angle { .. } => format!(
-                "The {name} lies to the {side} of the path; the line of impact is at {} to the \
-                 path.",
+                "Seen along the path, the {name} lies to the {side}; the line of impact is at {} to \
+                 the path.",
                 numbers::degrees(self.alpha().abs())
             ),
             ImpactPoint::Offset { offset_mm } => format!(
-                "The {name}'s centre lies {} to the {side} of the striker's path; r₁ + r₂ = {}.",
+                "Seen along the striker's path, the {name}'s centre lies {} to the {side}; r₁ + r₂ = \
+                 {}.",
                 numbers::millimetres(offset_mm.abs()),
                 numbers::millimetres(self.reach_mm())
             ),

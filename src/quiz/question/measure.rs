@@ -33,6 +33,8 @@ pub enum Measure {
         unit: String,
         /// The largest error that counts as right.
         tolerance: f64,
+        /// The smallest and the largest number that make sense.
+        range: (f64, f64),
     },
 }
 
@@ -148,14 +150,15 @@ impl Measure {
             Self::Share => 100.0,
             Self::Restitution => 1.0,
             Self::Speed | Self::Mass | Self::Length | Self::Times => 99_999.0,
-            Self::Own { .. } => 1e9,
+            Self::Own { range, .. } => range.1,
         }
     }
 
     /// The smallest number that makes sense.
     pub const fn smallest(&self) -> f64 {
         match self {
-            Self::Angle | Self::Own { .. } => -self.largest(),
+            Self::Angle => -self.largest(),
+            Self::Own { range, .. } => range.0,
             _ => 0.0,
         }
     }

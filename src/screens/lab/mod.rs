@@ -133,6 +133,17 @@ impl Lab {
     }
 }
 
+/// Why the picture cannot be live.
+fn not_live(settings: &LabSettings, predicted: u8) -> String {
+    if settings.mystery.as_ref().is_some_and(Mystery::is_open) {
+        return "The live picture would show the mass of the mystery coin.".into();
+    }
+    format!(
+        "The live picture shows the answer. It opens after {} right predictions; you have {predicted}.",
+        Settings::ENOUGH_PREDICTED
+    )
+}
+
 impl Screen for Lab {
     type Action = LabAction;
 
@@ -184,8 +195,7 @@ impl Screen for Lab {
                         .is_none(),
                 )
                 .on(key('m'), MysteryCoin, "mystery coin")
-                .on(key('v'), Live, "live")
-                .when(self.may_live(cx))
+                .on(key('v'), Live, if self.may_live(cx) { "live" } else { "" })
                 .on(Key::Escape, Back, "back")
                 .when(!self.form.is_typing())
                 .on(key('p'), Predict, "")
@@ -221,6 +231,7 @@ impl Screen for Lab {
     }
 
     fn act(&mut self, action: LabAction, cx: &mut Context) -> Next {
+        let may_live = self.may_live(cx);
         let (settings, form) = (&mut self.settings, &mut self.form);
         match (&mut self.phase, action) {
             (_, LabAction::Go) => self.go(cx),
@@ -239,6 +250,9 @@ impl Screen for Lab {
                 settings.mystery = Some(coin);
             }
             (_, LabAction::Predict) => cx.settings.predict ^= true,
+            (_, LabAction::Live) if !may_live => {
+                cx.notify(not_live(settings, cx.settings.predicted))
+            }
             (_, LabAction::Live) => self.live ^= true,
             (_, LabAction::Reset) => {
                 form.give_up();

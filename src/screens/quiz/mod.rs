@@ -28,6 +28,10 @@ use crate::widgets::hit::{Overlays, Reveal, Watch, WatchAction};
 use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::{AnswerAction, AnswerInput, Asking, AskingAction, Outcome, PAGE_ROWS};
 
+/// How long Enter does not leave a verdict that was shown at once: a player who presses a digit for
+/// the confidence and then Enter means to confirm the digit.
+const SETTLING: Duration = Duration::from_millis(500);
+
 /// Returns to choosing a round.
 const CHOOSE: Next = Next::Replace(Route::Quiz { code: None });
 
@@ -106,6 +110,8 @@ struct AnsweredQuestion {
     remedy: Option<Watch>,
     /// The question's index, if it was opened from the summary.
     opened: Option<usize>,
+    /// How long Enter does nothing yet: see [`SETTLING`].
+    settling: Duration,
 }
 
 impl Quiz {
@@ -354,6 +360,7 @@ impl AnsweredQuestion {
             reveal: Reveal::new(watch),
             remedy,
             opened: None,
+            settling: Duration::ZERO,
         }
     }
 
@@ -476,9 +483,18 @@ impl Screen for Quiz {
                 if let Outcome::Done((said, sure)) = asked.asking.act(action) {
                     let question = asked.question.clone();
                     self.answer(question, Answer::new(said, sure), cx);
+                    if let (AskingAction::Sure(_), QuizPhase::Watch(watched)) =
+                        (action, &mut self.phase)
+                        && watched.reveal.watch().is_none()
+                    {
+                        watched.settling = SETTLING;
+                    }
                 }
             }
             (QuizAction::Watch(action), QuizPhase::Watch(watched)) => watched.reveal.act(action),
+            (QuizAction::GoOn, QuizPhase::Watch(watched)) if !watched.settling.is_zero() => {
+                watched.settling = Duration::ZERO;
+            }
             (QuizAction::GoOn, QuizPhase::Watch(watched)) => match watched.remedy.take() {
                 Some(remedy) => watched.reveal.show(remedy),
                 None => {
@@ -553,12 +569,14 @@ impl Screen for Quiz {
 
     fn advance(&mut self, passed: Duration, cx: &mut Context) {
         if let QuizPhase::Watch(watched) = &mut self.phase {
+            watched.settling = watched.settling.saturating_sub(passed);
             watched.reveal.advance(passed, cx.settings.pace());
         }
     }
 
     fn wake(&self, cx: &Context) -> Option<Duration> {
         match &self.phase {
+            QuizPhase::Watch(watched) if !watched.settling.is_zero() => Some(watched.settling),
             QuizPhase::Watch(watched) => watched.reveal.wake(cx.settings.pace()),
             _ => None,
         }

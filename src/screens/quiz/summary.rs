@@ -124,7 +124,7 @@ fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction
     ];
     let row =
         |(number, (attempt, (question, answer))): (usize, (&Attempt, (&Question, &Answer)))| {
-            let missed = attempt.is_surely_wrong();
+            let missed = cost_points(attempt);
             TableRow {
                 cells: vec![
                     format!("{}{}", number + 1, if missed { "!" } else { " " }),
@@ -146,7 +146,12 @@ fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction
         };
     let lines = summary.attempts.iter().zip(answered()).enumerate();
     panel.table(columns, lines.map(row).collect());
-    if summary.attempts.iter().any(Attempt::is_surely_wrong) {
+    if summary.attempts.iter().any(cost_points) {
         panel.line("! sure, but wrong", Role::Dim);
     }
+}
+
+/// Whether the player was sure of a wrong answer and lost points: a nearly right one earns some.
+pub(super) fn cost_points(attempt: &Attempt) -> bool {
+    attempt.is_surely_wrong() && attempt.earned() < 0.0
 }

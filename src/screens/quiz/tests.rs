@@ -234,3 +234,41 @@ fn a_click_on_any_row_of_a_choice_chooses_it() {
         }
     }
 }
+
+#[test]
+fn enter_right_after_the_digit_of_the_confidence_does_not_skip_the_verdict() {
+    let mut sitting = TestRound::of(Illustration::Nothing, number());
+    sitting.press("2\n3\n");
+    let screen = sitting.screen();
+    assert!(screen.contains("of 10 points"), "{screen}");
+    sitting.press("\n");
+    assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));
+
+    let mut sitting = TestRound::of(Illustration::Nothing, number());
+    sitting.press("2\n3");
+    sitting.quiz.advance(SETTLING, &mut sitting.cx);
+    sitting.press("\n");
+    assert!(matches!(sitting.quiz.screen().phase, QuizPhase::Asked(_)));
+}
+
+/// A ray that is 4.2° off is not right, but earns nearly all points.
+#[test]
+fn only_a_sure_answer_that_cost_points_is_marked_as_wrong() {
+    let question = Quiz::new(Code::hits(7)).round.questions()[0].clone();
+    let Response::Rays(truth) = question.form.truth() else {
+        panic!("a round of hits asks for rays");
+    };
+    let marked = |off_deg: f64| {
+        let turned = |angle: Option<f64>| angle.map(|angle| angle + off_deg.to_radians());
+        let said = Response::Rays(crate::quiz::Rays {
+            striker: turned(truth.striker),
+            target: turned(truth.target),
+        });
+        let answer = Answer::new(said, crate::quiz::Confidence::Sure);
+        let attempt = Attempt::of_quiz("Ada", &Code::hits(7), 1, &question, &answer);
+        assert!(!attempt.right);
+        summary::cost_points(&attempt)
+    };
+    assert!(!marked(4.2));
+    assert!(marked(60.0));
+}

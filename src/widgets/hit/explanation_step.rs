@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::Face;
+use crate::numbers::{Intermediate, true_minus};
 use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
 use crate::widgets::Role;
 
@@ -152,7 +153,7 @@ impl<'a> StepWords<'a> {
     fn split(&self, sticks: bool) -> String {
         let u = self.parts(self.collision.u1);
         match (sticks, self.is_plain()) {
-            (true, true) => "So resolve u into uₙ along n and uₜ along t. Here forces act along \
+            (true, true) => "So resolve u into u₁ₙ along n and u₁ₜ along t. Here forces act along \
                              both, so the collision changes both components."
                 .into(),
             (true, false) => "So resolve the velocities along n and along t. Here forces act \
@@ -163,7 +164,7 @@ impl<'a> StepWords<'a> {
                                               u."
             .into(),
             (false, true) => format!(
-                "So resolve u: the collision changes uₙ = {} along n, but not uₜ = {} along t.",
+                "So resolve u: the collision changes u₁ₙ = {} along n, but not u₁ₜ = {} along t.",
                 speed(u.n),
                 speed(u.t)
             ),
@@ -180,8 +181,11 @@ impl<'a> StepWords<'a> {
             return self.changed(1, &format!("What the {name} gets"));
         }
         let share = match is_none(v2.n - u1.n) {
-            true => "It gets all of uₙ".to_owned(),
-            false => format!("It gets {:.2} of uₙ", v2.n / u1.n),
+            true => "It gets all of u₁ₙ".to_owned(),
+            false => format!(
+                "It gets (1 + e) m₁ / (m₁ + m₂) = {} of u₁ₙ",
+                self.fraction(v2.n)
+            ),
         };
         format!(
             "The {name} was pushed along n, so it leaves along n. {share}: v₂ = {}.",
@@ -199,23 +203,28 @@ impl<'a> StepWords<'a> {
         match (is_none(v1.n), is_none(v1.t)) {
             (true, true) => {
                 format!(
-                    "The {name} has no component uₜ, and nothing is left of uₙ: the {name} \
+                    "The {name} has no component u₁ₜ, and nothing is left of u₁ₙ: the {name} \
                          stops."
                 )
             }
             (true, false) => {
-                format!("The {name} keeps uₜ. Nothing is left of uₙ, so v₁ = uₜ = {whole}.")
+                format!("The {name} keeps u₁ₜ. Nothing is left of u₁ₙ, so v₁ = u₁ₜ = {whole}.")
             }
             (false, across) => {
                 let keeps = if across {
-                    "has no component uₜ"
+                    "has no component u₁ₜ"
                 } else {
-                    "keeps uₜ"
+                    "keeps u₁ₜ"
                 };
-                let along = match v1.n > 0.0 {
-                    true => format!("Along n the {name} has {} left", speed(v1.n)),
-                    false => format!("Along n the {name} rebounds at {}", speed(v1.n)),
+                let goes = match v1.n > 0.0 {
+                    true => "moves on",
+                    false => "rebounds",
                 };
+                let along = format!(
+                    "Along n it has (m₁ − e m₂) / (m₁ + m₂) = {} of u₁ₙ: it {goes} at {}",
+                    self.fraction(v1.n),
+                    speed(v1.n)
+                );
                 let end = if across {
                     String::new()
                 } else {
@@ -224,6 +233,15 @@ impl<'a> StepWords<'a> {
                 format!("The {name} {keeps}. {along}.{end}")
             }
         }
+    }
+
+    /// The fraction of the striker's initial component along n that a final component is, with the
+    /// digits that the printed speeds need.
+    fn fraction(&self, after: f64) -> String {
+        let before = self.parts(self.collision.u1).n;
+        let read = (100.0 * before).round() / 100.0;
+        let fraction = Intermediate::new(after / before, |fraction| speed(fraction * read));
+        true_minus(&fraction.to_string())
     }
 
     /// The text for a body that also moves before the collision.
@@ -290,18 +308,23 @@ mod tests {
         Collision::at_angle(striker, coin, 4.0 * DVec2::X, alpha_deg.to_radians())
     }
 
-    /// 4 m/s at 30°: uₙ = 3.46, uₜ = 2; then 2 m₁/(m₁ + m₂) and (m₁ − m₂)/(m₁ + m₂) of uₙ.
+    /// 4 m/s at 30°: u₁ₙ = 3.46, u₁ₜ = 2; then 2 m₁/(m₁ + m₂) and (m₁ − m₂)/(m₁ + m₂) of u₁ₙ.
     #[test]
     fn the_numbers_are_those_of_the_closed_forms() {
         let lab = |m2, step| words(&hit(15.0, m2, 30.0), Frame::Laboratory, step);
-        assert!(lab(15.0, ExplanationStep::Split).contains("uₙ = 3.46 m/s along n"));
-        assert!(lab(15.0, ExplanationStep::Split).contains("uₜ = 2.00 m/s along t"));
-        assert!(lab(15.0, ExplanationStep::Coin).contains("all of uₙ: v₂ = 3.46 m/s"));
-        assert!(lab(15.0, ExplanationStep::Striker).contains("v₁ = uₜ = 2.00 m/s"));
-        assert!(lab(45.0, ExplanationStep::Coin).contains("0.50 of uₙ: v₂ = 1.73 m/s"));
-        assert!(lab(45.0, ExplanationStep::Striker).contains("rebounds at 1.73 m/s"));
-        assert!(lab(5.0, ExplanationStep::Coin).contains("1.50 of uₙ: v₂ = 5.20 m/s"));
-        assert!(lab(5.0, ExplanationStep::Striker).contains("1.73 m/s left"));
+        assert!(lab(15.0, ExplanationStep::Split).contains("u₁ₙ = 3.46 m/s along n"));
+        assert!(lab(15.0, ExplanationStep::Split).contains("u₁ₜ = 2.00 m/s along t"));
+        assert!(lab(15.0, ExplanationStep::Coin).contains("all of u₁ₙ: v₂ = 3.46 m/s"));
+        assert!(lab(15.0, ExplanationStep::Striker).contains("v₁ = u₁ₜ = 2.00 m/s"));
+        assert!(lab(45.0, ExplanationStep::Coin).contains("= 0.500 of u₁ₙ: v₂ = 1.73 m/s"));
+        assert!(
+            lab(45.0, ExplanationStep::Striker)
+                .contains("= −0.500 of u₁ₙ: it rebounds at 1.73 m/s")
+        );
+        assert!(lab(5.0, ExplanationStep::Coin).contains("= 1.50 of u₁ₙ: v₂ = 5.20 m/s"));
+        assert!(
+            lab(5.0, ExplanationStep::Striker).contains("= 0.500 of u₁ₙ: it moves on at 1.73 m/s")
+        );
         // √(4 + 3), from both components.
         assert!(lab(5.0, ExplanationStep::Striker).contains("v₁ = 2.65 m/s"));
     }

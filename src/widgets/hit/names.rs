@@ -28,10 +28,12 @@ impl VelocityNames {
     }
 }
 
-/// The name of the component of a velocity along n or t: uₙ, (u − V)ₙ.
+/// The name of the component of a velocity along n or t: u₁ₙ, (u − V)ₙ. Components have an index
+/// even if only one disc moves, as in the chapters.
 pub(super) fn part_name(name: &str, axis: char) -> String {
-    match name.contains(' ') {
-        true => format!("({name}){axis}"),
-        false => format!("{name}{axis}"),
+    match name {
+        "u" => format!("u₁{axis}"),
+        name if name.contains(' ') => format!("({name}){axis}"),
+        name => format!("{name}{axis}"),
     }
 }

@@ -340,7 +340,7 @@ fn an_arrow_of_one_step_has_the_same_length_in_the_next() {
     };
     let part = length(2, Role::NormalPart).unwrap();
     assert_eq!(length(3, Role::NormalPart), Some(part));
-    // The coin gets what the striker loses: v₂ = uₙ, v₁ = uₜ.
+    // The coin gets what the striker loses: v₂ = u₁ₙ, v₁ = u₁ₜ.
     assert!((length(3, Role::CoinOut).unwrap() - part).abs() < 1e-12);
     let across = length(2, Role::TangentPart).unwrap();
     assert!((length(4, Role::StrikerOut).unwrap() - across).abs() < 1e-12);

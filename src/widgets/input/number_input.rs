@@ -4,7 +4,7 @@ use strum::{EnumMessage, IntoStaticStr};
 
 use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::Key;
-use crate::numbers::{short, with_unit};
+use crate::numbers::{short, true_minus, with_unit};
 use crate::quiz::Measure;
 use crate::widgets::{Role, panel::Panel};
 
@@ -16,6 +16,8 @@ pub struct NumberInput {
     range: (f64, f64),
     value: Option<f64>,
     entry: NumberEntry,
+    /// Whether the number entered last is outside the range.
+    refused: bool,
 }
 
 /// Actions of keys on a number being entered.
@@ -53,6 +55,7 @@ impl NumberInput {
             range: (least, most),
             value: None,
             entry: NumberEntry::default(),
+            refused: false,
         }
     }
 
@@ -81,8 +84,10 @@ impl NumberInput {
         }
     }
 
-    /// Carries out an action; Enter gives `Done` once there is a number.
+    /// Carries out an action; Enter gives `Done` once there is a number. A typed number outside the
+    /// range is refused.
     pub(crate) fn act(&mut self, action: NumberAction) -> Outcome {
+        self.refused = false;
         match action {
             NumberAction::Dial(step) => {
                 if let Some((small, large)) = steps(&self.quantity) {
@@ -95,12 +100,17 @@ impl NumberInput {
             NumberAction::Enter if self.value.is_some() => return Outcome::Done(()),
             NumberAction::Enter => {}
             NumberAction::Number(action) => match self.entry.act(action) {
-                Outcome::Done(value) => {
+                Outcome::Done(value) if self.holds(value) => {
                     self.set(value);
                     return Outcome::Done(());
                 }
+                Outcome::Done(_) => {
+                    self.value = None;
+                    self.refused = true;
+                }
                 _ => match self.entry.value() {
-                    Some(value) => self.set(value),
+                    Some(value) if self.holds(value) => self.set(value),
+                    Some(_) => self.value = None,
                     // A number that cannot be set with arrows must be typed.
                     None if steps(&self.quantity).is_none() => self.value = None,
                     None => {}
@@ -117,12 +127,23 @@ impl NumberInput {
         with_unit(&self.entry.shown().unwrap_or(number), unit)
     }
 
+    fn holds(&self, value: f64) -> bool {
+        (self.range.0..=self.range.1).contains(&value)
+    }
+
+    /// Writes the number, and its range after a number outside it.
     pub(crate) fn write<A>(&self, name: &str, panel: &mut Panel<A>) {
         let name = match &self.quantity {
             Measure::Own { sign, .. } => format!("{sign} ="),
             _ => name.into(),
         };
         panel.field(name, self.shown(), (Role::Text, true), None);
+        if self.refused {
+            let [least, most] = [self.range.0, self.range.1]
+                .map(|end| with_unit(&true_minus(&short(end, 3)), self.quantity.unit()));
+            let range = format!("Please give a number from {least} to {most}.");
+            panel.paragraph(range, Role::Warn);
+        }
     }
 
     /// The action that enters the current number.
@@ -185,13 +206,25 @@ mod tests {
     }
 
     #[test]
+    fn a_typed_number_outside_the_bounds_is_refused_and_asked_for_again() {
+        let mut number = NumberInput::new(Measure::Share);
+        let typed = ['1', '2', '0'].map(Key::Char);
+        press(&mut number, &typed);
+        assert_eq!(press(&mut number, &[Key::Enter]), Outcome::Used);
+        assert_eq!((number.value(), number.refused), (None, true));
+        press(&mut number, &[Key::Char('5')]);
+        assert_eq!((number.value(), number.refused), (Some(5.0), false));
+        assert_eq!(press(&mut number, &[Key::Enter]), Outcome::Done(()));
+    }
+
+    #[test]
     fn the_number_stays_within_its_bounds_when_dialled() {
         let mut number = NumberInput::new(Measure::Share);
         press(&mut number, &[Key::Up, Key::Up, Key::Right, Key::Left]);
         assert_eq!(number.shown(), "10 %");
         press(&mut number, &[Key::Down; 9]);
         assert_eq!(number.value(), Some(0.0));
-        press(&mut number, &[Key::Char('9'); 4]);
+        press(&mut number, &[Key::Up; 30]);
         assert_eq!(number.value(), Some(100.0));
     }
 }

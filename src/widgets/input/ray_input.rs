@@ -12,6 +12,9 @@ use crate::widgets::{Role, panel::Panel};
 /// The instruction while a ray is not set.
 const UNSAID: &str = "Turn the ray, or type its angle.";
 
+/// The instruction after an angle that is too large.
+const TOO_LARGE: &str = "Please give an angle from −180° to 180°.";
+
 /// A prediction being entered.
 ///
 /// On the screen, angles are in degrees from the striker's direction: the striker's angle is
@@ -26,6 +29,8 @@ pub struct RayInput {
     only: Option<Ray>,
     side: f64,
     entry: NumberEntry,
+    /// Whether the angle entered last is more than 180°.
+    refused: bool,
 }
 
 /// Actions of keys on a prediction.
@@ -59,6 +64,7 @@ impl RayInput {
             only: None,
             side,
             entry: NumberEntry::default(),
+            refused: false,
         }
     }
 
@@ -135,8 +141,10 @@ impl RayInput {
             .when(self.only.is_none())
     }
 
-    /// Carries out an action; `Done` once the answer is complete.
+    /// Carries out an action; `Done` once the answer is complete. A typed angle of more than 180°
+    /// is refused.
     pub(crate) fn act(&mut self, action: RayAction) -> Outcome {
+        self.refused = false;
         match action {
             RayAction::Turn(degrees) => self.turn(degrees.into()),
             RayAction::StaysStill => {
@@ -148,15 +156,19 @@ impl RayInput {
             RayAction::Choose(ray) => self.choose(ray),
             RayAction::Next => return self.next(),
             RayAction::Number(action) => match self.entry.act(action) {
-                Outcome::Done(angle) => {
+                Outcome::Done(angle) if is_angle(angle) => {
                     self.set(angle);
                     return self.next();
                 }
-                _ => {
-                    if let Some(angle) = self.entry.value() {
-                        self.set(angle);
-                    }
+                Outcome::Done(_) => {
+                    self.angles_deg[self.turning as usize] = None;
+                    self.refused = true;
                 }
+                _ => match self.entry.value() {
+                    Some(angle) if is_angle(angle) => self.set(angle),
+                    Some(_) => self.angles_deg[self.turning as usize] = None,
+                    None => {}
+                },
             },
         }
         Outcome::Used
@@ -208,6 +220,9 @@ impl RayInput {
 
     /// Writes the next prompt: turn this ray, then the other one, then `last` once all are set.
     pub(crate) fn write_prompt(&self, panel: &mut Panel<RayAction>, target: &str, last: &str) {
+        if self.refused {
+            return panel.paragraph(TOO_LARGE, Role::Warn);
+        }
         if !self.is_said(self.turning) {
             return panel.paragraph(UNSAID, Role::Key);
         }
@@ -269,6 +284,10 @@ impl RayInput {
         let angle = self.angle_deg(self.turning).unwrap_or(0.0);
         self.set(angle + degrees);
     }
+}
+
+fn is_angle(angle_deg: f64) -> bool {
+    angle_deg.abs() <= Rays::FURTHEST_DEG
 }
 
 /// The text of an angle in degrees; `None` for a disc that stays still.
@@ -366,7 +385,16 @@ mod tests {
         let mut rays = RayInput::new(1.0);
         press(&mut rays, "-\t");
         assert_eq!(rays.said(), None);
-        assert_eq!(press(&mut rays, "999"), Outcome::Used);
-        assert_eq!(rays.angle_deg(Ray::Target), Some(Rays::FURTHEST_DEG));
+    }
+
+    #[test]
+    fn an_angle_of_more_than_180_degrees_is_refused() {
+        let mut rays = RayInput::new(1.0);
+        assert_eq!(press(&mut rays, "99999\n"), Outcome::Used);
+        assert_eq!((rays.turning(), rays.refused), (Ray::Striker, true));
+        assert!(!rays.is_said(Ray::Striker));
+        press(&mut rays, "-180\n");
+        assert_eq!(rays.angle_deg(Ray::Striker), Some(-180.0));
+        assert_eq!((rays.turning(), rays.refused), (Ray::Target, false));
     }
 }

@@ -40,9 +40,9 @@ pub enum Role {
     Marble,
     /// The striker's initial velocity, u.
     Incoming,
-    /// Its component along the line of impact, uₙ.
+    /// Its component along the line of impact, u₁ₙ.
     NormalPart,
-    /// Its component along the tangent, uₜ.
+    /// Its component along the tangent, u₁ₜ.
     TangentPart,
     /// The striker's final velocity, v₁.
     StrikerOut,
