@@ -154,6 +154,9 @@ fn the_picture_is_live_after_three_right_predictions_and_not_before() {
     game.press("<Escape>");
     for _ in 0..3 {
         game.press("v");
+        let screen = game.screen();
+        assert!(screen.contains("right predictions"), "{screen}");
+        game.press("<Escape>");
         assert!(!game.screen().contains("live:"), "{}", game.screen());
         say_it_right(&mut game);
     }

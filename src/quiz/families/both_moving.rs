@@ -267,11 +267,9 @@ fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Opt
         .ask("What is the angle between their paths in the laboratory frame?")
         .number(Measure::Angle, deg_from_rad(outcome.separation?))
         .wrong(SquareOnTheGround, 90.0)
-        .says(
-            "Your answer is close to 90°. In the laboratory frame that requires one coin at rest.",
-        )
+        .says("Your answer is close to 90°. That requires one coin at rest.")
         .wrong(FramesMixed, 180.0)
-        .says("Your answer is close to 180°. That is the angle in the centre-of-mass frame.")
+        .says("Your answer is close to 180°, the angle in the centre-of-mass frame.")
         .why(format!(
             "Along the line of impact n they exchange velocities, along t each keeps its own: the \
              speeds become {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle \

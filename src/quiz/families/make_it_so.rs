@@ -94,6 +94,7 @@ impl ShotTask {
         let turn = wanted + (ratio * wanted.sin()).clamp(-1.0, 1.0).asin();
         let alpha = rad_from_deg(90.0) - turn / 2.0;
         let equal = self.hit.masses_are_equal();
+        let name = self.hit.pieces.target_name();
         let why = if equal {
             format!(
                 "The angle between the paths is 90°, so the coin must leave at 90° − {}° = {}. \
@@ -126,14 +127,18 @@ impl ShotTask {
             )
             .says("Your offset fits an angle close to 90° between the paths. That is right only for equal masses.")
             .wrong(CopiedAngle, if_so(across, reach_mm * wanted.sin()))
-            .says("You used the line of impact, the target's path, as the striker's.")
+            .says(format!(
+                "You used the line of impact, the {name}'s path, as the striker's."
+            ))
             .wrong(
                 OffsetAsAngle,
                 self.at(reach_mm * deg_from_rad(alpha) / 90.0),
             )
             .says("You made the offset proportional to α. It is proportional to sin α.")
             .wrong(SidesExchanged, self.at(-reach_mm * alpha.sin()))
-            .says("With this offset the striker leaves on the other side, away from the target.")
+            .says(format!(
+                "With this offset the striker leaves on the other side, away from the {name}."
+            ))
             .wrong(FramesMixed, if_so(!equal, reach_mm * (wanted / 2.0).cos()))
             .says(format!(
                 "You used {} as Θ, but it is the angle in the laboratory frame.",

@@ -171,9 +171,7 @@ fn how_wide(restitutions: &[f64], difficulty: Difficulty, dice: &mut Dice) -> Op
         .ask("What is the angle between their paths after the collision?")
         .number(Measure::Angle, wide(&hit)?)
         .wrong(AlwaysSquare, 90.0)
-        .says(
-            "Your answer is close to 90°. A right angle requires m₁ = e m₂: equal masses if no energy is lost.",
-        )
+        .says("Your answer is close to 90°. That requires m₁ = e m₂.")
         .wrong(CopiedAngle, 2.0 * deg_from_rad(alpha))
         .says(twice_alpha(alpha, hit.pieces.target_name()))
         .wrong(HeavyUnmoved, heavy.then_some(deg_from_rad(alpha)))

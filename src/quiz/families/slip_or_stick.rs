@@ -288,7 +288,7 @@ fn loss(hit: &Hit) -> Option<Question> {
             "You assumed that all energy along the line of impact is lost. But momentum is conserved.",
         )
         .wrong(UpsideDown, 100.0 * share * at_stake)
-        .says("You swapped the two masses: with a heavier target more is lost.")
+        .says("You swapped the two masses: with a heavier striker a smaller share is lost.")
         .wrong(SineCosine, 100.0 * (1.0 - share) * sin.powi(2))
         .says(
             "You used the sine instead of the cosine. The loss is smallest near a graze and \

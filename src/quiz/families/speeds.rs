@@ -53,7 +53,9 @@ fn target(hit: &Hit) -> Option<Question> {
              up like that: they are the sides of a triangle.",
         )
         .wrong(UpsideDown, speed(&hit.exchanged()))
-        .says("You swapped the two masses: a heavier striker makes the target faster.")
+        .says(format!(
+            "You swapped the two masses: a heavier striker makes the {name} faster."
+        ))
         .wrong(Lossless, lossless)
         .says(here_e("That is the speed if no energy is lost.", e))
         .wrong(LossOnEverything, e * lossless)

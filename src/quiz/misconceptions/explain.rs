@@ -167,16 +167,15 @@ mod tests {
         let equal = explained(Pieces::Equal, 30.0, Some(60.0), 30.0);
         assert_eq!(
             equal,
-            "[right] Right, and this is why. The coin leaves along the line of impact n, at 30.0°. \
+            "[right] Right, and this is why. The coin leaves along n, at α = 30.0°. \
              Along n the striker stops; it keeps its component along t, at 90° − 30.0° = 60.0°."
         );
         let marbles = explained(Pieces::Marbles, 45.0, Some(63.4), 45.0);
         assert_eq!(
             marbles,
-            "[right] Right, and this is why. The marble leaves along the line of impact n, at \
-             45.0°. Along t the striker keeps u₁ₜ = 2.12 m/s; along n it has (m₁ − e m₂) / (m₁ + \
-             m₂) u₁ₙ = −0.333 × 2.12 m/s = −0.707 m/s. For the angle φ between the paths, tan φ = \
-             2.12 / (−0.707), so φ = 180° − 71.6° = 108.4°. θ₁ = 108.4° − 45.0° = 63.4°."
+            "[right] Right, and this is why. The marble leaves along n, at α = 45.0°. The striker keeps 2.12 m/s along t, and (m₁ − e m₂)/(m₁ + m₂) × 2.12 = −0.707 \
+             m/s along n. tan φ = 2.12/(−0.707): the paths are φ = 180° − 71.6° = 108.4° apart, \
+             and θ₁ = 108.4° − 45.0° = 63.4°."
         );
     }
 

@@ -70,21 +70,18 @@ impl Misconception {
         let alpha = hit.alpha().abs();
         match self {
             Self::CopiedAngle => format!(
-                "The angle you gave the striker is close to the impact angle, {}. That is the {name}'s.",
+                "Your striker's angle is close to the {name}'s, {}.",
                 degrees(alpha)
             ),
             Self::AlwaysSquare if hit.restitution < 1.0 => {
-                "The angle between your paths is close to 90°. But the 90° rule does not hold if \
-                 energy is lost."
-                    .into()
+                "Your paths are close to 90° apart. That does not hold if energy is lost.".into()
             }
             Self::AlwaysSquare => {
-                "The angle between your paths is close to 90°. But the 90° rule does not hold for \
-                 unequal masses."
-                    .into()
+                "Your paths are close to 90° apart. That does not hold for unequal masses.".into()
             }
-            Self::HalfAndHalf => "The angles you gave are close to 45.0° each. But they are equal only at one offset."
-                .into(),
+            Self::HalfAndHalf => {
+                "Your angles are close to 45° each. They are equal only at one offset.".into()
+            }
             Self::Swapped => match hit.truth() {
                 Rays {
                     striker: Some(theta1),
@@ -117,21 +114,18 @@ impl Misconception {
                 format!("You sent both to the {side}. But their sideways momenta add up to zero.")
             }
             Self::SidesExchanged => {
-                format!(
-                    "Your angles are right, the sides are not: seen along the path, the {name} lies \
-                     to the {side}."
-                )
+                format!("Your angles are right, but the {name} lies to the {side} of the path.")
             }
             Self::OffAWall => format!(
-                "You gave the striker a deflection close to {}, as off a wall. But the {name} can move.",
+                "Your striker turns by close to {}, as off a wall. But the {name} can move.",
                 degrees(PI - 2.0 * alpha)
             ),
             Self::OffsetAsAngle => format!(
-                "Your angles fit an α close to {}, proportional to the offset. But sin α is proportional to it.",
+                "Your angles fit α close to {}, proportional to the offset. But sin α is.",
                 degrees(FRAC_PI_2 * hit.alpha().sin().abs())
             ),
             Self::Lossless => format!(
-                "Your angles are close to those for e = 1. With e = {} the discs separate more slowly.",
+                "Your angles are close to those for e = 1. Here e = {}.",
                 significant(hit.restitution)
             ),
             Self::AlwaysStops => {

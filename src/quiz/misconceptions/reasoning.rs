@@ -18,7 +18,7 @@ pub(crate) fn reasoning(hit: &Hit) -> String {
     let alpha = degrees(hit.alpha().abs());
     let target = match hit.given {
         ImpactPoint::Angle { .. } => {
-            format!("The {name} leaves along the line of impact n, at {alpha}.")
+            format!("The {name} leaves along n, at α = {alpha}.")
         }
         ImpactPoint::Offset { offset_mm } => format!(
             "The {name} leaves along n: sin α = {} / {}, α = {alpha}.",
@@ -41,6 +41,7 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     };
     let (alpha, theta1) = (hit.alpha().abs(), theta1.abs());
     let (along, across) = (outcome.v1.dot(normal), outcome.v1.dot(tangent).abs());
+    let along_before = hit.speed * alpha.cos();
     // Rounding errors are relative to the speed of the striker.
     if along.abs() <= 1e-9 * hit.speed {
         return format!(
@@ -55,40 +56,27 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
         |along: f64, across: f64| fixed(across.atan2(along).to_degrees(), shown.decimals());
     let [m1, m2] = hit.masses_g();
     let kept = (m1 - hit.restitution * m2) / (m1 + m2);
-    let (along, kept, before) = component_along(along, kept, |along| between(along, across));
+    let along = Intermediate::new(along, |along| between(along, across));
+    let before = Intermediate::new(along_before, |before| {
+        fixed(kept * before, along.decimals())
+    });
     let across = Intermediate::new(across, |across| between(along.value, across));
     let (tangent, sum) = if along.value < 0.0 {
         let acute = fixed(180.0 - shown.value.to_degrees(), shown.decimals());
         (
-            format!("{across} / (−{})", along.size()),
+            format!("{across}/(−{})", along.size()),
             format!("180° − {acute}° = {shown}°"),
         )
     } else {
-        (format!("{across} / {along}"), format!("{shown}°"))
+        (format!("{across}/{along}"), format!("{shown}°"))
     };
     format!(
-        "Along t the striker keeps u₁ₜ = {across} m/s; along n it has (m₁ − e m₂) / (m₁ + m₂) u₁ₙ = \
-         {kept} × {before} m/s = {along} m/s. For the angle φ between the paths, tan φ = {tangent}, \
-         so φ = {sum}. θ₁ = {shown}° − {rest_of_sum}° = {}.",
+        "The striker keeps {across} m/s along t, and (m₁ − e m₂)/(m₁ + m₂) × {before} = {along} m/s \
+         along n. tan φ = {tangent}: the paths are φ = {sum} apart, and θ₁ = {shown}° − \
+         {rest_of_sum}° = {}.",
         degrees(theta1),
-        kept = true_minus(&kept.to_string()),
         along = true_minus(&along.to_string()),
     )
-}
-
-/// A final component along the line of impact, the fraction of the initial component that it is,
-/// and that initial component. The product of the last two, as printed, is the first, which
-/// `result` needs.
-pub(crate) fn component_along<T: PartialEq>(
-    along: f64,
-    fraction: f64,
-    result: impl Fn(f64) -> T,
-) -> (Intermediate, Intermediate, Intermediate) {
-    let after = Intermediate::new(along, result);
-    let product = |before: f64, fraction: f64| fixed(before * fraction, after.decimals());
-    let before = Intermediate::new(along / fraction, |before| product(before, fraction));
-    let fraction = Intermediate::new(fraction, |fraction| product(before.value, fraction));
-    (after, fraction, before)
 }
 
 fn head_on(hit: &Hit, outcome: &CollisionOutcome) -> String {

@@ -269,9 +269,11 @@ fn assert_words(question: &Question) {
         }
         Form::Rays { .. } | Form::Shot(_) => {}
     }
-    // Questions in words have longer explanations; a small panel scrolls.
+    // Questions in words and those about both directions have longer explanations; a small panel
+    // scrolls.
     let longest = match question.family {
-        Family::Concept | Family::Ideas => 14,
+        Family::Concept | Family::Ideas | Family::Separation => 16,
+        _ if matches!(question.form, Form::Rays { .. }) => 16,
         _ => 12,
     };
     for said in answers(question) {
