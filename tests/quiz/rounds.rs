@@ -199,7 +199,7 @@ fn every_text_is_readable_and_fits() {
         }
         for rays in answers {
             let explanation = explain(question, &sure(rays));
-            assert_readable(&explanation.text, 16);
+            assert_readable(&explanation.text, 13);
             assert!(explanation.title.len() <= 28);
             let sentences = explanation.text.matches(['.', ':']).count();
             assert!(sentences >= 2);

@@ -173,9 +173,9 @@ mod tests {
         let marbles = explained(Pieces::Marbles, 45.0, Some(63.4), 45.0);
         assert_eq!(
             marbles,
-            "[right] Right, and this is why. The marble leaves along n, at α = 45.0°. The striker keeps 2.12 m/s along t, and (m₁ − e m₂)/(m₁ + m₂) × 2.12 = −0.707 \
-             m/s along n. tan φ = 2.12/(−0.707): the paths are φ = 180° − 71.6° = 108.4° apart, \
-             and θ₁ = 108.4° − 45.0° = 63.4°."
+            "[right] Right, and this is why. The marble leaves along n. The striker has 2.12 m/s \
+             along t and −0.707 m/s along n: tan φ = 2.12/(−0.707), φ = 108.4° to n, θ₁ = 108.4° − \
+             45.0° = 63.4°."
         );
     }
 

@@ -74,13 +74,11 @@ impl Misconception {
                 degrees(alpha)
             ),
             Self::AlwaysSquare if hit.restitution < 1.0 => {
-                "Your paths are close to 90° apart. That does not hold if energy is lost.".into()
+                "Your paths are close to 90° apart, as if no energy were lost.".into()
             }
-            Self::AlwaysSquare => {
-                "Your paths are close to 90° apart. That does not hold for unequal masses.".into()
-            }
+            Self::AlwaysSquare => "Your paths are close to 90° apart, as for equal masses.".into(),
             Self::HalfAndHalf => {
-                "Your angles are close to 45° each. They are equal only at one offset.".into()
+                "Your angles are close to 45° each: right only at one offset.".into()
             }
             Self::Swapped => match hit.truth() {
                 Rays {
@@ -107,9 +105,9 @@ impl Misconception {
             Self::StraightOn => {
                 format!("You sent the striker straight on. But the {name} pushes back.")
             }
-            Self::PushedAhead => format!(
-                "You sent the {name} straight ahead. But smooth rims push along the line of centres."
-            ),
+            Self::PushedAhead => {
+                format!("You sent the {name} straight ahead. But smooth rims push along n.")
+            }
             Self::SameSide => {
                 format!("You sent both to the {side}. But their sideways momenta add up to zero.")
             }
@@ -121,7 +119,7 @@ impl Misconception {
                 degrees(PI - 2.0 * alpha)
             ),
             Self::OffsetAsAngle => format!(
-                "Your angles fit α close to {}, proportional to the offset. But sin α is.",
+                "Your angles fit α close to {}, in proportion to the offset.",
                 degrees(FRAC_PI_2 * hit.alpha().sin().abs())
             ),
             Self::Lossless => format!(

@@ -16,10 +16,14 @@ pub(crate) fn reasoning(hit: &Hit) -> String {
     }
     let name = hit.pieces.target_name();
     let alpha = degrees(hit.alpha().abs());
+    let is_stopped = outcome
+        .normal
+        .is_some_and(|normal| outcome.v1.dot(normal).abs() <= 1e-9 * hit.speed);
     let target = match hit.given {
-        ImpactPoint::Angle { .. } => {
+        ImpactPoint::Angle { .. } if is_stopped => {
             format!("The {name} leaves along n, at α = {alpha}.")
         }
+        ImpactPoint::Angle { .. } => format!("The {name} leaves along n."),
         ImpactPoint::Offset { offset_mm } => format!(
             "The {name} leaves along n: sin α = {} / {}, α = {alpha}.",
             bare_millimetres(offset_mm.abs()),
@@ -41,7 +45,6 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     };
     let (alpha, theta1) = (hit.alpha().abs(), theta1.abs());
     let (along, across) = (outcome.v1.dot(normal), outcome.v1.dot(tangent).abs());
-    let along_before = hit.speed * alpha.cos();
     // Rounding errors are relative to the speed of the striker.
     if along.abs() <= 1e-9 * hit.speed {
         return format!(
@@ -54,26 +57,15 @@ fn striker(hit: &Hit, outcome: &CollisionOutcome) -> String {
     let rest_of_sum = Intermediate::angle(alpha, |alpha| degrees(shown.value - alpha));
     let between =
         |along: f64, across: f64| fixed(across.atan2(along).to_degrees(), shown.decimals());
-    let [m1, m2] = hit.masses_g();
-    let kept = (m1 - hit.restitution * m2) / (m1 + m2);
     let along = Intermediate::new(along, |along| between(along, across));
-    let before = Intermediate::new(along_before, |before| {
-        fixed(kept * before, along.decimals())
-    });
     let across = Intermediate::new(across, |across| between(along.value, across));
-    let (tangent, sum) = if along.value < 0.0 {
-        let acute = fixed(180.0 - shown.value.to_degrees(), shown.decimals());
-        (
-            format!("{across}/(−{})", along.size()),
-            format!("180° − {acute}° = {shown}°"),
-        )
-    } else {
-        (format!("{across}/{along}"), format!("{shown}°"))
+    let tangent = match along.value < 0.0 {
+        true => format!("{across}/(−{})", along.size()),
+        false => format!("{across}/{along}"),
     };
     format!(
-        "The striker keeps {across} m/s along t, and (m₁ − e m₂)/(m₁ + m₂) × {before} = {along} m/s \
-         along n. tan φ = {tangent}: the paths are φ = {sum} apart, and θ₁ = {shown}° − \
-         {rest_of_sum}° = {}.",
+        "The striker has {across} m/s along t and {along} m/s along n: tan φ = {tangent}, φ = {shown}° \
+         to n, θ₁ = {shown}° − {rest_of_sum}° = {}.",
         degrees(theta1),
         along = true_minus(&along.to_string()),
     )

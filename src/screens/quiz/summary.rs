@@ -4,7 +4,7 @@ use super::{Quiz, QuizAction};
 use crate::lessons::Book;
 use crate::numbers;
 use crate::progress::{Attempt, Summary};
-use crate::quiz::{Answer, Code, CourseKind, Form, Origin, Question, explain};
+use crate::quiz::{Answer, Code, CourseKind, Form, Grade, Origin, Question, explain};
 use crate::screens::leads;
 use crate::widgets::Role;
 use crate::widgets::input::ListAction;
@@ -124,7 +124,7 @@ fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction
     ];
     let row =
         |(number, (attempt, (question, answer))): (usize, (&Attempt, (&Question, &Answer)))| {
-            let missed = cost_points(attempt);
+            let missed = was_far_off(attempt);
             TableRow {
                 cells: vec![
                     format!("{}{}", number + 1, if missed { "!" } else { " " }),
@@ -146,12 +146,13 @@ fn table(quiz: &Quiz, summary: &Summary, at: usize, panel: &mut Panel<QuizAction
         };
     let lines = summary.attempts.iter().zip(answered()).enumerate();
     panel.table(columns, lines.map(row).collect());
-    if summary.attempts.iter().any(cost_points) {
+    if summary.attempts.iter().any(was_far_off) {
         panel.line("! sure, but wrong", Role::Dim);
     }
 }
 
-/// Whether the player was sure of a wrong answer and lost points: a nearly right one earns some.
-pub(super) fn cost_points(attempt: &Attempt) -> bool {
-    attempt.is_surely_wrong() && attempt.earned() < 0.0
+/// Whether the player was sure of an answer that earned less than half of the points: one that is
+/// only just outside the tolerance earns nearly all of them.
+pub(super) fn was_far_off(attempt: &Attempt) -> bool {
+    attempt.is_surely_wrong() && attempt.earned() < 0.5 * Grade::MOST
 }

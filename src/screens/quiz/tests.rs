@@ -253,7 +253,7 @@ fn enter_right_after_the_digit_of_the_confidence_does_not_skip_the_verdict() {
 
 /// A ray that is 4.2° off is not right, but earns nearly all points.
 #[test]
-fn only_a_sure_answer_that_cost_points_is_marked_as_wrong() {
+fn a_sure_answer_that_is_nearly_right_is_not_marked_as_wrong() {
     let question = Quiz::new(Code::hits(7)).round.questions()[0].clone();
     let Response::Rays(truth) = question.form.truth() else {
         panic!("a round of hits asks for rays");
@@ -267,7 +267,7 @@ fn only_a_sure_answer_that_cost_points_is_marked_as_wrong() {
         let answer = Answer::new(said, crate::quiz::Confidence::Sure);
         let attempt = Attempt::of_quiz("Ada", &Code::hits(7), 1, &question, &answer);
         assert!(!attempt.right);
-        summary::cost_points(&attempt)
+        summary::was_far_off(&attempt)
     };
     assert!(!marked(4.2));
     assert!(marked(60.0));

@@ -272,8 +272,9 @@ fn assert_words(question: &Question) {
     // Questions in words and those about both directions have longer explanations; a small panel
     // scrolls.
     let longest = match question.family {
-        Family::Concept | Family::Ideas | Family::Separation => 16,
-        _ if matches!(question.form, Form::Rays { .. }) => 16,
+        Family::Concept | Family::Ideas => 14,
+        Family::Separation => 13,
+        _ if matches!(question.form, Form::Rays { .. }) => 13,
         _ => 12,
     };
     for said in answers(question) {
