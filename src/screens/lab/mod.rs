@@ -251,7 +251,7 @@ impl Screen for Lab {
             }
             (_, LabAction::Predict) => cx.settings.predict ^= true,
             (_, LabAction::Live) if !may_live => {
-                cx.notify(not_live(settings, cx.settings.predicted))
+                cx.notify(not_live(settings, cx.settings.predicted));
             }
             (_, LabAction::Live) => self.live ^= true,
             (_, LabAction::Reset) => {
