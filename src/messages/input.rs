@@ -93,7 +93,7 @@ impl Mouse {
         matches!(self.kind, MouseKind::Down | MouseKind::Drag)
     }
 
-    /// A step of the wheel, if it turned: 1 away from the hand, −1 towards it.
+    /// A step of the wheel, if it turned: 1 away from the user, −1 towards the user.
     pub const fn wheel(&self) -> Option<i8> {
         match self.kind {
             MouseKind::ScrollUp => Some(1),
@@ -112,9 +112,9 @@ pub enum MouseKind {
     Drag,
     /// The button went up.
     Up,
-    /// The wheel turned away from the hand.
+    /// The wheel turned away from the user.
     ScrollUp,
-    /// The wheel turned towards the hand.
+    /// The wheel turned towards the user.
     ScrollDown,
 }
 

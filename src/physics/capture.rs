@@ -1,8 +1,8 @@
 //! Perfectly inelastic collisions: two discs that stick where they touch and move on as one body.
 //!
-//! This is not e = 0. Smooth discs with e = 0 ("slip") keep their different tangential velocities;
-//! discs that stick move on as one body with their centre of mass and, after an off-centre contact,
-//! rotate about it.
+//! This is not the same as e = 0. Smooth discs with e = 0 ("slip") keep their different tangential
+//! velocities; discs that stick move on as one body with their centre of mass and, after an
+//! off-centre contact, rotate about it.
 
 use super::Disc;
 use super::impact::reduced_mass;

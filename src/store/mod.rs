@@ -77,7 +77,7 @@ pub struct Store {
     progress: Database,
     /// Files that are kept but not used: damaged databases.
     aside: Vec<FileBytes>,
-    /// The pending notice about them.
+    /// The notice that the next answer will carry, such as one about a damaged database.
     notice: Option<String>,
     /// The file of the settings; `None` if they are not stored.
     settings: Option<PathBuf>,

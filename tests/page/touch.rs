@@ -196,7 +196,7 @@ impl Phone {
         self.tap(place);
     }
 
-    /// The point in the window at these shares of the picture's width and height.
+    /// The point in the window at these fractions of the picture's width and height.
     pub(crate) fn place(&mut self, [across, down]: [f64; 2]) -> [f64; 2] {
         let script = "
             const canvas = document.querySelector('#screen canvas');
@@ -208,7 +208,7 @@ impl Phone {
         [left + across * width, top + down * height]
     }
 
-    /// Drags over the picture; the points are given as shares of its width and height.
+    /// Drags over the picture; the points are given as fractions of its width and height.
     pub(crate) fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
         let [from, to] = [from, to].map(|it| self.place(it));
         self.touch("touchStart", &[from]);

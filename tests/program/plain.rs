@@ -135,7 +135,7 @@ fn every_answer_is_saved_before_its_explanation_is_shown() {
 }
 
 #[test]
-fn an_unclear_line_is_asked_again_kindly() {
+fn an_unclear_line_is_asked_for_again_politely() {
     let folder = Folder::new("plain");
     let said = talk(
         "quiz --plain --seed 7",
@@ -319,7 +319,7 @@ fn a_solution_is_asked_for_or_given() {
 }
 
 #[test]
-fn an_invalid_number_is_asked_again_and_not_stored() {
+fn an_invalid_number_is_asked_for_again_and_not_stored() {
     let folder = Folder::new("plain");
     let strange = "1/2\n1e999\n1e-400\n1 000\n1,000\n2*3\n0x1\n1_0\n++1\n5 cm\n";
     let heard = format!("{strange}quit\n");

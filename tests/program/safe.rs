@@ -288,7 +288,7 @@ fn the_expected_input_is_named() {
         (&["quiz", "--code", "review-7"], "a review has no code"),
         (
             &["quiz", "--code", "hits12-7"],
-            "ten hits without a number of questions",
+            "expected no number of questions in the code of ten hits",
         ),
         (
             &["quiz", "--code", "7", "--seed", "5"],

@@ -77,7 +77,7 @@ const NAMED: [&str; 24] = [
     "The same: 1 in 8000.",
     "(1 fm is 10⁻¹⁵ m)",
     "a screen of 1 mm² at 1 cm.",
-    "Head-on, 15 g hits 15 g at rest,",
+    "A striker of 15 g hits a coin of 15 g at rest, head-on,",
     "Two head-on collisions, 15 g each,",
     "and the striker has a mass of 15 g.",
     "so the mass is 15 g divided by",

@@ -480,7 +480,7 @@ fn step() -> impl Strategy<Value = Step> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
-    /// Whatever is pressed, clicked and resized, the quiz continues, and an ASCII screen contains
+    /// Whatever is pressed, clicked or resized, the quiz continues, and an ASCII screen contains
     /// only ASCII.
     #[test]
     fn any_input_leaves_a_round_usable(seed: u64, steps in prop::collection::vec(step(), 1..80)) {

@@ -120,7 +120,7 @@ const keeper = (() => {
     done(failed);
   }
 
-  // One transaction with all changes; an error aborts it, and nothing of it is saved.
+  // One transaction for all changes; an error aborts it, and none of them is saved.
   function write() {
     return new Promise((resolve, reject) => {
       const transaction = base.transaction("files", "readwrite", { durability: "strict" });

@@ -166,7 +166,7 @@ fn a_hopeless_position_has_a_stroke_and_a_blocked_base_line_has_none() {
     empty.play.coins.clear();
     assert!(
         think(&empty, Strength::Champion, 1).is_some(),
-        "in practice a stroke may hit nothing"
+        "in a practice game a stroke may hit nothing"
     );
 }
 

@@ -199,7 +199,7 @@ fn figures_typed_in_texts_are_correct() {
     let mut beyond = Constant::named("rutherford_beyond").unwrap();
     beyond.set("angle_deg", "90").unwrap();
     assert!(beyond.value().unwrap() < 1e-5);
-    // sixty-to-ninety: the result if half of the angle is forgotten.
+    // sixty-to-ninety: the result if the angle is not halved.
     assert!(((1.0 / 60.0_f64.to_radians().sin()).powi(4) - 1.78).abs() < 0.005);
     // came-square: 90° before and 90° after.
     let came = with_id("came-square").unwrap().hit.unwrap();

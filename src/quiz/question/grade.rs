@@ -100,7 +100,7 @@ pub struct Grade {
 }
 
 impl Form {
-    /// Credit from 0 to 1 for an answer. An answer of another kind than the question's form earns
+    /// Credit from 0 to 1 for an answer. An answer that does not fit the question's form earns
     /// no credit.
     ///
     /// A number asked for in a chapter earns full credit within its tolerance; beyond it the credit

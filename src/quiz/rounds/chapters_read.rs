@@ -24,7 +24,7 @@ const LETTERS: [(char, &str); 12] = [
 ];
 
 /// Some chapters, at least one of which teaches a topic of questions. In codes they are letters:
-/// `read-abd-7` asks about the chapters 1, 2 and 4.
+/// `read-abd-7` asks about chapters 1, 2 and 4.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ChaptersRead(BTreeSet<char>);
 

@@ -180,7 +180,7 @@ pub enum NoCode {
     )]
     Count,
     /// The number of ten hits is fixed.
-    #[error("expected the code of ten hits without a number of questions, as in hits-7")]
+    #[error("expected no number of questions in the code of ten hits, as in hits-7")]
     Hits,
     /// A review depends on one player's answers.
     #[error(

@@ -344,7 +344,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_that_wait_for_a_key_need_no_time_and_do_not_advance_with_it() {
+    fn steps_that_wait_for_a_key_never_advance_by_themselves() {
         for pace in [HitPace::Waiting, HitPace::Still] {
             let mut clock = clock(pace);
             run(&mut clock, pace, 10.0);

@@ -88,7 +88,8 @@ impl Role {
         }
     }
 
-    /// Its colours on dark and on light, in 24 bits and then among the sixteen named ones.
+    /// Its colours on a dark and on a light background: first as 24-bit values, then chosen from
+    /// the sixteen named colours.
     const fn colours(self) -> (u32, u32, Color, Color) {
         match self {
             R::Background => (0x10141a, 0xfbfaf6, C::Black, C::White),
