@@ -76,7 +76,7 @@ struct Keeping {
     waiting: BTreeSet<ConnectionId>,
 }
 
-/// A request of a session.
+/// A request from a session.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SessionEffect {
     /// A request to the server of the class.

@@ -503,7 +503,7 @@ fn json_prints_one_object() {
 }
 
 #[test]
-fn the_worked_solution_inserts_the_numbers() {
+fn the_worked_solution_substitutes_the_numbers() {
     let text = printed(&[
         "--m1-g",
         "20",

@@ -51,7 +51,7 @@ pub(crate) struct PageStorage {
     store: Store,
     /// Whether the browser's files have been received.
     begun: bool,
-    /// Requests made before that.
+    /// Requests made before the browser's files were received.
     early: Vec<StoreCall>,
     /// Unsaved changes, in the order in which they were made.
     pending: Vec<Pending>,

@@ -84,7 +84,7 @@ impl Cell {
         ink.max(disc).max(self.glyph.map(|glyph| glyph.layer))
     }
 
-    /// Whether a label may use this cell, over strokes up to a layer.
+    /// Whether a label may use this cell if it may cover strokes up to the layer `over`.
     pub(super) fn is_free(&self, over: Option<DrawLayer>) -> bool {
         !self.reserved && self.cover() == 0 && self.layer() <= over
     }

@@ -399,7 +399,7 @@ fn a_round_disc_is_seen_at_its_true_position() {
     let mut worst = DVec2::ZERO;
     for step in 0..400 {
         let step = f64::from(step);
-        // From a coin on the whole board at 100 × 30 to one at 200 × 60.
+        // The radius ranges from that of a coin on the whole board at 100 × 30 to that at 200 × 60.
         let radius = 1.4 + 1.4 * (step * 0.618).fract();
         let at = dvec2((step * 0.755).fract() * 9.0, (step * 0.57).fract() * 9.0);
         for letter in ['W', ' '] {

@@ -35,7 +35,7 @@ pub use label::{Label, LabelSide};
 pub use pen::{Dash, DrawLayer, Pen};
 pub use view::View;
 
-/// A mark of a picture.
+/// A mark in a picture.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Mark {
     Line {

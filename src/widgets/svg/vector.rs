@@ -351,7 +351,7 @@ impl Vectors<'_> {
         }
     }
 
-    /// Writes a text on the background, vertically centred at a point.
+    /// Writes text on the background, vertically centred at a point.
     fn text(&mut self, text: &str, at: DVec2, anchor: Anchor, role: Role) {
         let colours = [self.rgb(role), self.rgb(Role::Background)];
         self.write(text, at, anchor, colours);

@@ -7,7 +7,7 @@ use super::flow::{Run, flow};
 use super::sheet::{self, Item, Words};
 use crate::widgets::{Charset, Look, Role, areas, text};
 
-/// The rows of large letters, and of larger letters or two lines.
+/// The greatest height of large type in rows: for one line, and for larger letters or two lines.
 const LARGE: [u16; 2] = [4, 8];
 /// The smallest number of rows of a panel for larger letters.
 const LARGER_FROM: u16 = 34;
