@@ -400,6 +400,29 @@ fn leaving_a_running_game_is_asked_about_once() {
     assert!(game.screen().contains("a new game"));
 }
 
+/// The row after the pieces; the number holds for the game, and for the next one.
+#[test]
+fn the_restitution_of_a_new_game_is_chosen_on_its_page() {
+    let mut game = Headless::new(App::new(Route::Table, still(), 1), 80, 24);
+    game.press(&"<Down>".repeat(5));
+    assert!(game.screen().contains("> restitution e        1.00"));
+    game.press("<Left>");
+    assert!(game.screen().contains("0.95"), "{}", game.screen());
+    game.press("7<Enter>");
+    assert!(game.screen().contains("from 0 to 1"), "{}", game.screen());
+    game.press("0.8<Enter><Enter><Space><Escape>y");
+    assert!(game.screen().contains("> restitution e        0.80"));
+    // The rows around it are still their own.
+    game.press("<Up><Right><Down><Down><Right>");
+    let page = game.screen();
+    assert!(
+        page.contains("15 g on 15 g") && page.contains("call it                  on"),
+        "{page}"
+    );
+    game.press("<Enter>");
+    assert!(game.screen().contains("e = 0.80"), "{}", game.screen());
+}
+
 #[test]
 fn a_stroke_takes_its_time_and_then_nothing_moves() {
     let mut game = at_the_table(Options::two_people(), Settings::default());
