@@ -110,7 +110,7 @@ fn agreements(now: Options) -> Vec<Agreement> {
     let sets = [
         (
             PieceSet::Tournament,
-            "A heavy striker on light coins: the paths are at less than 90°, and at e = 1 it is \
+            "A heavy striker on light coins: the paths are at less than 90°; at e = 1 the striker is \
              deflected by at most 21.5°.",
         ),
         (
@@ -198,8 +198,8 @@ impl FormFields for Options {
             "restitution e",
             fixed(self.restitution, 2),
             FieldValue::number(self.restitution, (0.0, 1.0), 0.05, ""),
-            "The coefficient of restitution of two discs: 1 is elastic, so no kinetic energy is \
-             lost. Real discs lose some. At a cushion e is always 0.8.",
+            "At e = 1 two discs lose no kinetic energy; real discs lose some. At a cushion e is \
+             always 0.8.",
         );
         fields.insert(restitution_row(fields.len()), restitution);
         fields
