@@ -179,7 +179,7 @@ const SWITCHES: [Switch; 4] = [
     ),
 ];
 
-/// The row of the coefficient of restitution among so many others: after the pieces.
+/// The row of the coefficient of restitution: after the pieces, before the switches.
 fn restitution_row(others: usize) -> usize {
     others - SWITCHES.len()
 }
