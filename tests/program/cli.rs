@@ -285,7 +285,7 @@ fn a_game_that_cannot_be_replayed_ends_with_status_2_and_the_line() {
     let other = game.replacen("[0.8135039368984194,", "[1.8135039368984194,", 1);
     for (content, expected) in [
         (other.as_str(), ":41: end: expected the moves to lead to "),
-        ("format = 2", ":1: format: 2 is newer than the 1 "),
+        ("format = 3", ":1: format: 3 is newer than the 2 "),
         ("hello", ":1: "),
     ] {
         let file = folder.file("game.toml", content.as_bytes());
