@@ -257,7 +257,7 @@ fn place_and_strength_can_be_typed() {
     // A typed place may be illegal, and the reason is then shown; a place reached by steps is
     // legal.
     game.press("200]");
-    assert!(panel(&mut game).contains("not cut it"));
+    assert!(panel(&mut game).contains("not touch it"));
     game.press("]");
     assert!(panel(&mut game).contains("place 216 mm right"));
 }
