@@ -56,7 +56,7 @@ impl Markdown {
         self.block(&items.join("\n"))
     }
 
-    /// A table with a row of heads. Each row should have as many cells as there are heads.
+    /// A table with a header row. Each row should have as many cells as the header.
     pub fn table<T: AsRef<str>>(
         &mut self,
         heads: &[&str],
@@ -75,7 +75,7 @@ impl Markdown {
     }
 
     /// A picture in the file `place`, a path relative to the document's folder with `/` as the
-    /// separator; `words` describe it.
+    /// separator; `words` describes it.
     pub fn picture(&mut self, words: &str, place: &str) -> &mut Self {
         self.block(&format!(
             "![{}]({})",
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn lists_and_tables_keep_their_shape() {
+    fn lists_and_tables_keep_their_structure() {
         let mut document = Markdown::new();
         document.list(NASTY);
         let (texts, tags) = read(document.text());

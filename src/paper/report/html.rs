@@ -10,7 +10,7 @@ use crate::progress::words::{degrees, percent};
 use crate::progress::{LATELY, Mastery, TopicStanding, Trend};
 use crate::quiz::NAMED_ODDS;
 
-/// The most columns in a topic's name.
+/// The maximum number of columns in a topic's name.
 const TOPIC: usize = 40;
 
 pub(super) fn document(reports: &[Report]) -> String {
@@ -91,7 +91,7 @@ fn columns(report: &Report) -> Markup {
         div.columns {
             div {
                 (picture("errors"))
-                section { (listed("Topics", &report.topics, "No question of the quiz yet.", topics)) }
+                section { (listed("Topics", &report.topics, "No quiz questions yet.", topics)) }
                 section { (beliefs(report)) }
                 section { (listed("Levels", &report.packs, "No stars yet.", packs)) }
             }

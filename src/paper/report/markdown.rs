@@ -7,7 +7,7 @@ use crate::paper::{Markdown, clean};
 use crate::progress::words::{degrees, percent};
 use crate::quiz::NAMED_ODDS;
 
-/// The most columns in a topic's name.
+/// The maximum number of columns in a topic's name.
 const TOPIC: usize = 60;
 
 pub(super) fn document(report: &Report, folder: &str) -> String {

@@ -6,7 +6,7 @@ use crate::lessons::{self, Bookmark};
 use crate::levels::{self, MOST_STARS, Starred};
 use crate::paper::clean;
 
-/// The most columns in a name in a table.
+/// The maximum number of columns in a name in a table.
 const NAME: usize = 34;
 
 /// The first rows of a table, and the number of further rows.

@@ -58,7 +58,7 @@ pub(super) fn tolerance() -> String {
     )
 }
 
-/// The points for each confidence.
+/// The points for each confidence level.
 pub(super) fn points() -> String {
     let each = Confidence::ALL.map(|sure| {
         let [right, wrong] = [1.0, 0.0].map(|credit| sure.points(credit));
@@ -68,7 +68,7 @@ pub(super) fn points() -> String {
     format!("Optional points (right or wrong): {each}.")
 }
 
-/// The heads of the table of wrong answers.
+/// The column headings of the table of wrong answers.
 pub(super) const WRONG_ANSWERS: [&str; 2] = ["Answer", "Possible reasoning, and a reply"];
 
 /// The instruction for an answer that is drawn or ticked.
@@ -83,12 +83,12 @@ pub(super) fn task(question: &Question) -> Option<&'static str> {
     }
 }
 
-/// The true answer in words, a choice with its letter.
+/// The true answer in words; a choice includes its letter.
 pub(super) fn truth(question: &Question) -> String {
     said(question, &question.form.truth())
 }
 
-/// An answer in words, a choice with its letter.
+/// An answer in words; a choice includes its letter.
 pub(super) fn said(question: &Question, said: &crate::quiz::Response) -> String {
     let words = question.form.words(said);
     match said {

@@ -17,7 +17,7 @@ pub(crate) struct Asking {
     sure: Option<Confidence>,
 }
 
-/// Actions of keys on a question being answered.
+/// The key actions for a question being answered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum AskingAction {

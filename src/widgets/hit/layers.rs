@@ -11,7 +11,7 @@ pub enum Overlay {
     Split,
     /// Velocities before and after.
     Velocities,
-    /// Arcs of θ₁ and θ₂, and the square corner.
+    /// Arcs of θ₁ and θ₂, and the right-angle mark.
     Angles,
     /// The triangle of momenta.
     Triangle,

@@ -36,7 +36,7 @@ pub(crate) struct Watch {
     switched: Option<Overlay>,
 }
 
-/// Actions of keys on a collision that is being watched.
+/// The key actions for a collision that is being watched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum WatchAction {
@@ -50,7 +50,7 @@ pub enum WatchAction {
     Start,
     /// skip to the last step of the explanation, then to the end
     End,
-    /// play it again
+    /// replay the collision
     Again,
     /// switch between the laboratory, centre-of-mass and coin frames
     Frame,
@@ -250,8 +250,7 @@ impl Watch {
         let seen = match self.frame {
             Frame::Laboratory => return true,
             Frame::CentreOfMass => {
-                "In this frame the discs always move in opposite directions: total momentum is \
-                 zero."
+                "Here the discs always move in opposite directions: the total momentum is zero."
             }
             Frame::Target => {
                 "In this frame body 2 is at rest before the collision: the rules for a coin at \
@@ -328,7 +327,7 @@ impl Watch {
         self.clock.advance(passed, pace);
     }
 
-    /// The delay until the collision next needs time.
+    /// The delay until the collision next has to advance.
     pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         self.clock.wake(pace)
     }

@@ -158,19 +158,19 @@ pub(crate) trait FormFields {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum FormAction {
-    /// choose what to set
+    /// choose a setting
     Choose(isize),
-    /// go to the first or the last
+    /// go to the first or the last setting
     End(isize),
-    /// change it by one step
+    /// change the setting by one step
     Step(i8),
-    /// change it by a tenth of a step
+    /// change the setting by a tenth of a step
     Fine(i8),
-    /// change it by ten steps
+    /// change the setting by ten steps
     Big(i8),
     /// type a number
     Number(EntryAction),
-    /// choose this field; if it has few values, take the next one
+    /// choose this setting; if it has few values, go to the next value
     Point(usize),
 }
 

@@ -38,7 +38,7 @@ pub enum RayAction {
     StaysStill,
     /// switch to the other ray
     OtherRay,
-    /// go on: to the other ray, or when both are set
+    /// go on to the other ray, or continue once both are set
     Next,
     /// type a number for the ray
     Number(EntryAction),

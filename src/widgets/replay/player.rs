@@ -49,17 +49,17 @@ enum Showing {
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShotAction {
-    /// go on; while it plays, skip to the end
+    /// go on; while the discs move, skip to the end
     GoOn,
-    /// examine its impacts
+    /// examine the impacts of the shot
     Impacts,
-    /// step through it
+    /// step through the shot
     Step(i8),
-    /// move through it in bigger steps
+    /// move through the shot in bigger steps
     Scrub(i8),
     /// faster or slower, here and for every shot you watch
     Speed(i8),
-    /// play it again
+    /// replay the shot
     Again,
     /// go to the start or the end
     Seek(f64),
@@ -71,7 +71,7 @@ pub enum ShotAction {
     NextImpact(isize),
     /// control the enlarged impact
     Watch(WatchAction),
-    /// leave the impacts
+    /// leave the list of impacts
     Leave,
 }
 
