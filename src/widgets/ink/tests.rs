@@ -358,7 +358,7 @@ fn unusual_sizes_and_numbers_are_drawn_without_a_panic() {
     }
 }
 
-/// Where a disc alone on a canvas is seen: the mean place of its colour, in cells.
+/// Where a lone disc on a canvas appears: the mean position of its colour, in cells.
 fn seen_at(buffer: &Buffer, role: Role) -> DVec2 {
     let theme = Theme::default();
     let channels = |Rgb(red, green, blue): Rgb| [red, green, blue].map(f64::from);
@@ -395,11 +395,11 @@ fn seen_at(buffer: &Buffer, role: Role) -> DVec2 {
 }
 
 #[test]
-fn a_round_disc_is_seen_at_its_true_position() {
+fn a_round_disc_appears_at_its_true_position() {
     let mut worst = DVec2::ZERO;
     for step in 0..400 {
         let step = f64::from(step);
-        // From a coin on the whole board at 100 × 30 to one at 200 × 60.
+        // From the radius of a coin on the whole board at 100 × 30 to that at 200 × 60.
         let radius = 1.4 + 1.4 * (step * 0.618).fract();
         let at = dvec2((step * 0.755).fract() * 9.0, (step * 0.57).fract() * 9.0);
         for letter in ['W', ' '] {

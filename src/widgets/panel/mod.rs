@@ -41,7 +41,7 @@ pub(crate) struct Panel<A> {
 #[derive(Debug, Clone, PartialEq)]
 struct Block<A> {
     content: Content,
-    /// The actions of clicks: none or one; for the rows of a table and prompts, one each.
+    /// The actions of clicks: none or one; for the rows of a table and for prompts, one each.
     actions: Vec<A>,
     /// If there is not room for all blocks, those of the highest priority come first. Either all
     /// blocks of one priority are shown or none; a block without a priority is always shown.
@@ -121,7 +121,7 @@ enum Content {
     Field {
         name: String,
         value: String,
-        /// How its name is written while another one is chosen.
+        /// The role of its name while another setting is chosen.
         role: Role,
         chosen: bool,
         locked: bool,
@@ -165,7 +165,7 @@ enum Content {
         typed: [String; 2],
         chosen: bool,
     },
-    /// Rows of cells under column heads; each row can be chosen.
+    /// Rows of cells under column headings; each row can be chosen.
     Table {
         columns: Vec<TableColumn>,
         rows: Vec<TableRow<()>>,
@@ -192,7 +192,7 @@ pub(crate) struct TableColumn {
     pub head: String,
     /// The number of letters in its widest cell.
     pub width: u16,
-    /// Whether its cells are aligned right, as numbers are.
+    /// Whether its cells are right-aligned, as numbers are.
     pub(crate) flush_right: bool,
     /// The smallest width of the panel at which the column is shown, in columns.
     pub room: u16,
@@ -632,7 +632,7 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// Adds a table with column heads, in which each row can be chosen, or none.
+    /// Adds a table with column headings, in which either every row can be chosen or none can.
     pub(crate) fn table(&mut self, columns: Vec<TableColumn>, rows: Vec<TableRow<A>>) {
         let (rows, actions): (_, Vec<_>) = rows.into_iter().map(TableRow::apart).unzip();
         let actions = actions.into_iter().flatten();

@@ -15,7 +15,7 @@ use crate::widgets::big::{BigPages, BigText, LetterSize};
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text};
 
-/// The number of rows between two texts, normally and if that saves a page.
+/// The number of rows between two texts: normally, and if fewer rows save a page.
 const GAPS: [u16; 2] = [1, 0];
 /// The number of columns between a picture and the text beside it, and to the right of the text.
 const APART: u16 = 1;
@@ -255,7 +255,7 @@ impl LargeText {
 
 impl SetPages {
     /// Sets texts on as few pages as possible, then in the largest letters, then with the largest
-    /// picture; `more` means that there are other pages, too. Characters without a large form are
+    /// picture; `more` means that there are also other pages. Characters without a large form are
     /// spelt out; `None` if that is not possible.
     fn new(
         large: &[(usize, &LargeText, bool)],

@@ -30,7 +30,7 @@ pub struct SplitLayout {
 }
 
 impl SplitLayout {
-    /// Lays out a picture and a panel in a room.
+    /// Lays out a picture and a panel in the available room.
     pub fn new(room: impl Into<Room>) -> Self {
         let room = room.into();
         let area = room.area;

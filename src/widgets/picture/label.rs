@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::widgets::Role;
 
-/// A text beside a point of the world.
+/// A text beside a point in the world.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label {
     /// The text of the label.
@@ -79,7 +79,7 @@ impl LabelSide {
         S::BelowRight,
     ];
 
-    /// All sides, sorted by how close they are to a direction of the world. For a label at the tip
+    /// All sides, sorted by how close they are to a direction in the world. For a label at the tip
     /// of an arrow, that is the direction of the arrow.
     #[must_use]
     pub fn towards(direction: DVec2) -> [Self; 8] {

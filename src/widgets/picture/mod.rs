@@ -100,7 +100,7 @@ pub(crate) enum Mark {
 pub struct Body {
     /// Its centre.
     pub at: DVec2,
-    /// Its radius, in the same unit as the world.
+    /// Its radius, in world units.
     pub radius: f64,
     /// Its role, which determines the colour.
     pub role: Role,
@@ -204,7 +204,7 @@ impl Picture {
         }
     }
 
-    /// Adds the square corner of a right angle at `corner`, between two directions.
+    /// Adds the mark of a right angle at `corner`, between two directions.
     pub fn square_corner(
         &mut self,
         corner: DVec2,

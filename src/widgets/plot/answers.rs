@@ -60,8 +60,8 @@ pub(crate) fn errors_picture(
     Some((plot.picture(), group))
 }
 
-/// For each confidence, the share of right answers among the last `reach` ones, over the recent
-/// answers. `None` if there are too few.
+/// For each confidence level, the share of right answers among the last `reach` answers, over the
+/// recent answers. `None` if there are too few.
 pub(crate) fn sureness_picture(
     attempts: &[Attempt],
     last: usize,

@@ -17,8 +17,8 @@ const MOST: usize = 100;
 /// The smallest step at which numbers are written with a power of ten.
 const LARGE: f64 = 1e5;
 
-/// At most `most` ticks at the multiples of `step`, or of two times `step`, and so on; without a
-/// step, at the multiples of 1, 2 or 5 times a power of ten.
+/// At most `most` ticks at the multiples of `step`, or of twice `step`, and so on; without a step,
+/// at the multiples of 1, 2 or 5 times a power of ten.
 pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Vec<Tick> {
     let most = most.clamp(1, MOST) as f64;
     let wanted = (to - from) / most;

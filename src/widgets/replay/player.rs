@@ -35,7 +35,7 @@ pub(crate) struct ShotPlayer {
     left_at: f64,
 }
 
-/// What is shown of the shot.
+/// The current view of the shot.
 #[derive(Debug, Clone)]
 enum Showing {
     Board,
@@ -45,7 +45,7 @@ enum Showing {
     Impact(Box<Watch>),
 }
 
-/// Actions of keys on a shot that is being watched.
+/// The key actions for a shot that is being watched.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShotAction {
@@ -228,7 +228,8 @@ impl ShotPlayer {
             }
             ShotAction::Impacts => {
                 self.left_at = self.clock.time();
-                // The last impact shown so far; at the end the first one, the target of the shot.
+                // The last impact shown so far; at the end of the shot its first impact, with the
+                // target.
                 let now = if self.clock.is_over() {
                     0.0
                 } else {
@@ -298,7 +299,7 @@ impl ShotPlayer {
         }
     }
 
-    /// The delay until the replay next needs time.
+    /// The delay until the replay next has to advance.
     pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.showing {
             Showing::Impact(watch) => watch.wake(pace),

@@ -118,7 +118,7 @@ const fn is_plain(byte: u8) -> bool {
     matches!(byte, b' '..=b'~' | b'\n')
 }
 
-/// The ASCII spelling of another letter.
+/// The ASCII spelling of any other letter.
 fn spelling(letter: char) -> &'static str {
     match letter {
         // The prefix micro of a unit.

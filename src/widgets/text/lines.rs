@@ -7,7 +7,7 @@ use super::flow::{Run, flow};
 use super::sheet::{self, Item, Words};
 use crate::widgets::{Charset, Look, Role, areas, text};
 
-/// The rows of large letters, and of larger letters or two lines.
+/// The greatest height of large type, in rows: for one line, and for larger letters or two lines.
 const LARGE: [u16; 2] = [4, 8];
 /// The smallest number of rows of a panel for larger letters.
 const LARGER_FROM: u16 = 34;
@@ -218,7 +218,7 @@ impl<'a> Lines<'a> {
         self.written = self.written.max(row);
     }
 
-    /// Writes one row, which is cut at the edge.
+    /// Writes one row, which is cut off at the edge.
     pub(crate) fn line(&mut self, text: &str, role: Role) {
         self.record_text("", &[Run::new(self.unmarked(text), role)]);
         self.put(0, text, role);
@@ -263,7 +263,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Writes texts in large type side by side, in as many rows as they have.
+    /// Writes texts in large type side by side, in as many rows as they need.
     pub(crate) fn big(&mut self, all: &[(&Big, Align)], role: Role) {
         let mut rows = 0;
         for (big, align) in all {

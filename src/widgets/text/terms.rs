@@ -153,7 +153,7 @@ fn by_rules(before: &str, after: &str, in_brackets: bool) -> Hold {
         .ends_with(char::is_numeric);
     let measured = number && UNITS.contains(&unit) || before.ends_with('g') && unit == "m/s";
     let follows = sign(before) || ["=", "/", "·", "×"].contains(&before);
-    // In ASCII the multiplication sign is the letter x, which is also a coordinate, or a full stop.
+    // In ASCII the multiplication sign is a full stop or the letter x, which is also a coordinate.
     let times = |word| ["·", "×", "/", "."].contains(&word);
     let times_x = after == "x" && before.ends_with(|last: char| last.is_ascii_digit());
     let after_x = before == "x" && after.trim_start_matches(['(', '-']).starts_with(digit);

@@ -150,7 +150,7 @@ fn break_word(lines: &mut Vec<String>, line: &mut String, word: &str, columns: u
     }
 }
 
-/// A short text for the time that has passed.
+/// A short text that gives the time since an event.
 pub(crate) fn ago(age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     match minutes {
@@ -293,7 +293,7 @@ mod tests {
 
     #[test]
     fn no_line_is_ever_too_long() {
-        let text = "The striker keeps only its sideways part, so it leaves square to the coin.";
+        let text = "The striker keeps only its tangential component and leaves along the tangent.";
         for columns in 1..90 {
             assert!(
                 wrap(text, columns)

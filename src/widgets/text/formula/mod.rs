@@ -104,8 +104,8 @@ impl Setter {
         left.beside(&roofed.with_base(inside.base() + 1))
     }
 
-    /// Scripts in the row itself if Unicode has letters for them, otherwise above and below it. In
-    /// ASCII a subscript after a letter also stays in the row, spelt out.
+    /// Superscripts and subscripts: in the row itself if Unicode has letters for them, otherwise
+    /// above and below it. In ASCII a subscript after a letter also stays in the row, spelt out.
     fn scripted(
         &self,
         base: &FormulaBlock,
