@@ -64,7 +64,7 @@ fn overview(results: &ClassResults<'_>) -> Markup {
     let all = html! {
         p {
             (counted(book.pupils.len(), "pupil")) ", " (counted(answers, "answer")) ". "
-            "For each question in a round, the first answer counts. Points: 0 to 10 each, by how "
+            "For each question in a round, the first answer counts: 0 to 10 points, depending on how "
             "close it was."
         }
         @if !book.notes.is_empty() {
@@ -95,7 +95,7 @@ fn overview(results: &ClassResults<'_>) -> Markup {
     html! { (all) (rounds) (topics) }
 }
 
-/// Tables with one row per pupil and one column for each of these.
+/// Tables with one row per pupil and one column for each of the `columns`.
 fn by_columns(
     results: &ClassResults<'_>,
     title: &str,

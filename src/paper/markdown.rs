@@ -8,7 +8,8 @@ use crate::files::percent_encoded;
 /// [`clean`](super::clean()); line breaks become spaces.
 ///
 /// Pictures are files beside the document. GitHub, GitLab and most editors do not show pictures
-/// inside a document (as data URIs or inline SVG) for safety, but all of them show SVG files.
+/// inside a document (as data URIs or inline SVG) for security reasons, but all of them show SVG
+/// files.
 #[derive(Debug, Clone, Default)]
 pub struct Markdown {
     text: String,

@@ -30,7 +30,7 @@ impl WorksheetPicture {
 const QUESTION: &str = "question-";
 const ANSWER: &str = "answer-";
 
-/// The columns and rows of a picture in which students do not draw.
+/// The size, in columns and rows, of a picture in which students do not draw.
 const AREA: Rect = Rect::new(0, 0, 44, 18);
 
 /// The name of the picture of the question with this number, counted from 1.

@@ -6,7 +6,8 @@ use super::Face;
 use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
 use crate::widgets::Role;
 
-/// The seconds to look at the picture, and to read one word: 150 words per minute.
+/// The time to look at the picture and the time to read one word (150 words per minute), in
+/// seconds.
 const LOOK: f64 = 3.0;
 const WORD: f64 = 0.4;
 /// The shortest duration of a step, in seconds.
@@ -85,8 +86,8 @@ impl<'a> StepWords<'a> {
         }
     }
 
-    /// The seconds that a step lasts without a key press: time to read its text and to find it in
-    /// the picture.
+    /// The seconds that a step lasts without a key press: enough to read its text and look at the
+    /// picture.
     pub(super) fn hold(&self, step: ExplanationStep) -> f64 {
         let words = self.of(step).split_whitespace().count() as f64;
         (LOOK + WORD * words).max(SHORTEST)

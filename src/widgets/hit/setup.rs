@@ -12,8 +12,7 @@ use crate::widgets::{RayInput, Role};
 
 pub(crate) use crate::quiz::Markings;
 
-/// The smallest and the greatest length of the arrow of the faster disc, in radii of the larger
-/// disc.
+/// The least and the greatest length of the faster disc's arrow, in radii of the larger disc.
 const SHORTEST: f64 = 0.5;
 const LONGEST: f64 = 1.1;
 

@@ -14,7 +14,8 @@ const LONGEST_ROOTED: f64 = 2.9;
 /// The length of the longest component along n that begins at a centre, as a share of the distance
 /// to the other centre, where the other disc's component begins.
 const LONGEST_ALONG: f64 = 0.96;
-/// How far to the side of its disc the leading disc's arrow is drawn, in the same radii.
+/// The distance from the leading disc's rim to its arrow, which is drawn at its side, in the same
+/// radii.
 const BESIDE: f64 = 0.4;
 /// The room for the head of an arrow, in the same radii.
 const HEAD: f64 = 0.3;

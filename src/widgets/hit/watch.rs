@@ -40,7 +40,7 @@ pub(crate) struct Watch {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum WatchAction {
-    /// go on: to the contact, through the explanation step by step, and to the end
+    /// go on to the contact, through the explanation step by step, and to the end
     GoOn,
     /// move one step back or forward; at the contact, through the explanation
     Step(i8),
@@ -235,7 +235,8 @@ impl Watch {
     }
 
     /// Writes the facts of the collision, except `secret` masses, and what has been revealed so
-    /// far. Returns whether the explanation follows: once complete, in the laboratory frame.
+    /// far. Returns whether the explanation follows: in the laboratory frame, once everything is
+    /// revealed.
     pub(crate) fn write_facts<A>(&self, secret: [bool; 2], panel: &mut Panel<A>) -> bool {
         offset(&self.collision, panel);
         impact_angle(&self.collision, panel);

@@ -146,7 +146,7 @@ impl Canvas {
         if !(turn.is_finite() && reach.is_finite()) {
             return;
         }
-        // Each piece is about half a column long; then the sagitta is too small to see.
+        // Each piece is about half a column long, so that the sagitta is too small to see.
         let pieces = (turn.abs() * reach * 2.0).ceil().clamp(4.0, 720.0) as u32;
         let step = DVec2::from_angle(turn / f64::from(pieces));
         let mut arm = DVec2::from_angle(from) * radius;

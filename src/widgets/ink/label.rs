@@ -126,9 +126,9 @@ impl Canvas {
         (column - i32::from(area.x), row - i32::from(area.y))
     }
 
-    /// Writes a label at the first free place within a number of rows. The options are whether it
-    /// must be beside its own anchor, which cells it needs at both ends, and up to which layer it
-    /// may cover strokes.
+    /// Writes a label at the first of `places` that is free. Each gives the number of rows to
+    /// search, whether the label must be beside its own anchor, the cells required at both ends,
+    /// and the layer up to which it may cover strokes.
     fn label_at(
         &mut self,
         text: &str,

@@ -122,7 +122,8 @@ fn a_line_reaches_both_ends_and_no_further() {
                     let middle = dvec2(f64::from(x) + 0.5, f64::from(y) + 0.5);
                     ((middle - cell) * dvec2(1.0, 2.0)).length()
                 });
-                // The nearest ink is at most in the next cell: half its diagonal and half a cell.
+                // The nearest ink is in the next cell at the farthest: half its diagonal plus half
+                // a cell away.
                 assert!(nearest.fold(f64::MAX, f64::min) < 1.9, "{charset:?} {turn}");
             }
             let (a, b) = (canvas.view().to_cell(from), canvas.view().to_cell(to));

@@ -93,8 +93,8 @@ impl<A: KeyAction> KeyTable<A> {
         self.each([(key, action)], name)
     }
 
-    /// Adds keys for one action in several directions; its name in `keys.toml` and its help text
-    /// are those of the first.
+    /// Adds keys for one action in several directions; the first gives the row its name in
+    /// `keys.toml` and its help text.
     pub fn each<K: Into<Key>>(
         mut self,
         keys: impl IntoIterator<Item = (K, A)>,

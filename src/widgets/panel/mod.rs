@@ -22,7 +22,7 @@ use crate::widgets::flow::Run;
 pub(crate) struct Panel<A> {
     /// The title on the frame; empty for none.
     pub title: String,
-    /// The number of the subject: a new number resets the scroll position.
+    /// The number of the panel's subject: a new number resets the scroll position.
     pub subject: usize,
     /// Whether the panel starts at its top, rather than following the chosen item.
     pub(crate) from_top: bool,
@@ -655,7 +655,7 @@ impl<A> Panel<A> {
 }
 
 impl Content {
-    /// Whether the block is the chosen one.
+    /// Whether the block is chosen.
     fn is_chosen(&self) -> bool {
         match self {
             Self::Field { chosen, .. }

@@ -13,8 +13,8 @@ pub struct Label {
     pub short: Option<String>,
     /// The role, which determines the colour.
     pub role: Role,
-    /// The points beside which it may be, the preferred first, each with its preferred sides; there
-    /// is always at least one.
+    /// The points beside which it may be, in order of preference, each with its preferred sides;
+    /// there is always at least one.
     pub places: Vec<(DVec2, Vec<LabelSide>)>,
     /// Whether this label and others avoid the surroundings of each other's points.
     pub(in crate::widgets) keeps_others_off: bool,

@@ -1,7 +1,7 @@
 //! Pictures: lists of marks in world coordinates, independent of how they are drawn.
 //!
-//! A [`Picture`] contains what is drawn, not how it looks. There are two renderers: one for the
-//! cells of a terminal (`ink`) and one for vectors (`svg`).
+//! A [`Picture`] says what is drawn, not how it looks. There are two renderers: one for the cells
+//! of a terminal (`ink`) and one for vectors (`svg`).
 //!
 //! ```
 //! use carrom::widgets::{Charset, Look, Role, Theme};

@@ -90,7 +90,8 @@ fn fine_decades(from: f64, to: f64) -> Vec<Tick> {
         .collect()
 }
 
-/// The text of a power of ten: 1, 10, 100, 1000, then 10⁴ and so on; below 1 always like 10⁻¹.
+/// The text of a power of ten: 1, 10, 100, 1000, then 10⁴ and so on; below 1 always in the form
+/// 10⁻¹.
 fn power_of_ten(exponent: i32) -> String {
     if (0..=3).contains(&exponent) {
         return format!("{}", 10_i32.pow(exponent.unsigned_abs()));

@@ -228,8 +228,8 @@ impl ShotPlayer {
             }
             ShotAction::Impacts => {
                 self.left_at = self.clock.time();
-                // The last impact shown so far; at the end of the shot its first impact, with the
-                // target.
+                // This chooses the last impact shown so far, or at the end of the shot the first
+                // impact.
                 let now = if self.clock.is_over() {
                     0.0
                 } else {

@@ -321,7 +321,7 @@ mod tests {
 
     /// The other rules agree that two words of prose are never held together.
     #[test]
-    fn any_prose_is_free() {
+    fn words_of_prose_are_never_held_together() {
         let words = [
             "The", "striker,", "kg", "turns", "alpha", "mm.", "g", "sin", "Theta;", "x",
         ];

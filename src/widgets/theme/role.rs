@@ -22,7 +22,7 @@ pub enum Role {
     Key,
     /// The frame of a panel.
     Border,
-    /// The chosen one of several items.
+    /// The chosen item among several.
     Selected,
     /// Right, won, near the truth.
     Good,
