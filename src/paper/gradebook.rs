@@ -64,8 +64,8 @@ fn overview(results: &ClassResults<'_>) -> Markup {
     let all = html! {
         p {
             (counted(book.pupils.len(), "pupil")) ", " (counted(answers, "answer")) ". "
-            "For each question in a round, the first answer counts: 0 to 10 points, depending on how "
-            "close it was."
+            "For each question in a round, the first answer counts: 0 to 10 points, depending on "
+            "how close it was."
         }
         @if !book.notes.is_empty() {
             h2 { "About the files" }
