@@ -120,7 +120,7 @@ fn questions(results: &ClassResults<'_>) -> Markup {
         "round",
         "",
         "question",
-        "commonest mistake",
+        "most common mistake",
         "answered",
         "right",
         "points",

@@ -99,7 +99,7 @@ fn columns(report: &Report) -> Markup {
                 (picture("calibration"))
                 (picture("calibration-over-time"))
                 section.chapters {
-                    (listed("Chapters", &report.chapters, "None begun yet.", chapters))
+                    (listed("Chapters", &report.chapters, "None started yet.", chapters))
                 }
             }
         }

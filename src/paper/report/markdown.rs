@@ -48,7 +48,7 @@ fn figures(report: &Report, document: &mut Markdown) {
     row("topics solid", report.solid.to_string());
     row("chapters done", of(report.done));
     row("stars", of(report.stars));
-    document.table(&["all in all", ""], rows);
+    document.table(&["overall", ""], rows);
 }
 
 fn tables(report: &Report, document: &mut Markdown) {

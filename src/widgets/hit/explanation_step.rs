@@ -48,10 +48,10 @@ impl ExplanationStep {
         match self {
             Self::Contact => "contact",
             Self::Line => "line of impact",
-            Self::Split => "the split",
-            Self::Coin => "what was hit",
-            Self::Striker => "what hit it",
-            Self::Whole => "the whole",
+            Self::Split => "the components",
+            Self::Coin => "the struck disc",
+            Self::Striker => "the striking disc",
+            Self::Whole => "the result",
         }
     }
 }

@@ -29,7 +29,7 @@ impl Overlay {
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Lines => "line of impact",
-            Self::Split => "split of u",
+            Self::Split => "components of u",
             Self::Velocities => "velocities",
             Self::Angles => "angles",
             Self::Triangle => "momentum triangle",

@@ -168,7 +168,7 @@ impl Sketch {
         self.angle(name, turn, middle, middle - centre);
     }
 
-    /// Whether there is an arc from one direction to another.
+    /// Whether an arc is drawn from one direction to another.
     pub(super) fn has_arc(from: DVec2, to: DVec2) -> bool {
         from.angle_to(to).abs() >= LEAST_ARC
     }

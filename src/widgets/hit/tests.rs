@@ -165,7 +165,7 @@ fn a_shot_to_set_up_shows_its_angle_and_a_scale_in_true_size() {
 }
 
 #[test]
-fn letters_and_numbers_are_those_of_the_collision() {
+fn letters_and_numbers_match_the_collision() {
     let piece = Disc::from_g_mm(15.0, 15.0);
     let hit = Collision::at_angle(piece, piece, dvec2(4.0, 0.0), 30_f64.to_radians());
     // 4 m/s sin 30° and cos 30°.

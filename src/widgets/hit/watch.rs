@@ -127,7 +127,7 @@ impl Watch {
         Self { frame, ..self }
     }
 
-    /// This collision with other pieces than a striker and a coin.
+    /// This collision with pieces other than a striker and a coin.
     #[must_use]
     pub(crate) fn with_faces(self, faces: [Face; 2]) -> Self {
         Self { faces, ..self }
@@ -199,7 +199,7 @@ impl Watch {
     }
 
     /// The title of the picture: `name` in the laboratory frame, otherwise the frame. After a layer
-    /// was switched on or off, the title names that layer.
+    /// has been switched on or off, the title names that layer.
     pub(crate) fn title(&self, name: &str) -> String {
         if let Some(layer) = self.switched {
             let state = if self.layers.shows(layer) {
@@ -219,7 +219,7 @@ impl Watch {
         }
     }
 
-    /// [`Watch::title`] of a collision in slow motion.
+    /// The [`Watch::title`] of a collision in slow motion.
     pub(crate) fn slowed_title(&self) -> String {
         self.title(&format!("the hit, slowed {:.0}×", self.clock.slowed()))
     }

@@ -34,7 +34,7 @@ impl Canvas {
     /// A round disc is at its true position, with its letter in the cell that holds its centre.
     /// Every token and every outline has cells of its own. If two would share a cell, the token
     /// farther from the cell's middle moves to the nearest free cell; the queen never moves. No
-    /// stroke and no arrow hides a token, in any drawing order.
+    /// stroke or arrow hides a token, whatever the drawing order.
     pub(super) fn discs(&mut self, bodies: &[Body]) {
         let smallest = bodies.iter().map(|body| body.radius);
         let smallest = smallest.fold(f64::INFINITY, f64::min);

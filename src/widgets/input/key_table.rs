@@ -185,7 +185,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// Sets another id for the rows whose only shown key is this one.
+    /// Sets another id for the rows whose only shown key is `key`.
     pub(crate) fn identified(mut self, key: Key, id: &str) -> Self {
         for row in &mut self.rows {
             if let [(own, _)] = row.keys.as_slice()

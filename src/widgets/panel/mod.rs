@@ -289,7 +289,7 @@ impl<A> Panel<A> {
         });
     }
 
-    /// Writes blocks that are left out if there is no room for all of this priority.
+    /// Writes blocks that are left out if there is no room for all blocks of this priority.
     pub(crate) fn worth(&mut self, worth: u8, write: impl FnOnce(&mut Self)) {
         let around = self.worth.replace(worth);
         write(self);

@@ -128,7 +128,7 @@ impl<'p> PlacedPages<'p> {
         })
     }
 
-    /// The areas on a page of the picture, which may be empty, and of the text.
+    /// The areas of the picture, which may be empty, and of the text on a page.
     pub(crate) fn places(&self, page: u16) -> [Rect; 2] {
         let layout = self.at(page).map(|(part, page)| part.set.layout(page));
         layout.map_or([Rect::default(); 2], |it| [it.picture, it.words])
@@ -164,7 +164,7 @@ impl<'p> PlacedPages<'p> {
             .map(|(block, cells)| (cells, (block, 0)))
     }
 
-    /// Draws a page with the bars of its texts, and its number if there are several.
+    /// Draws a page with the bars of its texts, and its number if there are several pages.
     pub(super) fn draw(&self, page: u16, buf: &mut Buffer, writing: &Writing) {
         let Some((part, own)) = self.at(page) else {
             return;

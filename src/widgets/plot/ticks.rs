@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn powers_of_ten() {
+    fn ticks_of_a_logarithmic_axis_are_powers_of_ten_or_round_numbers() {
         assert_eq!(
             texts(&decades((-1.0, 5.0), 9)),
             ["10⁻¹", "1", "10", "100", "1000", "10⁴", "10⁵"]

@@ -238,7 +238,7 @@ impl Vectors<'_> {
         ));
     }
 
-    /// Draws a line through points of the world, clipped to the view.
+    /// Draws a line through points in the world, clipped to the view.
     fn curve(&mut self, points: &[DVec2], pen: Pen) {
         let mut path = String::new();
         let mut last = None;

@@ -321,7 +321,7 @@ mod tests {
 
     /// The other rules agree that two words of prose are never held together.
     #[test]
-    fn words_of_prose_are_never_held_together() {
+    fn no_other_rule_holds_words_of_prose_together() {
         let words = [
             "The", "striker,", "kg", "turns", "alpha", "mm.", "g", "sin", "Theta;", "x",
         ];
@@ -353,7 +353,7 @@ mod tests {
     }
 
     #[test]
-    fn words_are_free() {
+    fn ordinary_words_are_not_held_together() {
         let text = "The striker keeps a part of it - and the coin the rest";
         let free = text.replace(" - ", " ");
         assert_eq!(parts(&free, 80).len(), free.split(' ').count());

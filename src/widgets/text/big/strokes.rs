@@ -1,4 +1,4 @@
-//! Letters of strokes: the smallest large type in ASCII, with three rows and a descender.
+//! Letters made of strokes: the smallest large type in ASCII, with three rows and a descender.
 //!
 //! The font is "Mini" by Glenn Chappell, in the format of FIGlet. The first line contains the
 //! height of the letters and the number of comment lines. After these, each letter from the blank
