@@ -30,7 +30,7 @@ fn sheet(report: &Report) -> Markup {
             @if report.attempts.is_empty() {
                 p.nothing {
                     "There is nothing here yet: every game starts with a clean board. After a \
-                     round of the quiz "
+                     round of the quiz, "
                     "this page shows how the answers come closer to the true values."
                 }
             } @else {

@@ -14,9 +14,9 @@ pub(super) const ADVICE: &str = "Predict first, then check: answer every questio
                                  otherwise.";
 
 /// The purpose of the answer key.
-pub(super) const KEY_ADVICE: &str = "For the teacher. Each question with its true answer, why it \
-                                     is true, and the wrong answers to listen for: a pupil who \
-                                     gives one of these answers probably reasoned this way.";
+pub(super) const KEY_ADVICE: &str = "For the teacher: each question has its true answer, the \
+                                     reason why it is true, and the wrong answers to listen for, \
+                                     with the reasoning that probably led to them.";
 
 /// The command that opens the same round on a screen.
 pub(super) fn command(code: &Code, concepts: &[String]) -> String {

@@ -210,7 +210,8 @@ impl AnswerInput {
         }
     }
 
-    /// The action that comes next: turning the other ray, or giving the answer.
+    /// The action of the next prompt: entering the typed number, going to the other ray, or giving
+    /// the answer.
     fn go_on(&self) -> AnswerAction {
         match self {
             Self::Rays(rays) => AnswerAction::Ray(rays.go_on()),

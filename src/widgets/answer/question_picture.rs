@@ -72,7 +72,7 @@ fn seen(collision: &Collision, line: bool) -> Vec<String> {
     let side = if share < 0.0 { "left" } else { "right" };
     let place = format!(
         "Seen along the striker's path, the target's centre lies to the {side} of the path, by \
-         about {percent:.0} percent of the two radii together."
+         about {percent:.0} percent of the sum of the radii."
     );
     let alpha = collision.alpha().filter(|_| line).map(|alpha| {
         let alpha = (alpha.abs().to_degrees() / 5.0).round() * 5.0;

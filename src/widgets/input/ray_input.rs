@@ -198,7 +198,8 @@ impl RayInput {
         }
     }
 
-    /// The action that comes next: turning the other ray, or completing the prediction.
+    /// The action of the next prompt: entering the typed number, going to the other ray, or giving
+    /// the prediction.
     pub(crate) fn go_on(&self) -> RayAction {
         match self.entry.is_open() {
             true => RayAction::Number(EntryAction::Enter),

@@ -19,7 +19,7 @@ thread_local! {
 /// The text of a screen, or of a layer over it, as a list.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Sheet {
-    /// What it is.
+    /// The kind of the sheet.
     pub kind: SheetKind,
     /// The title of the screen or layer.
     pub title: String,
@@ -62,7 +62,7 @@ pub struct Section {
 /// One item of a section.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Item {
-    /// What it is.
+    /// Its kind and its text.
     #[serde(flatten)]
     pub words: Words,
     /// The cell where a click carries out its action: column and row.
@@ -125,14 +125,14 @@ pub enum Words {
     },
     /// A text field.
     TextField {
-        /// What it is.
+        /// Its name.
         name: String,
         /// The typed text.
         value: String,
     },
     /// A possible next action.
     Prompt {
-        /// What it is.
+        /// What it does.
         words: String,
         /// The name of its key.
         key: Option<String>,
@@ -155,7 +155,7 @@ pub enum Words {
     },
     /// Something to share.
     Code {
-        /// What it is.
+        /// Its description.
         text: String,
         /// The command that opens it.
         command: String,

@@ -13,7 +13,7 @@ const UNITS: [&str; 21] = [
 /// Functions of an angle or of a number.
 const FUNCTIONS: [&str; 5] = ["sin", "cos", "tan", "sqrt", "√"];
 
-/// Words followed by a number, as in "law 21", "chapter 7".
+/// Words followed by a number, as in "law 21" and "chapter 7".
 const NUMBERED: [&str; 8] = [
     "law", "laws", "chapter", "page", "level", "question", "step", "board",
 ];
@@ -53,8 +53,8 @@ impl Hold {
     ];
 }
 
-/// Groups of words that belong together, as ranges of `words`, as far as a row of `columns` has
-/// room for them.
+/// Groups of words that belong together, as ranges of `words`, each short enough for a row of
+/// `columns`.
 pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
     let holds = holds(words);
     let mut held = Vec::new();
@@ -81,7 +81,7 @@ pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
     held
 }
 
-/// The text with no-break spaces in groups of words, such as "5 g", "e = 1.00".
+/// The text with no-break spaces in groups of words, such as "5 g" and "e = 1.00".
 pub(crate) fn unbroken(text: &str) -> String {
     let words: Vec<&str> = text.split(' ').collect();
     let parts = held(&words, UNBROKEN).into_iter();
