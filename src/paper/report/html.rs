@@ -120,7 +120,7 @@ fn more<T>(cut: &Cut<T>) -> Markup {
     html! { @if let Some(more) = cut.and_more() { p.dim { (more) } } }
 }
 
-/// A title above a table of rows, or above a text if there are no rows.
+/// A title above a table of rows, or above a sentence if there are no rows.
 fn listed<T>(title: &str, cut: &Cut<T>, none: &str, table: fn(&[T]) -> Markup) -> Markup {
     html! {
         h2 { (title) }

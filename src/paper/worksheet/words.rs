@@ -1,4 +1,4 @@
-//! The texts on the question sheet and the answer key, for both formats.
+//! The wording of the question sheet and the answer key, for both formats.
 
 use crate::numbers;
 use crate::quiz::{

@@ -9,7 +9,7 @@ pub(crate) const FRAME: Duration = Duration::from_micros(16_667);
 const APPROACH: f64 = 1.1;
 /// The time over which motion slows down before the contact and speeds up after it, in seconds.
 const EASE: f64 = 0.35;
-/// A small step in time, as a share of the shot's duration.
+/// A small step in time, as a fraction of the shot's duration.
 const STEP: f64 = 1.0 / 96.0;
 
 /// How a collision is played.
@@ -263,7 +263,7 @@ impl Playback {
         }
     }
 
-    /// Halts, and moves by this share of the shot's duration. A move across the contact stops
+    /// Halts, and moves by this fraction of the shot's duration. A move across the contact stops
     /// there: forwards at the first step of the explanation, backwards at the last.
     pub(crate) fn scrub(&mut self, share: f64) {
         let from = self.time();

@@ -11,8 +11,8 @@ use crate::widgets::picture::{DrawLayer, Label, LabelSide, Pen, Picture};
 const LONGEST: f64 = 2.8;
 /// The length of the longest arrow of a velocity with components, in the same radii.
 const LONGEST_ROOTED: f64 = 2.9;
-/// The length of the longest component along n that begins at a centre, as a share of the distance
-/// to the other centre, where the other disc's component begins.
+/// The length of the longest component along n that begins at a centre, as a fraction of the
+/// distance to the other centre, where the other disc's component begins.
 const LONGEST_ALONG: f64 = 0.96;
 /// The distance from the leading disc's rim to its arrow, which is drawn at its side, in the same
 /// radii.
@@ -25,7 +25,7 @@ const ARC: f64 = 1.55;
 const LEAST_ARC: f64 = 1e-6;
 /// The tolerance of a right angle, in radians.
 const SQUARE: f64 = 1e-9;
-/// The share of the greatest speed below which a disc counts as at rest.
+/// The fraction of the greatest speed below which a disc counts as at rest.
 const STILL: f64 = 1e-9;
 /// A speed below this, in m/s, is printed as 0.00.
 const LEAST_SPEED: f64 = 0.005;

@@ -14,7 +14,7 @@ use crate::quiz::{AimTask, Rays};
 use crate::widgets::panels::{impact_angle, masses, offset, separation};
 use crate::widgets::{Role, input::KeyTable, panel::Panel, picture::Picture};
 
-/// The share of the shot's duration by which `<` and `>` scrub.
+/// The fraction of the shot's duration by which `<` and `>` scrub.
 const SCRUB: f64 = 1.0 / 16.0;
 
 /// A collision being watched.

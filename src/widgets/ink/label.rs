@@ -84,7 +84,7 @@ impl Canvas {
         labels.into_iter().filter(is_left).collect()
     }
 
-    /// Writes a text near one of the possible positions of a label, if there is room.
+    /// Writes `text` near one of the possible positions of a label, if there is room.
     fn write_at_places(&mut self, text: &str, label: &Label) -> bool {
         let mut places = label.places.iter();
         let clear = label.short.is_some();

@@ -82,7 +82,7 @@ impl TextField {
         fits
     }
 
-    /// Inserts as much of a pasted text as there is room for. The rest, which may be long, is not
+    /// Inserts as much pasted text as there is room for. The rest, which may be long, is not
     /// examined.
     pub fn paste(&mut self, text: &str) {
         let is_letter = |letter: &&str| {

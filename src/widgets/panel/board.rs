@@ -25,7 +25,7 @@ pub(crate) struct BoardRow {
     pub points: String,
     /// The points gained most recently, such as "+9.3".
     pub gain: String,
-    /// The share of all possible points.
+    /// The points as a fraction of all possible points.
     pub share: f64,
 }
 

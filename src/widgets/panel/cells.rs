@@ -721,7 +721,7 @@ fn write_table(
     }
 }
 
-/// Writes the possible next actions as a text: the key of each, and its description.
+/// Writes the possible next actions as running text: the key of each, and its description.
 fn write_prompts(
     prompts: &[String],
     keys: &[Option<String>],

@@ -55,10 +55,10 @@ enum Content {
     Gap,
     /// A heading for the next blocks, in one row.
     Heading(String),
-    /// A short text in large letters, if the panel has this many rows: the first of these texts
+    /// Short text in large letters, if the panel has this many rows: the first of these strings
     /// that fits.
     Large(Vec<String>, Role, u16),
-    /// A text in the largest letters that fit.
+    /// Text in the largest letters that fit.
     LargeText(LargeText),
     /// The next block begins a new page, in a panel of [`LargeText`].
     PageBreak,
@@ -69,9 +69,9 @@ enum Content {
     },
     /// Names with their scores, large if there is room.
     Board(Vec<BoardRow>),
-    /// A short text in one row.
+    /// Short text in one row.
     Line(String, Role),
-    /// A text that is wrapped over several rows.
+    /// Text that is wrapped over several rows.
     Paragraph(String, Role),
     /// Something to share: its description, the command that opens it, and its address.
     Code {
@@ -111,7 +111,7 @@ enum Content {
     },
     /// Several pages, one of which is open, in one row.
     Tabs { names: Vec<String>, open: usize },
-    /// A text in more than one style, after an optional mark.
+    /// Text in more than one style, after an optional mark.
     Flow(String, Vec<Run>),
     /// A formula, which may have several rows.
     Formula(Formula, Role),
@@ -126,7 +126,7 @@ enum Content {
         chosen: bool,
         locked: bool,
     },
-    /// A text after a mark, indented so that nothing is below the mark.
+    /// Text after a mark, indented so that nothing is below the mark.
     Marked {
         mark: String,
         text: String,
@@ -138,7 +138,7 @@ enum Content {
         share: f64,
         value: String,
     },
-    /// A share of a whole and its target range, each with a text.
+    /// A share of a whole and its target range, each with a description.
     Gauge {
         share: f64,
         value: String,
@@ -174,7 +174,7 @@ enum Content {
     Prompts(Vec<String>),
 }
 
-/// A text large enough for the back row of a class.
+/// Text large enough for the back row of a class.
 #[derive(Debug, Clone, PartialEq)]
 struct LargeText {
     text: String,
@@ -329,8 +329,8 @@ impl<A> Panel<A> {
         self.push(Content::Heading(text.into()));
     }
 
-    /// Adds a text that can be read from a distance, in a panel of at least this many rows: the
-    /// first of these texts that fits in large letters.
+    /// Adds text that can be read from a distance, in a panel of at least this many rows: the first
+    /// of these strings that fits in large letters.
     pub(crate) fn large<'t>(
         &mut self,
         texts: impl IntoIterator<Item = &'t str>,
@@ -341,7 +341,7 @@ impl<A> Panel<A> {
         self.push(Content::Large(texts, role, from));
     }
 
-    /// Adds a text for the back row, in the largest letters that fit.
+    /// Adds text for the back row, in the largest letters that fit.
     pub(crate) fn large_text(&mut self, text: impl Into<String>, role: Role) {
         self.push(Content::LargeText(LargeText {
             text: text.into(),
@@ -368,7 +368,7 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// Begins a new page, in a panel of large texts.
+    /// Begins a new page, in a panel of large text.
     pub(crate) fn page_break(&mut self) {
         self.push(Content::PageBreak);
     }
@@ -388,12 +388,12 @@ impl<A> Panel<A> {
         self.push(Content::Board(rows));
     }
 
-    /// Adds a short text in one row.
+    /// Adds short text in one row.
     pub(crate) fn line(&mut self, text: impl Into<String>, role: Role) {
         self.push(Content::Line(text.into(), role));
     }
 
-    /// Adds a text that is wrapped over several rows.
+    /// Adds text that is wrapped over several rows.
     pub(crate) fn paragraph(&mut self, text: impl Into<String>, role: Role) {
         self.push(Content::Paragraph(text.into(), role));
     }
@@ -506,7 +506,7 @@ impl<A> Panel<A> {
         self.flow("-", vec![Run::new(text, role)]);
     }
 
-    /// Adds a text in more than one style, after an optional mark.
+    /// Adds text in more than one style, after an optional mark.
     pub(crate) fn flow(&mut self, mark: impl Into<String>, runs: Vec<Run>) {
         self.push(Content::Flow(mark.into(), runs));
     }
@@ -556,7 +556,7 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// Adds a text after a mark, indented so that nothing is below the mark.
+    /// Adds text after a mark, indented so that nothing is below the mark.
     pub(crate) fn marked(&mut self, mark: &str, text: impl Into<String>, role: Role) {
         self.push(Content::Marked {
             mark: mark.into(),
@@ -639,7 +639,7 @@ impl<A> Panel<A> {
         self.push_with(Content::Table { columns, rows }, actions);
     }
 
-    /// Adds a possible next action: a short text without the key, and the action.
+    /// Adds a possible next action: a short description without the key, and the action.
     pub(crate) fn prompt(&mut self, words: impl Into<String>, action: A) {
         self.prompts([(words, action)]);
     }

@@ -118,7 +118,7 @@ impl SplitLayout {
         }
     }
 
-    /// A picture and a text in these areas, without frames.
+    /// A picture and text in these areas, without frames.
     pub fn open(picture: Rect, panel: Rect) -> Self {
         let [no_picture, no_panel] = [picture, panel].map(|it| Rect { width: 0, ..it });
         Self {

@@ -4,12 +4,12 @@ use glam::DVec2;
 
 use crate::widgets::Role;
 
-/// A text beside a point in the world.
+/// Text beside a point in the world.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label {
     /// The text of the label.
     pub text: String,
-    /// A shorter text, used if there is no room nearby for the whole label.
+    /// A shorter version, used if there is no room nearby for the whole label.
     pub short: Option<String>,
     /// The role, which determines the colour.
     pub role: Role,
@@ -28,7 +28,7 @@ impl Label {
         self
     }
 
-    /// Sets a shorter text, used if there is no room nearby for the whole label.
+    /// Sets a shorter version, used if there is no room nearby for the whole label.
     pub fn short(&mut self, text: impl Into<String>) -> &mut Self {
         self.short = Some(text.into());
         self

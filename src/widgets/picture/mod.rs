@@ -143,7 +143,7 @@ impl Picture {
         }
     }
 
-    /// This picture with a larger total area, which has room for the texts beside the axes.
+    /// This picture with a larger total area, which has room for the text beside the axes.
     #[must_use]
     pub fn within(self, area: Rect) -> Self {
         Self { area, ..self }

@@ -1,4 +1,4 @@
-//! The positions and texts of the ticks of an axis.
+//! The positions and labels of the ticks of an axis.
 
 use crate::lessons::formula::superscript;
 use crate::numbers::{fixed, true_minus};

@@ -96,7 +96,7 @@ fn goes_on(mark: &Mark, next: &Mark) -> bool {
     }
 }
 
-/// The part of a text that is placed at the given position.
+/// The part of a string that is placed at the given position.
 #[derive(Clone, Copy, strum::Display)]
 #[strum(serialize_all = "lowercase")]
 enum Anchor {

@@ -1,4 +1,4 @@
-//! The glyphs that a screen may use, and the spelling of texts in them.
+//! The glyphs that a screen may use, and the spelling of text in them.
 
 use std::borrow::Cow;
 

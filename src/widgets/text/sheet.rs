@@ -88,7 +88,7 @@ pub enum Words {
         #[serde(skip_serializing_if = "Option::is_none")]
         drag: Option<&'static str>,
     },
-    /// A text, with an optional mark before it.
+    /// Text, with an optional mark before it.
     Text {
         /// The mark, such as "1. " or "- "; empty for none.
         mark: String,
@@ -162,7 +162,7 @@ pub enum Words {
         /// The part of a link's address after `#`.
         address: String,
     },
-    /// A large text for the back row.
+    /// Large text for the back row.
     Large {
         /// The words.
         runs: Vec<Run>,
@@ -187,7 +187,7 @@ impl Recorder {
     }
 
     fn note(&mut self, area: Rect, item: Item) {
-        // Two pictures may both be drawn after the texts above them.
+        // Two pictures may both be drawn after the text above them.
         let section = self.sheet().section(area);
         let is_right = 2 * area.x.saturating_sub(section.area.x) >= section.area.width.max(1);
         let place = (is_right, area.y);
@@ -231,7 +231,7 @@ impl Sheet {
 }
 
 impl Words {
-    /// A text in one style.
+    /// Text in one style.
     pub(crate) fn text(run: Run) -> Self {
         Self::Text {
             mark: String::new(),
@@ -239,7 +239,7 @@ impl Words {
         }
     }
 
-    /// A large text for the back row.
+    /// Large text for the back row.
     pub(crate) fn large(words: &str, role: Role) -> Self {
         Self::Large {
             runs: vec![Run::new(words, role)],

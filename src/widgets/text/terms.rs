@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::wrap::width;
 
-/// Units, as texts contain them in either charset.
+/// Units, as they are written in either charset.
 const UNITS: [&str; 21] = [
     "g", "kg", "m", "mm", "cm", "fm", "nm", "µm", "um", "mm²", "mm^2", "m/s", "s", "J", "mJ", "eV",
     "keV", "MeV", "deg", "%", "turns",

@@ -30,7 +30,7 @@ static INK: LazyLock<[(u8, [f32; SAMPLES]); GLYPHS]> = LazyLock::new(|| {
     HUNDREDTHS.map(|(glyph, ink)| (glyph, ink.map(|sample| f32::from(sample) / 100.0)))
 });
 
-/// The share of a sample's ink that its neighbours receive: strokes are a little wider than the
+/// The fraction of a sample's ink that its neighbours receive: strokes are a little wider than the
 /// samples that they hit, and so are the glyphs.
 const BLUR: f32 = 0.5;
 

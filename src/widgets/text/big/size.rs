@@ -10,10 +10,10 @@ const READ_FROM_THE_BACK: usize = 30;
 /// The size of letters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum LetterSize {
-    /// Letters made of strokes in ASCII, for long texts only: names and headings are larger or in
+    /// Letters made of strokes in ASCII, for long text only: names and headings are larger or in
     /// plain type.
     Strokes,
-    /// A braille dot for each pixel, in Unicode, for long texts.
+    /// A braille dot for each pixel, in Unicode, for long text.
     Dots,
     /// A cell for a square of four pixels, only in Unicode, which has characters for quarters of a
     /// cell.
@@ -25,7 +25,7 @@ pub(crate) enum LetterSize {
 }
 
 impl LetterSize {
-    /// The sizes of a charset for a long text, the largest first.
+    /// The sizes of a charset for long text, the largest first.
     pub(super) const fn of_text(charset: Charset) -> &'static [Self] {
         match charset {
             Charset::Ascii => &[Self::Large, Self::Middle, Self::Strokes],
