@@ -116,7 +116,7 @@ impl Cell {
             self.ink &= !under(disc.bits, charset);
         }
         let [top, below] = self.discs;
-        // Of three discs, only the two that cover most are kept.
+        // Of three discs, only the two that cover the most are kept.
         let rest = [top, below].map(|it| DiscCover {
             bits: it.bits & !disc.bits,
             ..it
