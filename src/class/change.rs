@@ -35,7 +35,7 @@ pub enum ClassChange {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         counts: Option<Vec<u32>>,
     },
-    /// A participant joined, at the end of the list.
+    /// A participant joined and was added at the end of the list.
     Join {
         /// Their seat token, if they have a device.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -50,7 +50,7 @@ pub enum ClassChange {
         /// Their new name.
         name: String,
     },
-    /// A participant was removed with all votes and stays out; later ones move up.
+    /// A participant was removed with all their votes and stays out; later participants move up.
     Remove {
         /// The participant.
         person: usize,
@@ -60,7 +60,7 @@ pub enum ClassChange {
         /// The index among those who were removed.
         removed: usize,
     },
-    /// A participant's seat was freed, and they may join again; later ones move up.
+    /// A participant's seat was freed, and they may join again; later participants move up.
     Vacate {
         /// The participant.
         person: usize,

@@ -8,7 +8,7 @@ use super::protocol::HandedIn;
 /// The unique number of a connection.
 pub type ConnectionId = u64;
 
-/// The device of a participant, while this carrom serves the class.
+/// The device of a participant, while this program serves the class.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Device {
     /// Its connection; `None` while it is disconnected.

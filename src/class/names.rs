@@ -67,7 +67,7 @@ pub(super) fn names_for<'a>(
     }
 }
 
-/// A name folded for a comparison without case.
+/// A name, case-folded for comparison.
 pub(super) fn folded(name: &str) -> String {
     name.to_lowercase()
 }
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_unusual_characters_are_shortened() {
+    fn names_with_unusual_characters_are_shortened() {
         let family = "👩‍👩‍👧‍👦".repeat(100);
         let zalgo = "Z\u{300}\u{301}\u{302}\u{303}".repeat(100);
         for name in [family, zalgo, "ﷺ".repeat(500)] {

@@ -211,7 +211,7 @@ mod tests {
     use super::change;
 
     #[test]
-    fn only_texts_of_changes_are_read() {
+    fn only_valid_changes_are_read() {
         for text in [
             "vote 3 first 17 rays -0.5 still",
             "vote 3 second 17 sure choice 2",

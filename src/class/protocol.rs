@@ -273,7 +273,7 @@ impl NotTaken {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PupilStep {
-    /// The class gathers, or has paused.
+    /// The class is gathering, or has paused.
     Lobby,
     /// The round is over.
     End,

@@ -58,9 +58,9 @@ pub struct ClassRound {
     round: Arc<Round>,
     way: WayOfVoting,
     pub(super) participants: Vec<Participant>,
-    /// For each question the counts of both votes, one per choice; empty if nothing was counted.
+    /// For each question, the counts of both votes, one per choice; empty if nothing was counted.
     pub(super) tallies: Vec<[Vec<u32>; 2]>,
-    /// How pupils join on devices of their own, as long as they may return.
+    /// How pupils join on devices of their own; `None` once they can no longer return.
     pub(super) joining: Option<Joining>,
     place: ClassPlace,
     /// The name of the class; may be empty.

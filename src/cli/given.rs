@@ -34,8 +34,7 @@ pub(super) fn library<L: FileLibrary>(paths: &[PathBuf]) -> L {
     }
 }
 
-/// Prints the report of a check. Fails with all errors of the files, or if no `what` were
-/// found among them.
+/// Prints the report of a check. Fails with all errors in the files, or if they contain no `what`.
 pub(super) fn conclude(
     report: &str,
     errors: &[FileError],

@@ -492,7 +492,7 @@ fn open_within(arguments: &str, outer: &GlobalOptions) -> Result<(App, GlobalOpt
     Ok((app, options))
 }
 
-/// Writes a text, which may contain any characters, to standard output in the charset of the
+/// Writes a string, which may contain any characters, to standard output in the charset of the
 /// options.
 fn print_text(text: &str, options: &GlobalOptions) -> io::Result<()> {
     let mut text = escape_control_lines(&options.printed().text(text));

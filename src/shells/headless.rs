@@ -235,7 +235,7 @@ mod tests {
     use crate::widgets::input::KeyTable;
     use crate::widgets::{Charset, Depth};
 
-    /// Counts its inputs, and moves for one second after a space.
+    /// Records its inputs, and moves for one second after a space is typed.
     #[derive(Default)]
     struct Counter {
         typed: String,

@@ -25,7 +25,7 @@ use crate::shells::lock;
 const HEAD_TIME: Duration = Duration::from_secs(5);
 /// The time limit for joining.
 const JOIN_TIME: Duration = Duration::from_secs(10);
-/// The silences after which a device is pinged, and after which it counts as lost.
+/// How long a device may be silent before it is pinged, and before it counts as lost.
 const PING: Duration = Duration::from_secs(20);
 const GONE: Duration = Duration::from_secs(65);
 /// The time limits for sending one part of the page, and for all of it.

@@ -32,7 +32,7 @@ use switchboard::Switchboard;
 pub(crate) const PORT: u16 = 8090;
 /// How many ports are tried.
 const PORTS: u16 = 10;
-/// How long a carrom or a round that has just ended may take to release its port.
+/// How long a program or a round that has just ended may take to release its port.
 const LETTING_GO: Duration = Duration::from_millis(300);
 /// How many connections may wait to be accepted. A whole class may join at the same moment.
 #[cfg(unix)]
@@ -169,7 +169,7 @@ impl Drop for Host {
     }
 }
 
-/// Opens a port, waiting this long while it is in use.
+/// Opens a port; waits up to this long if it is in use.
 fn bind(port: u16, patience: Duration) -> io::Result<TcpListener> {
     let end = Instant::now() + patience;
     loop {

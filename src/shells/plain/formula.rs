@@ -8,7 +8,7 @@ pub(super) fn aloud(formula: &Formula) -> String {
     spoken_formula(&linear(formula))
 }
 
-/// A formula in one line, with fractions in words and with Unicode symbols.
+/// A formula on one line, with fractions in words and with Unicode symbols.
 fn linear(formula: &Formula) -> String {
     let mut line = String::new();
     let (mut after_fraction, mut after_factor) = (false, false);

@@ -23,7 +23,7 @@ const OFFERED: [&str; 2] = ["ray.stays-still", "shot.impacts"];
 /// The row of the key for the next question.
 pub(super) const ON: &str = "quiz.go-on";
 
-/// The placeholder of an empty text.
+/// The placeholder in an empty text field.
 pub(super) const OPEN: char = '_';
 
 /// A screen, or a layer over it, in lines.
@@ -93,7 +93,7 @@ pub(super) enum Asked {
     Nothing,
     /// As a number with this name and unit.
     Number(String, String),
-    /// As an angle with this name, of a disc that may stay still.
+    /// As an angle with this name, for a disc that may stay still.
     Angle(String),
     /// As a text with this name.
     Text(String),

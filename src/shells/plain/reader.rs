@@ -213,7 +213,7 @@ impl PlainReader {
         options.find(is).or_else(numbered).cloned()
     }
 
-    /// The option with this name, or with words that start with these.
+    /// The option with this name, or the one whose words start with these words.
     fn named(&self, words: &str) -> Option<PlainOption> {
         let meant: Vec<_> = words.split_whitespace().collect();
         let is_name = meant

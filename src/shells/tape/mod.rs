@@ -1,6 +1,6 @@
 //! Tapes: scripts that play carrom without a terminal, on simulated time.
 //!
-//! Each line has one instruction. `#` starts a comment, and texts are in double quotes (with the
+//! Each line has one instruction. `#` starts a comment, and strings are in double quotes (with the
 //! escapes `\"`, `\\`, `\n` and `\t`). `Run` is optional and must come first.
 //!
 //! ```text

@@ -71,7 +71,7 @@ impl Tape {
         }
         let instruction = instruction(&arguments)?;
         if let Instruction::Screenshot(name) = &instruction {
-            // Some file systems do not distinguish upper case from lower case.
+            // Some file systems do not distinguish between upper and lower case.
             if let Some(before) = names.insert(name.to_lowercase(), line) {
                 return Err(format!(
                     "Screenshot: the name {name} is taken by line {before}"
@@ -83,7 +83,7 @@ impl Tape {
     }
 }
 
-/// The words and texts after the first word of a line.
+/// The words and strings after the first word of a line.
 struct Arguments<'a> {
     of: &'a Token,
     rest: &'a [Token],

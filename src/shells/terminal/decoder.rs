@@ -57,7 +57,7 @@ impl Decoder {
         }
     }
 
-    /// Notes that nothing has arrived for [`Self::patience`].
+    /// Records that nothing has arrived for [`Self::patience`].
     pub(super) fn pause(&mut self, events: &mut VecDeque<Event>) {
         if let Some(paste) = self.paste.take() {
             paste.end(events);
@@ -465,7 +465,7 @@ mod tests {
     }
 
     #[test]
-    fn a_paste_is_one_text_even_if_it_contains_key_sequences() {
+    fn a_paste_is_one_event_even_if_it_contains_key_sequences() {
         let text = "two\r\nlines \x1b[A \x1b[201 \x1b\x1b[20 ä";
         let bytes = format!("\x1b[200~{text}\x1b[201~q");
         let expected = [Event::Paste(text.into()), key(KeyCode::Char('q'))];

@@ -81,7 +81,7 @@ type FixedTerminal = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>
 /// may report any size. The rest of a larger terminal stays empty.
 const LARGEST: (u16, u16) = (1000, 500);
 
-/// How long keys may be processed without a new frame.
+/// The longest time for which keys are processed without a new frame.
 const UNSEEN: Duration = Duration::from_millis(50);
 
 /// The area that is drawn in a terminal of this size.
@@ -295,7 +295,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_huge_screen_is_drawn_in_part() {
+    fn only_part_of_a_huge_screen_is_drawn() {
         assert_eq!(drawn(80, 24), Rect::new(0, 0, 80, 24));
         assert_eq!(drawn(300, 100), Rect::new(0, 0, 300, 100));
         let most = drawn(u16::MAX, u16::MAX);

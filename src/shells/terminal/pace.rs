@@ -27,7 +27,7 @@ impl Pace {
         }
     }
 
-    /// Notes that the app has changed.
+    /// Records that the app has changed.
     pub(super) fn outdated(&mut self) {
         self.outdated = true;
     }
@@ -48,7 +48,7 @@ impl Pace {
         self.outdated && self.earliest <= now
     }
 
-    /// Notes that a frame is drawn `now`.
+    /// Records that a frame is drawn `now`.
     pub(super) fn drawn(&mut self, now: Instant) {
         self.outdated = false;
         self.earliest = now + FRAME;
@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fast_app_gets_sixty_frames_per_second_and_a_slow_one_what_it_requests() {
+    fn a_fast_app_gets_sixty_frames_per_second_and_a_slow_one_as_many_as_it_requests() {
         let start = Instant::now();
         let mut pace = Pace::new(start);
         pace.drawn(start);

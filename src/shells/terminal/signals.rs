@@ -49,7 +49,7 @@ pub(super) fn watch(inbox: Inbox) -> io::Result<()> {
     spawn("signals", wait).map(drop)
 }
 
-/// Ends the process with the exit status of one that a signal ended.
+/// Ends the process with the exit status of a process that was ended by a signal.
 fn end(signal: i32) -> ! {
     // Writing to a stuck terminal would hold up this thread as well.
     let (done, restored) = mpsc::channel();
@@ -61,8 +61,8 @@ fn end(signal: i32) -> ! {
     process::exit(128 + signal)
 }
 
-/// Whether there is a shell that could continue a stopped carrom. A shell with job control puts
-/// every job in its own process group.
+/// Whether there is a shell that could continue carrom after it was stopped. A shell with job
+/// control puts every job in its own process group.
 pub(super) fn can_stop() -> bool {
     getsid(None).is_ok_and(|session| session != getpgrp())
 }

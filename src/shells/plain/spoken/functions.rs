@@ -2,7 +2,7 @@
 
 use super::signs::power;
 
-/// The functions as written in texts, with their spoken names.
+/// The functions as they are written in text, with their spoken names.
 const FUNCTIONS: [(&str, &str); 5] = [
     ("arcsin", "arc sine"),
     ("sin", "sine"),
@@ -55,7 +55,7 @@ fn starts_argument(letters: &[char]) -> bool {
     }
 }
 
-/// Whether a text ends in a factor before a function: a number, a bracket, or the symbol of a
+/// Whether the text ends in a factor before a function: a number, a bracket, or the symbol of a
 /// quantity.
 fn is_factor(letters: &[char]) -> bool {
     let end = letters.iter().rposition(|c| *c != ' ');

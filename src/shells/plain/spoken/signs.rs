@@ -3,7 +3,7 @@
 use super::functions;
 use crate::widgets::signs::{greek, superscript};
 
-/// Replaces symbols by words, with spaces around them.
+/// Replaces symbols with words, with spaces around them.
 pub(super) fn spell(text: &str) -> String {
     let letters: Vec<char> = text.chars().collect();
     let mut plain = String::with_capacity(2 * text.len());
@@ -53,7 +53,7 @@ pub(super) fn power(letters: &[char]) -> Option<(String, usize)> {
     Some((words, power.chars().count()))
 }
 
-/// A single symbol in words, which depend on the characters before and after it.
+/// A single symbol in words; these depend on the characters before and after it.
 fn one(letter: char, before: &[char], after: &[char]) -> String {
     let (last, next) = (before.last().copied(), after.first().copied());
     let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
