@@ -55,7 +55,7 @@ pub(super) fn page(given: Option<&Path>) -> anyhow::Result<String> {
         (None, Some(page)) => return Ok(page.to_owned()),
         (None, None) => beside().ok_or_else(|| {
             anyhow!(
-                "this carrom contains no page. Put {NAME} beside it, or give its path with --page; \
+                "this program contains no page. Put {NAME} beside it, or give its path with --page; \
                  .ci/page in carrom's sources builds it"
             )
         })?,

@@ -85,7 +85,7 @@ pub(crate) fn files(errors: &[FileError]) -> usize {
     files.len()
 }
 
-/// A valid file from a folder, with a part of it replaced by a `piece`.
+/// A valid file from a folder, with a part of it replaced with a `piece`.
 pub(crate) fn mutated(
     folder: &str,
     piece: impl Strategy<Value = String>,

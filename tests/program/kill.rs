@@ -228,7 +228,7 @@ fn first_votes(folder: &Path) -> Vec<Option<u32>> {
 /// If the program is killed while teams vote, it has saved every new or changed vote after which
 /// the screen showed the list of teams again.
 #[test]
-fn a_round_in_a_terminal_that_is_killed_during_votes_loses_none() {
+fn a_round_in_a_terminal_that_is_killed_during_votes_loses_no_vote() {
     const TEAMS: usize = 4;
     let folder = Folder::new("class-killed-pty");
     let data = folder.path().to_str().unwrap();

@@ -384,7 +384,7 @@ fn one_answer_is_enough_for_a_report() {
 }
 
 #[test]
-fn thousands_of_answers_fit_the_page_too() {
+fn a_report_on_thousands_of_answers_fits_on_one_page() {
     let library = lessons::ChapterLibrary::embedded_once();
     let attempts: Vec<_> = (0..5_000_u32)
         .map(|i| {

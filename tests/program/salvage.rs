@@ -89,8 +89,8 @@ fn found(path: &Path, keys: &[Keys]) -> Rows {
     found
 }
 
-/// A database as after some years of school: thousands of answers, some of them longer than a page,
-/// some chapters and some levels.
+/// A database as it is after some years of school: thousands of answers, some of them longer than a
+/// page, some chapters and some levels.
 fn sound(folder: &Path) -> Vec<u8> {
     let mut store = Store::in_folder(folder).timeless();
     let round = Round::hits(7);

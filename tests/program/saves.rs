@@ -181,7 +181,7 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "newer",
             b"format = 2\nwhatever = true\n".to_vec(),
-            "line 1: format: 2 is newer than the 1 this carrom reads; a newer carrom may open the file",
+            "line 1: format: 2 is newer than 1, the latest this version reads; a newer version may open it",
         ),
         (
             "format-text",
@@ -429,7 +429,7 @@ fn table(store: Store) -> Headless {
 #[test]
 fn a_failed_save_is_reported_once_and_the_game_continues() {
     let folder = Folder::new("no-saves");
-    // A file has the name of the folder, so that nobody can write there, not even root.
+    // A file has the name of the folder, so that nobody, not even root, can write there.
     let in_the_way = folder.path().join("games");
     fs::write(&in_the_way, "in the way").unwrap();
     let mut game = table(Store::in_folder(folder.path()));
@@ -494,7 +494,7 @@ fn a_game_is_resumed_where_it_was_left() {
 }
 
 #[test]
-fn unreadable_games_are_listed_with_their_reason() {
+fn unreadable_games_are_listed_with_the_reason() {
     let folder = Folder::new("unreadable");
     let games = folder.path().join("games");
     fs::create_dir_all(&games).unwrap();

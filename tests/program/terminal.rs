@@ -240,7 +240,7 @@ fn frames_are_synchronized_and_at_most_sixty_per_second() {
         (1.0..most).contains(&(drawn as f64)),
         "{drawn} frames, at most {most}"
     );
-    // The guard ends one more frame, in case one was in progress.
+    // The guard ends one extra frame, in case a frame was in progress.
     assert_eq!(pictures(&pty) + 1, count(&pty, "\x1b[?2026l"));
 }
 
@@ -364,7 +364,7 @@ fn the_screen_stays_responsive_while_the_computer_thinks() {
     let mut pty = started(carrom(&["table", "--seed", "11"]));
     pty.press("\r");
     pty.wait_for("You break, white");
-    // A break that is too soft to pocket anything, shown at its end at once.
+    // A break that is too soft to pocket anything; the animation is skipped to its end.
     pty.press(&format!("M{} ", "-".repeat(30)));
     pty.wait_for("(law 21)");
     pty.press("\r");

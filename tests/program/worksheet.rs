@@ -29,7 +29,7 @@ fn select(page: &Html, selector: &str) -> Vec<String> {
     text.map(|it| it.replace('\u{a0}', " ")).collect()
 }
 
-/// A text in one line.
+/// The text on one line.
 fn line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -75,7 +75,7 @@ fn the_sheet_has_the_questions_of_the_code_and_no_answers() {
 }
 
 #[test]
-fn the_key_has_all_true_answers_and_all_misconceptions() {
+fn the_key_has_all_right_answers_and_all_misconceptions() {
     for round in rounds() {
         let sheet = Worksheet::new(&round, None);
         let page = Html::parse_document(&sheet.key_html());
@@ -276,7 +276,7 @@ fn existing_worksheets_are_replaced_only_with_force() {
 }
 
 #[test]
-fn a_code_a_title_and_the_key_in_one_document() {
+fn one_document_can_have_a_code_a_title_and_the_key() {
     let folder = Folder::new("code");
     let out = within(&folder, "a");
     let arguments = [

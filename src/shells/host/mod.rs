@@ -119,7 +119,7 @@ impl Host {
         };
         let page = match &self.options.page {
             Some(page) => page.clone(),
-            None => Err("this carrom contains no page for browsers".into()),
+            None => Err("this program contains no page for browsers".into()),
         };
         let shown = page.as_ref().map(|_| ()).map_err(Clone::clone);
         let board = Arc::new(Switchboard::new(

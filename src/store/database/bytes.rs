@@ -26,10 +26,10 @@ const TAKE_IN: &str = "
         WHERE page_seen.answer IS NULL AND excluded.answer IS NOT NULL;";
 
 impl Database {
-    /// A database in memory with the contents of these bytes. A database that a newer carrom has
-    /// written stays unchanged, and refuses every request. If the bytes are damaged, all readable
-    /// rows are copied and a notice reports it. Also returns whether they were damaged, because the
-    /// caller has to keep them under the name `kept`.
+    /// A database in memory with the contents of these bytes. A database that a newer version of
+    /// carrom has written stays unchanged, and refuses every request. If the bytes are damaged, all
+    /// readable rows are copied and a notice reports it. Also returns whether they were damaged,
+    /// because the caller has to keep them under the name `kept`.
     ///
     /// # Errors
     /// The reason why the bytes cannot be used: they are not carrom's, or too damaged.
@@ -69,7 +69,7 @@ impl Database {
     /// Adds everything from another database, given as bytes, that this one does not have.
     ///
     /// # Errors
-    /// If the bytes are damaged, not carrom's, or from a newer carrom; then nothing is added.
+    /// If the bytes are damaged, not carrom's, or from a newer version; then nothing is added.
     pub(in crate::store) fn take_in(&mut self, bytes: &[u8]) -> Result<(), String> {
         let reported = |trouble: DatabaseError| trouble.to_string();
         let mut other = open(bytes).map_err(reported)?;
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn useless_bytes_are_refused_and_newer_ones_left_unchanged() {
+    fn unusable_bytes_are_refused_and_those_of_a_newer_version_left_unchanged() {
         let whole = with(&[1], 1).bytes().unwrap().unwrap();
         assert!(Database::of_bytes(b"no database", "aside").is_err());
         assert!(with(&[2], 1).take_in(&whole[..whole.len() / 2]).is_err());

@@ -19,13 +19,13 @@ pub(super) enum DatabaseError {
     /// It is not a carrom database, for this reason.
     #[error("it is not a carrom database: {0}")]
     NotOurs(String),
-    /// Its name belongs to something that is not a file.
+    /// Something that is not a file has its name.
     #[error("{0}")]
     NoFile(String),
-    /// A newer carrom has written it.
+    /// A newer version of carrom has written it.
     #[error(
-        "it was written by a newer carrom (format {0}, and this one knows formats up to \
-         {VERSION}), so it is left as it is"
+        "a newer version of carrom wrote it (format {0}; this one knows formats up to {VERSION}), so \
+         it is left unchanged"
     )]
     Newer(i64),
     /// Part of the data is in its log, and nothing can be written.

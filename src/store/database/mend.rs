@@ -30,7 +30,7 @@ pub(super) const ENDINGS: [&str; 4] = ["-journal", "-wal", "-shm", ""];
 pub(super) struct Draft(PathBuf);
 
 impl Draft {
-    /// A draft with this name beside a file. Any draft that a killed carrom left there is removed.
+    /// A draft with this name beside a file. Any draft that a killed process left there is removed.
     pub(super) fn beside(path: &Path, name: &str) -> io::Result<Self> {
         let draft = Self(path.with_file_name(name));
         remove(&draft.0)?;
@@ -49,8 +49,8 @@ impl Drop for Draft {
     }
 }
 
-/// Replaces a database that is damaged for that reason (`trouble`) by a repaired one; returns a
-/// notice of what was saved. The caller must hold the lock.
+/// Replaces a damaged database with a repaired one; `trouble` is the damage that was found. Returns
+/// a notice of what was saved. The caller must hold the lock.
 pub(super) fn mend(folder: &Path, trouble: &DatabaseError) -> Result<String, DatabaseError> {
     let damaged = path(folder);
     if !schema::is_ours(&damaged) {
