@@ -55,8 +55,8 @@ enum AskedPicture {
         /// Whether the offset, the angle and the numbers are marked.
         shown: [bool; 3],
     },
-    /// Both angles in radians, both radii, and the striker's initial path: many masses and losses
-    /// fit these.
+    /// Both angles in radians, both radii, and the striker's initial path: many masses and energy
+    /// losses are consistent with them.
     After {
         angles: [f64; 2],
         radii: [f64; 2],

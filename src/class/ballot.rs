@@ -1,4 +1,4 @@
-//! The answers of one voter to a question, at each of its two votes.
+//! The answers of one voter to a question, in each of its two votes.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr};
@@ -96,8 +96,8 @@ impl Ballot {
         self.0[vote as usize]
     }
 
-    /// The team's answer at a vote. At the second vote it is the first answer, unless the team has
-    /// changed it.
+    /// The team's answer in a vote. In the second vote, that is the first answer unless the team
+    /// has changed it.
     pub fn said(&self, vote: Vote) -> Option<Response> {
         self.standing(vote).map(|said| said.response)
     }

@@ -1,4 +1,4 @@
-//! The changes of a round: the lines of its journal.
+//! The changes to a round: the lines of its journal.
 
 use serde::{Deserialize, Serialize};
 

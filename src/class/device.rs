@@ -19,7 +19,8 @@ pub(super) struct Device {
     pub(super) n: u64,
     /// The number of the last state sent on this connection.
     pub(super) rev: u64,
-    /// The question and vote of the last vote, if that vote did not fit its question.
+    /// The question that the last vote was for, and which vote it was, if it did not fit that
+    /// question.
     pub(super) misfit: Option<(usize, Vote)>,
     /// The result of the last hand-in.
     pub(super) handed: Option<HandedIn>,

@@ -246,7 +246,7 @@ mod tests {
     /// Forty pupils behind one router join within a minute, and each of them first mistypes the
     /// code.
     #[test]
-    fn a_class_behind_one_router_can_mistype_and_still_join() {
+    fn pupils_behind_one_router_can_mistype_the_code_and_still_join() {
         let mut code = GuardedCode::new(JoinCode::of(7));
         let mut seats = NewSeats::default();
         let right = JoinCode::of(7).to_string().to_lowercase();

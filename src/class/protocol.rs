@@ -226,7 +226,7 @@ pub struct PupilState {
     /// The right answer, once it is revealed.
     #[serde(rename = "told", default, skip_serializing_if = "Option::is_none")]
     pub revealed: Option<RevealedTruth>,
-    /// The pupil's points so far and rank, once there are any.
+    /// The pupil's points so far and their rank, once there are any points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub score: Option<(f64, usize)>,
     /// The result of the last hand-in.

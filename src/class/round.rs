@@ -16,7 +16,7 @@ use crate::quiz::{Answer, Clue, Code, Diagnosis, Grade, Misconception, Question,
 #[derive(Debug, Clone, PartialEq)]
 pub struct Participant {
     name: String,
-    /// The seat token; none for a team, or if no device was seen.
+    /// The seat token; `None` for a team, or if no device has connected.
     pub(super) seat: Option<SeatToken>,
     /// One ballot per question.
     ballots: Vec<Ballot>,
@@ -80,7 +80,7 @@ pub(super) struct Joining {
     pub(super) removed: Vec<Removed>,
 }
 
-/// A removed participant: the device, if it was seen, and the name.
+/// A removed participant: the seat token, if a device had connected, and the name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Removed {
     pub(super) seat: Option<SeatToken>,
@@ -145,7 +145,7 @@ impl ClassRound {
         &self.class
     }
 
-    /// Whether the class has this name, tidied.
+    /// Whether this is the name of the class, once tidied.
     pub fn is_of_class(&self, name: &str) -> bool {
         self.class == tidy(name)
     }
@@ -391,7 +391,7 @@ impl ClassRound {
         given.count()
     }
 
-    /// The answers to a question at a vote, as [`Ballot::said`]: one per team, or one per counted
+    /// The answers to a question in a vote, as [`Ballot::said`]: one per team, or one per counted
     /// hand.
     pub fn said(&self, question: usize, vote: Vote) -> impl Iterator<Item = Response> {
         self.answers(question, vote).into_iter().map(|it| it.said)

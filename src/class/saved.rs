@@ -163,7 +163,7 @@ impl ClassRound {
         })
     }
 
-    /// The round of a file before anybody has joined.
+    /// The round in a file, before anybody has joined.
     fn begun_in(fields: &Fields, own: &Arc<Library>) -> Option<Self> {
         let code = fields.text_as("code", |code| match Code::parse(code) {
             Some(code) => code.with_own(own)?.same_for_all(),

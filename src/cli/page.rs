@@ -128,7 +128,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn files_stay_inside_their_element_of_the_page() {
+    fn files_stay_inside_their_element_in_the_page() {
         let page = format!("a{}[]{}b", OWN[0], OWN[1]);
         let own = [("lessons/x.md".to_owned(), "</script><b>".to_owned())];
         let with = with_files(&page, &own).unwrap();

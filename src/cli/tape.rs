@@ -33,7 +33,7 @@ const INSTRUCTIONS: &str = r#"Instructions:
   Set Size 100x30          columns x rows (default 80x24)
   Set Charset ascii        or unicode
   Set Color none           or 16, 256, truecolor
-  Set Day 2026-01-05       fixes the clock at noon of this day (default: no clock)
+  Set Day 2026-01-05       fixes the clock at noon on this day (default: no clock)
   Type "60"                one key per character
   Right 5                  a key by its name, and how often: Up Down Left Right Enter
                            Escape Tab Shift+Tab Backspace Delete Space PageUp PageDown

@@ -1,6 +1,7 @@
 //! A whole school at one host: the real program in a terminal, a `carrom join` in another terminal,
-//! a page in Chromium if `CARROM_TEST_PAGE` names one, and about two hundred good and bad devices.
-//! The test prints what it measures: `cargo test --test program crowd -- --ignored --nocapture`.
+//! a page in Chromium if `CARROM_TEST_PAGE` names one, and about two hundred well-behaved and
+//! misbehaving devices. The test prints what it measures: `cargo test --test program crowd --
+//! --ignored --nocapture`.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

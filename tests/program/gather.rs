@@ -76,7 +76,7 @@ fn thirty_two_hand_ins_are_combined_into_tables() {
     ]);
     let told = String::from_utf8(done.stderr).unwrap();
     assert!(done.status.success(), "{told}");
-    // Each file with a problem is named with the problem.
+    // Each file with a problem is named, along with the problem.
     let lines: Vec<&str> = told.lines().collect();
     assert_eq!(lines.len(), 5, "{told}");
     for (file, words) in [
@@ -145,7 +145,7 @@ fn the_gradebook_has_a_page_for_every_pupil() {
 
 /// Of the class list, only pupils who have handed in nothing are listed.
 #[test]
-fn missing_pupils_of_the_class_list_are_listed() {
+fn pupils_on_the_class_list_without_a_hand_in_are_listed() {
     let folder = Folder::new("gather-list");
     let handed_in = folder.path().join("handed-in");
     fs::create_dir(&handed_in).unwrap();
@@ -251,7 +251,7 @@ fn a_hand_in_with_many_rounds_is_gathered_in_seconds() {
 }
 
 #[test]
-fn any_bytes_are_read_or_refused_as_a_hand_in() {
+fn any_bytes_are_either_read_as_a_hand_in_or_refused() {
     let text = hand_in(1, "Ada", 2, 1).text().unwrap();
     for end in 0..text.len() - 1 {
         if let Some(cut) = text.get(..end) {

@@ -1,5 +1,5 @@
-//! carrom is killed at any moment of a game, and loses at most the stroke in motion; or of a
-//! class's round, and loses no vote that was shown as saved.
+//! carrom is killed at any moment. A game loses at most the stroke in motion, and a class's round
+//! loses no vote that was shown as saved.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -22,9 +22,9 @@ use crate::child::{self, Player};
 use crate::folder::Folder;
 use crate::pty::{Pty, carrom};
 
-/// The keys from the page of a new game to a game of two people.
+/// The keys from the page of a new game to a game for two people.
 const TWO_PEOPLE: &str = "<Down><Down><Down><Left><Left><Enter>";
-/// The keys to the game that was played last.
+/// The keys that open the game that was played last.
 const RESUME: &str = "s<Enter>";
 
 /// Starts a player in the game that these keys lead to.

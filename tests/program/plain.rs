@@ -385,7 +385,7 @@ fn the_players_own_shot_is_set_up_predicted_and_played() {
     assert!(said.contains("offset b: 0.0 millimetres"), "{said}");
 }
 
-/// A result that cancels is shown as 0, without the rounding error in its last digit.
+/// A result whose terms cancel is shown as 0, without the rounding error in its last digit.
 #[test]
 fn the_right_answer_is_shown_without_rounding_errors() {
     let folder = Folder::new("plain");

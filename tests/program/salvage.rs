@@ -254,7 +254,7 @@ fn campaign(
 }
 
 /// The notice about a repaired database gives the number of lost answers, unless more may be lost.
-/// After flipped bits an id may be wrong, and so may the number.
+/// After flipped bits, an id may be wrong, and so may the number.
 fn assert_counted(notice: &str, mended: &Path) {
     let there: i64 = reader(mended)
         .query_row("SELECT count(*) FROM attempt", [], |row| row.get(0))

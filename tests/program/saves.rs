@@ -133,8 +133,8 @@ fn print_a_game_to_pin() {
     print!("{}", game.text().unwrap());
 }
 
-/// If this fails because the engine now plays a stroke differently in some bit, every saved game is
-/// lost. Correct the engine, or keep the old engine for the old format.
+/// If this fails because the engine now plays a stroke that differs in even one bit, every saved
+/// game is lost. Correct the engine, or keep the old engine for the old format.
 #[test]
 fn a_game_of_the_first_format_still_opens() {
     let bytes = include_bytes!("../saves/format-1.toml");

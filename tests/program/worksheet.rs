@@ -413,8 +413,8 @@ fn browse(browser: &str, folder: &Folder, arguments: &[&str]) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-/// A script that replaces the page by the heights of the unbreakable blocks in CSS pixels. A sheet
-/// is as wide on the screen as on paper.
+/// A script that replaces the page with the heights of the unbreakable blocks in CSS pixels. A
+/// sheet is as wide on the screen as on paper.
 const MEASURE: &str = "<script>addEventListener('load', () => {
   const found = [...document.querySelectorAll('.question, .worked, figure, tr')];
   const lines = found.map(it => {
@@ -560,9 +560,9 @@ fn a_sheet_has_four_cards() {
     assert_eq!(cards, ["A", "B", "C", "D"].repeat(3));
 }
 
-/// The command on a sheet of own questions opens the round from any folder.
+/// The command on a sheet of a teacher's own questions opens the round from any folder.
 #[test]
-fn the_command_on_a_sheet_of_own_questions_has_their_folder() {
+fn the_command_on_a_sheet_of_a_teachers_own_questions_gives_their_folder() {
     let folder = Folder::new("own sheet");
     let mine = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/own-concepts");
     let copy = folder.path().join("my own");

@@ -128,7 +128,7 @@ fn send(line: &Line, head: &[u8], body: &[u8]) -> io::Result<()> {
         left(end)?;
         (&line.stream).write_all(piece)?;
     }
-    // Without this the device might lose bytes that it has not read.
+    // Without this, the device might lose bytes that it has not read.
     line.stream.shutdown(std::net::Shutdown::Write)?;
     drain(line, Duration::from_secs(2));
     Ok(())

@@ -29,12 +29,12 @@ fn linear(formula: &Formula) -> String {
     line.trim().to_owned()
 }
 
-/// Whether it ends in a function without its argument.
+/// Whether the formula ends in a function without its argument.
 fn awaits(formula: &Formula) -> bool {
     formula.0.last().is_some_and(|term| is_named(&term.node))
 }
 
-/// Whether it is the name of a function, with or without a power.
+/// Whether the node is the name of a function, with or without a power.
 fn is_named(node: &Node) -> bool {
     match node {
         Node::Word(word) => is_function(word),
@@ -43,7 +43,7 @@ fn is_named(node: &Node) -> bool {
     }
 }
 
-/// Whether it is a factor after another factor: anything but an operator.
+/// Whether the node is a factor after another factor: anything but an operator.
 fn is_factor(node: &Node) -> bool {
     match node {
         Node::Word(word) => word.starts_with(char::is_alphanumeric),

@@ -508,7 +508,7 @@ fn text(words: &Words, is_help: bool) -> Option<String> {
     })
 }
 
-/// A text as it is read aloud, without drawing characters. File names stay unchanged.
+/// Text as it is read aloud, without drawing characters. File names stay unchanged.
 pub(super) fn read(text: &str) -> String {
     let word = |word: &str| match is_path(word) {
         true => verbatim(word),

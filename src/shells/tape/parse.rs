@@ -63,7 +63,7 @@ impl Tape {
         let arguments = Arguments { of: first, rest };
         if *first == Token::Word("Run".into()) {
             if self.run.is_some() || !self.steps.is_empty() {
-                return Err("Run must be the first instruction, and only once".into());
+                return Err("Run must be the first instruction and may appear only once".into());
             }
             let [run] = arguments.exactly("the arguments after carrom in quotes")?;
             self.run = Some((line, quoted(run, "the arguments in quotes")?));
@@ -195,7 +195,7 @@ fn setting(arguments: &Arguments) -> Result<ScreenSetting, String> {
     })
 }
 
-/// Noon of a day, such as 2026-01-05, in seconds since the start of 1970 (UTC).
+/// Noon on a day, such as 2026-01-05, in seconds since the start of 1970 (UTC).
 fn noon(day: &str) -> Option<i64> {
     let date: Date = day.parse().ok()?;
     let noon = date.at(12, 0, 0, 0).to_zoned(TimeZone::UTC).ok()?;

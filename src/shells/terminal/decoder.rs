@@ -262,7 +262,7 @@ fn control_sequence(sequence: &[u8]) -> Option<Event> {
             letter => KeyCode::Char(letter),
         },
         b'Z' => KeyCode::BackTab,
-        // With numbers it reports the cursor's position.
+        // With numbers, it reports the cursor's position.
         b'R' if !first.is_empty() => return None,
         last => cursor_key(*last)?,
     };
@@ -317,7 +317,7 @@ fn mouse(bits: u8, column: u16, row: u16, is_released: bool) -> Option<Event> {
         0 if is_released => MouseEventKind::Up(MouseButton::Left),
         0 if is_moved => MouseEventKind::Drag(MouseButton::Left),
         0 => MouseEventKind::Down(MouseButton::Left),
-        // Old reports do not contain which button was released.
+        // Old reports do not say which button was released.
         3 if !is_moved => MouseEventKind::Up(MouseButton::Left),
         4 if !is_moved => MouseEventKind::ScrollUp,
         5 if !is_moved => MouseEventKind::ScrollDown,

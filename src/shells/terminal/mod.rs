@@ -190,7 +190,7 @@ impl TerminalRun {
     /// next frame.
     fn wait(&self) -> Result<Option<Message>, TerminalError> {
         let gone = || TerminalError::Read(io::ErrorKind::BrokenPipe.into());
-        // While the terminal is released nobody sees the game, so nothing moves.
+        // While the terminal is released, nobody sees the game, so nothing moves.
         let until = (self.guard.holds())
             .then(|| self.pace.next(self.app.wake()))
             .flatten();

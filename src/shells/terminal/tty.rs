@@ -24,7 +24,7 @@ pub(super) struct EventSource {
 }
 
 impl EventSource {
-    /// Starts to read from standard input, which is a terminal.
+    /// Starts reading from standard input, which is a terminal.
     ///
     /// A separate thread reads, because the decoder needs a time limit and not every system can
     /// wait for a terminal with one.

@@ -189,7 +189,7 @@ impl Database {
         };
         look_at_file(&path(&folder))?;
         if self.only_looks {
-            // The lock keeps others from writing meanwhile. Without it the database is read
+            // The lock keeps others from writing meanwhile. Without the lock, the database is read
             // nevertheless.
             let _turn = FolderLock::alone(&folder, LOCK);
             return self.look_up_in(&folder, act);
@@ -341,7 +341,7 @@ fn size(path: &Path) -> u64 {
 
 /// Whether a folder has room for the files that SQLite creates beside a database.
 fn has_room(folder: &Path) -> bool {
-    // The index of the log alone has 32 KiB.
+    // The index of the log alone takes up 32 KiB.
     let tried = UnplacedFile::write(folder, &" ".repeat(1 << 16));
     !tried.is_err_and(|error| error::is_full(&error))
 }

@@ -230,7 +230,7 @@ impl Page {
         })
     }
 
-    /// The number of each page below it; `None` if it cannot be read.
+    /// The number of each page below this one; `None` if the number cannot be read.
     fn children(&self) -> impl Iterator<Item = Option<u32>> {
         let below = self
             .starts()

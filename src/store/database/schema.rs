@@ -223,7 +223,7 @@ pub(super) fn check(connection: &Connection) -> Result<(), DatabaseError> {
     let found: String = connection.query_row("PRAGMA integrity_check(1)", [], |row| row.get(0))?;
     match found.as_str() {
         "ok" => Ok(()),
-        // This part names the database of the connection, but there is only one.
+        // SQLite's report begins with the name of the database, but a connection here has only one.
         _ => Err(DatabaseError::Damaged(
             found.replace("*** in database main ***", "").trim().into(),
         )),
