@@ -11,7 +11,7 @@ pub type ConnectionId = u64;
 /// The device of a participant, while this program serves the class.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Device {
-    /// Its connection; `None` while it is disconnected.
+    /// The device's connection; `None` while the device is disconnected.
     pub(super) line: Option<ConnectionId>,
     /// The address of its current or last connection.
     pub(super) address: Option<IpAddr>,

@@ -11,7 +11,7 @@
 //!
 //! ```text
 //! > {"t":"join","v":1,"code":"BCDFGH","name":"Ada","seat":TOKEN?}
-//! > {"t":"vote","q":3,"vote":"first","said":"sure rays 60 still","n":17}   "" takes it back
+//! > {"t":"vote","q":3,"vote":"first","said":"sure rays 60 still","n":17}   "" withdraws it
 //! > {"t":"hand-in","n":1,"file":{…}}
 //! > {"t":"leave"}
 //! < {"t":"state","v":1,"rev":4,"seat":TOKEN,"name":"Ada","q":3,"of":10,"step":"first-vote","n":17,…}
@@ -249,7 +249,7 @@ pub struct HandedIn {
 pub enum NotTaken {
     /// The file is not a hand-in, or has another version.
     Format,
-    /// This pupil has handed in too often, or the class too much.
+    /// This pupil has handed in too often, or the class has handed in too much.
     TooMany,
     /// The hand-in could not be written.
     NotWritten,

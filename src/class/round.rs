@@ -310,7 +310,7 @@ impl ClassRound {
         self.round.code()
     }
 
-    /// Its questions in order.
+    /// The questions in order.
     pub fn questions(&self) -> &[Question] {
         self.round.questions()
     }

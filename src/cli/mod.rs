@@ -78,7 +78,7 @@ Examples:
                                a round for a class, on a projector
   carrom class --host --class 10b
                                the same, with everyone on their own phone or laptop
-  carrom join 192.168.43.117   join such a class
+  carrom join 192.168.43.117   join that class
   carrom levels --levels mine  the levels, with your own from the folder mine
   carrom worksheet --seed 7 --count 12 --out sheets
                                a round on paper, with an answer key for the teacher
@@ -219,7 +219,7 @@ impl OpenCommand {
         }
     }
 
-    /// Whether it opens a screen rather than printing.
+    /// Whether the command opens a screen rather than printing.
     fn opens(&self) -> bool {
         match self {
             Self::Progress(args) => !args.prints(),
@@ -420,8 +420,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
     done.map(|()| ExitCode::SUCCESS)
 }
 
-/// Prints an error in the arguments, or help. It is coloured unless it quotes characters
-/// that would control the terminal.
+/// Prints an error in the arguments, or help. An error is coloured unless it quotes characters that
+/// would control the terminal.
 fn say(message: &clap::Error) -> io::Result<()> {
     let words = env::args_os().map(|word| word.to_string_lossy().into_owned());
     let odd: Vec<_> = words.filter(is_odd).collect();

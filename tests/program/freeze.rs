@@ -147,7 +147,7 @@ fn ctrl_c_quits_during_an_endless_paste() {
 fn a_paste_beyond_the_limit_is_truncated_at_once() {
     let mut pty = Pty::start(carrom(&["class"]));
     pty.wait_for("carrom : class");
-    // Its end never comes, and its text is shown only once it is truncated.
+    // The end of the paste never comes, and its text is shown only once it is truncated.
     pty.press("\x1b[200~Ants\nBees\n");
     pty.press(&"\n".repeat(1 << 17));
     pty.wait_for("Bees");

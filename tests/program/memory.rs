@@ -182,7 +182,7 @@ fn topics_are_no_longer_due_after_a_correct_review() {
         assert_eq!(due(now_s).now, before);
     }
     assert!(before.is_empty());
-    // They are due again after their interval.
+    // The topics are due again after their interval.
     assert!(!due(now_s + 2 * DAY_S).now.is_empty());
 }
 

@@ -169,7 +169,7 @@ fn babble(port: u16, code: &str, device: usize, said: &AtomicUsize, over: &Atomi
                 break;
             }
             said.fetch_add(1, Ordering::SeqCst);
-            // It may receive a state or a refusal.
+            // The device may receive a state or a refusal.
             if chance.random_bool(0.5)
                 && let Err(error) = pupil.hear()
                 && !is_late(&error)

@@ -127,7 +127,7 @@ fn a_closed_window_ends_it() {
     for command in [carrom(&[]), child("animated")] {
         let mut pty = started(command);
         pty.hang_up("?");
-        // It may notice the signal or, during a frame, the write error.
+        // carrom may notice the signal or, during a frame, the write error.
         let status = pty.wait();
         assert!(status == 129 || status == 1, "{status}");
     }

@@ -1,10 +1,10 @@
 //! A server in the local network, with which the teacher's carrom serves a class on its own
 //! devices.
 //!
-//! It listens when a screen requests it ([`HostCall::Open`]), serves the page to browsers and
-//! communicates with pupils by WebSocket. It knows the code of the class and the limits, but
-//! nothing about questions and votes: pupils' messages go to the screen as [`HostNews`], and the
-//! screen's states go to the pupils.
+//! The server starts listening when a screen requests it ([`HostCall::Open`]), serves the page to
+//! browsers and communicates with pupils by WebSocket. It knows the code of the class and the
+//! limits, but nothing about questions and votes: pupils' messages go to the screen as
+//! [`HostNews`], and the screen's states go to the pupils.
 //!
 //! One thread accepts connections; each connection has a thread that reads and, once it has joined,
 //! one that writes from an outbox, in which a newer state replaces an unsent older one: a slow

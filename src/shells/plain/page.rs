@@ -50,7 +50,7 @@ pub(super) struct PlainPage {
 pub(super) struct PlainSection {
     /// The title of the frame.
     pub title: String,
-    /// Its first text, which identifies its subject.
+    /// The first text in the frame, which identifies the frame's subject.
     pub subject: String,
     /// Its text.
     pub lines: Vec<String>,
@@ -69,7 +69,7 @@ pub(super) struct PlainOption {
     pub cell: Option<(u16, u16)>,
     /// The key that chooses it.
     pub key: Option<Key>,
-    /// Whether it is currently chosen.
+    /// Whether the option is currently chosen.
     pub(crate) is_chosen: bool,
 }
 
@@ -244,7 +244,7 @@ impl PlainOption {
         })
     }
 
-    /// Whether it has a value that can be set.
+    /// Whether the option has a value that can be set.
     pub(super) fn is_field(&self) -> bool {
         matches!(self.kind, OptionKind::Field(_) | OptionKind::Text(_))
     }
@@ -419,7 +419,7 @@ fn sections(sheet: &Sheet, options: &[PlainOption], rows: &[KeyRow<()>]) -> Vec<
     sheet.sections.iter().map(section).collect()
 }
 
-/// Whether it is the head row of a table.
+/// Whether the row is the head row of a table.
 fn is_head(item: &Item) -> bool {
     match &item.words {
         Words::Columns { values, .. } => {

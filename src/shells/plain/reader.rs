@@ -341,7 +341,7 @@ impl PlainReader {
         }
     }
 
-    /// Whether it is still the same screen.
+    /// Whether the screen is still the same.
     fn is_the_same(&mut self, holder: &dyn AppHolder) -> bool {
         let now = self.look(holder.app());
         now.title == self.page.title && now.layer == self.page.layer
@@ -618,7 +618,7 @@ fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> 
     lines
 }
 
-/// A line with each number replaced by one character.
+/// A line with each number replaced with one character.
 fn without_figures(line: &str) -> String {
     let mut text: String = line
         .chars()

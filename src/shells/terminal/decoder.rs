@@ -132,7 +132,7 @@ impl Decoder {
 }
 
 impl Paste {
-    /// Adds a byte; returns whether it was the last of the paste.
+    /// Adds a byte; returns whether it was the last byte of the paste.
     fn take(&mut self, byte: u8, events: &mut VecDeque<Event>) -> bool {
         if byte == CTRL_C {
             // Ctrl+C within a paste discards the paste.

@@ -80,7 +80,7 @@ pub(super) enum Message {
 }
 
 impl Message {
-    /// Whether it is an input from the user.
+    /// Whether the message is an input from the user.
     fn is_typed(&self) -> bool {
         matches!(
             self,
@@ -88,7 +88,7 @@ impl Message {
         )
     }
 
-    /// Whether it requires carrom to quit at once.
+    /// Whether the message requires carrom to quit at once.
     fn leaves(&self) -> bool {
         match self {
             Self::Input(Input::Key(Key::Ctrl('c'))) => true,

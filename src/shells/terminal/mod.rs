@@ -50,7 +50,7 @@ use store_worker::StoreWorker;
 /// Why the terminal could not be used.
 #[derive(Debug, Error)]
 pub enum TerminalError {
-    /// It could not be switched to raw mode or the alternate screen.
+    /// The terminal could not be switched to raw mode or the alternate screen.
     #[error("cannot set up the terminal: {0}")]
     SetUp(#[source] io::Error),
     /// A frame could not be written to it.
@@ -72,13 +72,13 @@ pub enum Ending {
 
 /// A terminal that collects each frame in memory and writes it at once.
 ///
-/// It is never dropped. When dropped, ratatui shows the cursor, which the guard does already. If
-/// the terminal is closed, ratatui prints an error to standard error, which is closed too, and
-/// panics.
+/// The terminal is never dropped. When dropped, it would show the cursor, which the guard already
+/// does. If its window is closed, ratatui would print an error to standard error, which is closed
+/// too, and panic.
 type FixedTerminal = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>;
 
-/// The largest screen that is drawn, in columns and rows. It limits the memory, because a terminal
-/// may report any size. The rest of a larger terminal stays empty.
+/// The largest screen that is drawn, in columns and rows. This limits the memory, because a
+/// terminal may report any size. The rest of a larger terminal stays empty.
 const LARGEST: (u16, u16) = (1000, 500);
 
 /// The longest time for which keys are processed without a new frame.

@@ -20,9 +20,9 @@ const PATIENCE: Duration = Duration::from_millis(300);
 
 /// Starts the thread that waits for signals.
 ///
-/// It is also a watchdog. The drawing thread may be stuck while it writes to a blocked terminal,
-/// and the reading thread spins once its window is closed. Therefore this thread restores the
-/// terminal and ends the process if it is still running after [`PATIENCE`].
+/// This thread is also a watchdog. The drawing thread may be stuck while it writes to a blocked
+/// terminal, and the reading thread spins once its window is closed. Therefore this thread restores
+/// the terminal and ends the process if it is still running after [`PATIENCE`].
 pub(super) fn watch(inbox: Inbox) -> io::Result<()> {
     let mut signals = Signals::new([SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT, SIGWINCH])?;
     let wait = move || {
@@ -70,6 +70,6 @@ pub(super) fn can_stop() -> bool {
 /// Stops the whole job until it is continued, which arrives as [`Message::Continue`]. If only
 /// carrom stopped, the program that started it, such as `cargo run`, would keep the shell waiting.
 pub(super) fn stop() {
-    // It fails only if the group does not exist, but this process is in it.
+    // This fails only if the group does not exist, but this process belongs to the group.
     let _ = kill_current_process_group(Signal::STOP);
 }

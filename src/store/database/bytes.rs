@@ -75,7 +75,7 @@ impl Database {
         let mut other = open(bytes).map_err(reported)?;
         let (theirs, _) = tables::attempts(&other, None).map_err(|error| reported(error.into()))?;
         let own = self.attempts(None)?;
-        // This makes sure that the tables exist.
+        // This ensures that the tables exist.
         self.change(|transaction| {
             let fresh = theirs.iter().filter(|attempt| !own.contains(attempt));
             fresh
@@ -100,7 +100,7 @@ fn open(bytes: &[u8]) -> Result<Connection, DatabaseError> {
     connection.deserialize_read_exact("main", &*bytes, bytes.len(), false)?;
     schema::prepare(&mut connection)?;
     schema::check(&connection)?;
-    // This connection stays open as long as the page.
+    // This connection stays open for as long as the page is open.
     limits::unlimit_work(&mut connection)?;
     Ok(connection)
 }

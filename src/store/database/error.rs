@@ -10,13 +10,13 @@ use super::schema::VERSION;
 /// Why a request to the database failed.
 #[derive(Debug, Error)]
 pub(super) enum DatabaseError {
-    /// It is damaged, with SQLite's message.
+    /// The database is damaged; this is SQLite's message.
     #[error("it is damaged; SQLite reports: {0}")]
     Damaged(String),
-    /// It is damaged and was not repaired, for this reason.
+    /// The database is damaged and was not repaired, for this reason.
     #[error("it is damaged and could not be repaired: {0}")]
     Unmended(Box<DatabaseError>),
-    /// It is not a carrom database, for this reason.
+    /// The file is not a carrom database, for this reason.
     #[error("it is not a carrom database: {0}")]
     NotOurs(String),
     /// Something that is not a file has its name.
