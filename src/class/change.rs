@@ -8,7 +8,7 @@ use super::round::ClassRound;
 
 /// A change in a round. Questions, people and choices are counted from 0.
 ///
-/// The file of a round begins with the state when the whole file was last written. Later changes
+/// The file of a round begins with the state at the time of the last complete write. Later changes
 /// are appended, so each of 250 votes adds one line instead of rewriting the file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]

@@ -40,7 +40,7 @@ pub const LARGEST_HAND_IN: usize = 1 << 20;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "t", rename_all = "kebab-case")]
 pub enum ClientMessage {
-    /// A request to join, which comes first.
+    /// A request to join, which must be the first message.
     Join {
         /// The device's version of the protocol.
         v: u32,

@@ -255,7 +255,7 @@ impl ClassRound {
         Ok(())
     }
 
-    /// Removes a participant with all votes; they stay out until they are let in again.
+    /// Removes a participant with all their votes; they stay out until they are let in again.
     pub(super) fn remove(&mut self, person: usize) -> Result<(), String> {
         let Participant { seat, name, .. } = self.participant(person)?.clone();
         self.vacate(person)?;

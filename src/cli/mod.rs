@@ -98,7 +98,7 @@ Examples:
   carrom concept check mine    check your own questions in words
   carrom class --concepts mine ask them in a class round
   carrom figure curves --svg curves.svg
-                               a figure of the lessons as a picture
+                               a figure from the lessons as a picture
   carrom new level our-level   start your own level (or chapter, or questions)
   carrom guide                 the guides for teachers, to read here or in a browser
   carrom page --levels mine --out our-class.html
@@ -159,7 +159,7 @@ enum OpenCommand {
     },
     /// Open a round for a class: teams at one keyboard, or everyone on their own device
     Class {
-        /// Let everyone vote on their own phone or laptop, in the local network
+        /// Let everyone vote on their own phone or laptop, on the local network
         #[arg(long)]
         host: bool,
         /// The port for their devices (default: the port of the round you continue, or the first

@@ -134,7 +134,7 @@ fn with_marks<'a>(
     })
 }
 
-/// The elements of a document in order, and a function that returns the text of the first match of
+/// The elements of a document in order, and a function that returns the text of the first match for
 /// a selector.
 fn read_html(html: &str) -> (Vec<String>, impl Fn(&str) -> String + use<>) {
     let document = Html::parse_document(html);

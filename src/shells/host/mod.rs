@@ -1,4 +1,4 @@
-//! A server in the local network, with which the teacher's carrom serves a class on its own
+//! A server on the local network, with which the teacher's carrom serves a class on its own
 //! devices.
 //!
 //! The server starts listening when a screen requests it ([`HostCall::Open`]), serves the page to

@@ -27,8 +27,8 @@ enum Heard {
     Ended,
 }
 
-/// Runs the app on `input` and `output` until the player quits or the input ends. `host` has the
-/// options for serving a class.
+/// Runs the app on `input` and `output` until the player quits or the input ends. `host` contains
+/// the options for serving a class.
 ///
 /// # Errors
 /// If a line cannot be written, or the last changes cannot be saved.

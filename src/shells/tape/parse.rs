@@ -48,8 +48,8 @@ impl Tape {
         Ok(tape)
     }
 
-    /// Adds a line. `names` has the names of the screenshots so far, which must differ, and their
-    /// lines.
+    /// Adds a line. `names` contains the names of the screenshots so far, which must differ, and
+    /// their lines.
     fn add(
         &mut self,
         line: usize,

@@ -17,8 +17,8 @@ pub(super) const LARGEST_PASTE: usize = 1 << 16;
 /// The start of a paste, after the control sequence introducer, and its end.
 const PASTE: &[u8] = b"200~";
 const PASTE_END: &[u8] = b"\x1b[201~";
-/// The most bytes of a control sequence that are kept. The longest that a terminal sends has about
-/// 20.
+/// The most bytes of a control sequence that are kept. The longest sequence that a terminal sends
+/// has about 20 bytes.
 const LONGEST_SEQUENCE: usize = 64;
 /// How long a single Escape waits for more bytes. Every sequence begins with Escape, and a slow
 /// connection may split a sequence.

@@ -95,7 +95,7 @@ fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHan
 }
 
 /// Runs `app` in the terminal until the player quits. The app's data is kept in `store`, and `host`
-/// has the options for serving a class. The terminal is restored however the run ends.
+/// contains the options for serving a class. The terminal is restored however the run ends.
 ///
 /// # Errors
 /// If the terminal cannot be used, or can no longer be used.
