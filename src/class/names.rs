@@ -24,7 +24,7 @@ pub enum NameTrouble {
     #[error("expected the names of 1 to {MOST_TEAMS} teams, found none")]
     None,
     /// The list has too many names: the number found, and the limit.
-    #[error("expected {1} names at most, found {0}")]
+    #[error("expected at most {1} names, found {0}")]
     TooMany(usize, usize),
     /// Two names differ only in case.
     #[error("expected names that differ, found \"{0}\" twice")]

@@ -234,7 +234,7 @@ impl ClassRound {
     /// Adds a participant with a unique name. A seat token requires that joining is possible.
     pub(super) fn join(&mut self, name: &str, seat: Option<SeatToken>) -> Result<(), String> {
         if self.participants.len() >= self.way.most() {
-            return Err(format!("expected {} people at most", self.way.most()));
+            return Err(format!("expected at most {} people", self.way.most()));
         }
         if self.name_for(name).as_deref() != Some(name) {
             return Err(format!("expected a name that nobody has, found {name:?}"));
@@ -426,7 +426,8 @@ impl ClassRound {
         })
     }
 
-    /// The evidence of the votes on a question for misconceptions, one per team that has voted.
+    /// The evidence for misconceptions in the votes on a question, one item per team that has
+    /// voted.
     pub fn clues(&self, question: usize, vote: Vote) -> Vec<Clue> {
         let Some(asked) = self.questions().get(question) else {
             return Vec::new();
@@ -435,7 +436,8 @@ impl ClassRound {
         answers.iter().map(|it| Clue::new(asked, it)).collect()
     }
 
-    /// The evidence of a team's votes for misconceptions, one per question on which it has voted.
+    /// The evidence for misconceptions in a team's votes, one item per question on which it has
+    /// voted.
     pub fn clues_of(&self, team: usize, vote: Vote) -> Vec<Clue> {
         let asked = self.questions().iter().enumerate();
         let said = asked.filter_map(|(i, asked)| Some((asked, self.ballot(i, team).answer(vote)?)));

@@ -59,8 +59,8 @@ fn stop_a_round(folder: &Path, code: &str) {
     fs::write(folder.join("classes/class-1.toml"), round.text().unwrap()).unwrap();
 }
 
-/// A host in a terminal that continues the stopped round. Without a port it uses the round's
-/// earlier one.
+/// A host in a terminal that continues the stopped round. Without a given port, the host uses the
+/// round's earlier port.
 fn host(folder: &Path, port: Option<u16>) -> Pty {
     let port = port.map(|port| port.to_string());
     let mut arguments = vec!["class", "--host", "--data-dir", folder.to_str().unwrap()];
@@ -83,7 +83,7 @@ fn host(folder: &Path, port: Option<u16>) -> Pty {
 enum Report {
     Joined(Duration),
     Acknowledged(Duration),
-    /// The device shows this step of this question, since this time.
+    /// The device has shown this step of this question since this time.
     Shows(u64, String, Instant),
 }
 

@@ -108,7 +108,7 @@ fn thirty_two_hand_ins_are_combined_into_tables() {
     let column = |name: &str| heads.iter().position(|head| head == name).unwrap();
     for (number, item) in items.iter().enumerate() {
         // A pupil with `right` right answers has the first `right` questions right; question 1 is
-        // right for all pupils except those with a multiple of eleven.
+        // right for all pupils except those whose index is a multiple of eleven.
         let right = (1..=28).filter(|index| index % 11 > number).count();
         assert_eq!(&item[column("answered")], "28");
         let share = right as f64 / 28.0;

@@ -88,7 +88,7 @@ fn a_database_of_format_2_keeps_its_meaning() {
     }
     assert!(under_merged_names > 100);
 
-    // Two misconceptions have become one too.
+    // Two misconceptions have also become one.
     let found = beliefs(&attempts(&mut store, Some(ADA)));
     let merged = found
         .iter()

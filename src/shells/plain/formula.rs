@@ -53,7 +53,7 @@ fn is_factor(node: &Node) -> bool {
 
 fn of_node(node: &Node) -> String {
     match node {
-        // A word of more than one letter is a unit.
+        // A word with more than one letter is a unit.
         Node::Word(word) if word.chars().count() > 1 => unit_name(word),
         Node::Word(word) => word.clone(),
         Node::Group(inside) => format!("({})", linear(inside)),

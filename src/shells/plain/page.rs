@@ -95,7 +95,7 @@ pub(super) enum Asked {
     Number(String, String),
     /// As an angle with this name, for a disc that may stay still.
     Angle(String),
-    /// As a text with this name.
+    /// As text with this name.
     Text(String),
 }
 
@@ -289,8 +289,8 @@ fn is_by_other_means(row: &KeyRow<()>) -> bool {
     is && !OFFERED.contains(&row.id.as_str())
 }
 
-/// Labels for items without one: numbers, or letters if numbers can be typed. If the answers have
-/// letters, or the choices are the numbers of the confidence, the actions get no labels.
+/// Labels for items without a label: numbers, or letters if numbers can be typed. If the answers
+/// have letters, or the choices are the numbers of the confidence, the actions get no labels.
 fn label(options: &mut [PlainOption], types: bool) {
     let own: Vec<_> = options.iter().map(|it| it.label.clone()).collect();
     let last: usize = own

@@ -139,7 +139,7 @@ impl PlainReader {
         if let (Some(option), false) = (&labelled, self.is_text()) {
             return self.choose(&option.clone(), holder);
         }
-        // A single letter may be the requested text, such as a name.
+        // A single letter may be the text that was asked for, such as a name.
         let is_text = self.is_text();
         match lower.as_str() {
             "q" | "h" | "r" if is_text => {}

@@ -48,7 +48,7 @@ fn dumb(env: impl Fn(&str) -> Option<String>) -> Option<String> {
 /// `TERM_PROGRAM` find a font for every glyph, but the old console has no braille. `env` reads an
 /// environment variable.
 pub fn charset(env: impl Fn(&str) -> Option<String>) -> Charset {
-    // POSIX: the first of these that is set decides.
+    // POSIX: the first of these variables that is set decides.
     let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
         .iter()
         .find_map(|name| env(name).filter(|value| !value.is_empty()));

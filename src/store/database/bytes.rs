@@ -11,7 +11,7 @@ use crate::progress::Attempt;
 /// which is a separate file and does not exist here; 1 means no such log.
 const WAYS_OF_WRITING: std::ops::Range<usize> = 18..20;
 
-/// Adds everything but the answers of one database to another.
+/// Adds everything except the answers from one database to another.
 const TAKE_IN: &str = "
     INSERT INTO star (player, pack, level, stars)
         SELECT player, pack, level, stars FROM opened.star WHERE true
@@ -66,7 +66,7 @@ impl Database {
         })
     }
 
-    /// Adds everything from another database, given as bytes, that this one does not have.
+    /// Adds everything that this database does not have from another database, given as bytes.
     ///
     /// # Errors
     /// If the bytes are damaged, not carrom's, or from a newer version; then nothing is added.

@@ -11,8 +11,8 @@ const FUNCTIONS: [(&str, &str); 5] = [
     ("cot", "cotangent"),
 ];
 
-/// The function at a position in a text, in words ("times the sine squared of"), and the number of
-/// characters that it replaces; `None` if there is no function at this position.
+/// The function at a position in the text, in words ("times the sine squared of"), and the number
+/// of characters that it replaces; `None` if there is no function at this position.
 pub(super) fn at(letters: &[char], place: usize) -> Option<(String, usize)> {
     let (before, here) = letters.split_at_checked(place)?;
     if before.last().is_some_and(char::is_ascii_alphabetic) {
