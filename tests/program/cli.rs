@@ -55,7 +55,7 @@ fn the_glossary_is_printed_completely_or_by_term() {
 }
 
 #[test]
-fn without_a_terminal_there_is_a_message() {
+fn running_without_a_terminal_prints_a_message() {
     for arguments in [
         &[][..],
         &["learn"],

@@ -328,7 +328,7 @@ fn the_report_lists_chapters_as_learn_does() {
 }
 
 #[test]
-fn a_mean_error_needs_three_angles() {
+fn a_mean_error_requires_three_angles() {
     let of = |angles: u32| {
         let attempts = (1..=5).map(|i| Attempt {
             error_deg: (i <= angles).then_some(12.0),

@@ -161,7 +161,7 @@ fn a_panic_restores_the_terminal_and_is_reported() {
 }
 
 #[test]
-fn a_stuck_app_is_ended_too() {
+fn a_stuck_app_is_terminated() {
     let mut pty = started(child("moody"));
     pty.press("s");
     pty.signal(Signal::TERM);
