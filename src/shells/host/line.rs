@@ -65,8 +65,8 @@ fn answer(board: &Arc<Switchboard>, line: &Arc<Line>) -> io::Result<()> {
                 send(line, head.as_bytes(), body)
             }
             None => {
-                let words = "This carrom has no page for browsers. On a computer with carrom: \
-                             carrom join and this address.";
+                let words = "This host has no page for browsers. On a computer with carrom, run \
+                             carrom join with this address.";
                 refuse(line, 200, words)
             }
         },
