@@ -236,7 +236,7 @@ impl Session {
         }
     }
 
-    /// The phase for pupils.
+    /// The phase, as pupils see it.
     fn step(&self) -> PupilStep {
         match () {
             () if self.gathers => PupilStep::Lobby,

@@ -138,8 +138,8 @@ fn print_a_game_to_pin() {
     print!("{}", game.text().unwrap());
 }
 
-/// If this fails because the engine now plays a stroke differently in some bit, every saved game is
-/// lost. Correct the engine, or keep the old engine for the old format.
+/// If this fails because the engine now plays a stroke that differs in even one bit, every saved
+/// game is lost. Correct the engine, or keep the old engine for the old format.
 #[test]
 fn a_game_of_the_first_format_still_opens() {
     let bytes = include_bytes!("../saves/format-1.toml");
@@ -226,7 +226,7 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "newer",
             b"format = 3\nwhatever = true\n".to_vec(),
-            "line 1: format: 3 is newer than the 2 this carrom reads; a newer carrom may open the file",
+            "line 1: format: 3 is newer than 2, the latest this version reads; a newer version may open it",
         ),
         (
             "format-text",
@@ -474,7 +474,7 @@ fn table(store: Store) -> Headless {
 #[test]
 fn a_failed_save_is_reported_once_and_the_game_continues() {
     let folder = Folder::new("no-saves");
-    // A file has the name of the folder, so that nobody can write there, not even root.
+    // A file has the name of the folder, so that nobody, not even root, can write there.
     let in_the_way = folder.path().join("games");
     fs::write(&in_the_way, "in the way").unwrap();
     let mut game = table(Store::in_folder(folder.path()));
@@ -539,7 +539,7 @@ fn a_game_is_resumed_where_it_was_left() {
 }
 
 #[test]
-fn unreadable_games_are_listed_with_their_reason() {
+fn unreadable_games_are_listed_with_the_reason() {
     let folder = Folder::new("unreadable");
     let games = folder.path().join("games");
     fs::create_dir_all(&games).unwrap();
