@@ -78,7 +78,7 @@ const NAMED: [&str; 24] = [
     "(1 fm is 10⁻¹⁵ m)",
     "a screen of 1 mm² at 1 cm.",
     "A striker of 15 g hits a coin of 15 g at rest, head-on,",
-    "Two head-on collisions, 15 g each,",
+    "Compare two head-on collisions of 15 g discs",
     "and the striker has a mass of 15 g.",
     "so the mass is 15 g divided by",
     "their thin gold foil of 0.21 micrometres",
