@@ -139,7 +139,7 @@ fn without_a_unit(value: &str) -> Option<&str> {
 /// The message for a file of a newer format.
 pub fn newer(found: impl std::fmt::Display, format: u32) -> String {
     format!(
-        "{found} is newer than the {format} this carrom reads; a newer carrom may open the file"
+        "{found} is newer than {format}, the latest this version reads; a newer version may open it"
     )
 }
 

@@ -11,7 +11,7 @@ use super::placing::Misplaced;
 use super::stroke::{Stroke, StrokeError};
 use super::table::{Game, GameSetup};
 use super::validity::GameError;
-use crate::physics::{self, Board, EngineError, Limits, Motion, Shot};
+use crate::physics::{self, EngineError, Limits, Motion, Shot};
 
 /// The agreed rules and every move since. Everything else follows from them.
 #[derive(Debug, Clone, PartialEq)]
@@ -199,7 +199,7 @@ impl Strike {
         game.check_place(self.place)?;
         let (discs, motions) = game.discs(Motion::new(self.place, self.velocity));
         Ok(physics::play(
-            &Board::default(),
+            &game.board(),
             &discs,
             &motions,
             Limits::default(),

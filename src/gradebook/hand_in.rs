@@ -127,8 +127,8 @@ impl HandIn {
     /// Reads such a file.
     ///
     /// # Errors
-    /// The reason: it is not a complete hand-in, is from a newer carrom, has no name, or has an
-    /// impossible answer.
+    /// The reason: it is not a complete hand-in, is from a newer version of carrom, has no name, or
+    /// has an impossible answer.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         if bytes.len() > Self::LARGEST_FILE {
             return Err("it is too large for a hand-in".into());

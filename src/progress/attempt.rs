@@ -154,7 +154,7 @@ impl Attempt {
         }
     }
 
-    /// The misconception it fits, if this carrom knows it.
+    /// The misconception it fits, if this version of carrom knows it.
     pub fn shows(&self) -> Option<Misconception> {
         Misconception::with_id(self.misconception.as_deref()?)
     }

@@ -68,7 +68,7 @@ enum Pressed<A> {
 pub trait AnyScreen {
     /// See [`Screen::title`].
     fn title(&self) -> String;
-    /// See [`Screen::place`].
+    /// See [`Screen::route`].
     fn route(&self, cx: &Context) -> Route;
     /// See [`Screen::status`].
     fn status(&self, cx: &Context) -> String;

@@ -141,7 +141,7 @@ pub enum Next {
 }
 
 impl Next {
-    /// The consequence of an input, by whether it was used.
+    /// The consequence of an input, depending on whether it was used.
     pub(crate) fn after(used: bool) -> Self {
         if used { Self::Stay } else { Self::Ignored }
     }

@@ -89,8 +89,8 @@ fn found(path: &Path, keys: &[Keys]) -> Rows {
     found
 }
 
-/// A database as after some years of school: thousands of answers, some of them longer than a page,
-/// some chapters and some levels.
+/// A database as it is after some years of school: thousands of answers, some of them longer than a
+/// page, some chapters and some levels.
 fn sound(folder: &Path) -> Vec<u8> {
     let mut store = Store::in_folder(folder).timeless();
     let round = Round::hits(7);
@@ -254,7 +254,7 @@ fn campaign(
 }
 
 /// The notice about a repaired database gives the number of lost answers, unless more may be lost.
-/// After flipped bits an id may be wrong, and so may the number.
+/// After flipped bits, an id may be wrong, and so may the number.
 fn assert_counted(notice: &str, mended: &Path) {
     let there: i64 = reader(mended)
         .query_row("SELECT count(*) FROM attempt", [], |row| row.get(0))

@@ -344,7 +344,7 @@ fn the_list_of_participants_is_live() {
     let cy = class.add("Cy", app, 80, 24);
     press(&mut class, cy, "<Enter>", "your vote");
     press(&mut class, Who::Host, "", "Cy ");
-    // The mark stays at the same pupil, although those who have voted move to the end.
+    // The mark stays on the same pupil, although those who have voted move to the end.
     press(&mut class, Who::Host, "<Down>", "> Bo");
     press(
         &mut class,

@@ -84,8 +84,8 @@ fn every_level_is_won_by_its_solution_and_shows_its_whole_explanation() {
     }
 }
 
-/// A ray is not predicted before it was turned: Enter alone neither makes the shot nor earns the
-/// star for the prediction.
+/// A ray does not count as predicted until it has been turned: Enter alone neither makes the shot
+/// nor earns the star for the prediction.
 #[test]
 fn enter_alone_gives_no_answer() {
     let shelf = embedded();

@@ -257,7 +257,7 @@ fn place_and_strength_can_be_typed() {
     // A typed place may be illegal, and the reason is then shown; a place reached by steps is
     // legal.
     game.press("200]");
-    assert!(panel(&mut game).contains("not cut it"));
+    assert!(panel(&mut game).contains("not touch it"));
     game.press("]");
     assert!(panel(&mut game).contains("place 216 mm right"));
 }
@@ -398,6 +398,37 @@ fn leaving_a_running_game_is_confirmed_once() {
     assert!(!game.screen().contains("Leave this game?"));
     game.press("<Escape>y");
     assert!(game.screen().contains("a new game"));
+}
+
+/// The row after the pieces; the number holds for the game, and for the next one.
+#[test]
+fn the_restitution_of_a_new_game_is_chosen_on_its_page() {
+    let mut game = Headless::new(App::new(Route::Table, still(), 1), 80, 24);
+    game.press(&"<Down>".repeat(5));
+    let chosen = |game: &mut Headless, e: &str| {
+        let screen = game.screen();
+        let mut rows = screen.lines().filter(|row| row.contains("> restitution e"));
+        assert!(rows.any(|row| row.contains(e)), "{e}: {screen}");
+    };
+    chosen(&mut game, "1.00");
+    game.press("<Left>");
+    chosen(&mut game, "0.95");
+    game.press("7<Enter>");
+    assert!(game.screen().contains("from 0 to 1"), "{}", game.screen());
+    game.press("0.8<Enter><Enter>");
+    assert!(game.screen().contains("e = 0.80"), "{}", game.screen());
+    game.press("<Escape>");
+    game.press(&"<Down>".repeat(5));
+    chosen(&mut game, "0.80");
+    // The rows around it are still their own.
+    game.press("<Up><Right><Down><Down><Right>");
+    let page = game.screen();
+    let row = |name: &str, value: &str| {
+        let mut rows = page.lines().filter(|row| row.contains(name));
+        rows.any(|row| row.contains(value))
+    };
+    assert!(row("  pieces", "15 g on 15 g"), "{page}");
+    assert!(row("> call it", " on "), "{page}");
 }
 
 #[test]

@@ -325,7 +325,7 @@ mod tests {
 
     const ROUND: &[u8] = include_bytes!("../../tests/saves/class-3.toml");
 
-    /// A browser's files, and a carrom that uses them.
+    /// A browser's files, and the page that uses them.
     struct Browser {
         keeping: PageStorage,
         files: BTreeMap<String, Vec<u8>>,

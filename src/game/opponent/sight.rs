@@ -22,7 +22,7 @@ pub(super) const WALLS: [DVec2; 4] = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::N
 impl<'a> Sight<'a> {
     pub(super) fn of(game: &'a Game) -> Self {
         Self {
-            board: Board::default(),
+            board: game.board(),
             set: game.setup().set,
             coins: game.coins(),
         }

@@ -259,7 +259,7 @@ fn errors_name_the_line_and_the_field() {
         (
             "format = 1",
             "format = 2",
-            "my.toml:1: format: 2 is newer than the 1 this carrom reads; a newer carrom may open the file",
+            "my.toml:1: format: 2 is newer than 1, the latest this version reads; a newer version may open it",
         ),
         (
             "\"easy\"",

@@ -121,7 +121,7 @@ impl Misconception {
                 degrees(PI - 2.0 * alpha)
             ),
             Self::OffsetAsAngle => format!(
-                "You used the offset as a share of 90°, {}. But that share is the sine of α.",
+                "You made α proportional to b, α = {}. But sin α is proportional to b.",
                 degrees(FRAC_PI_2 * hit.alpha().sin().abs())
             ),
             Self::Lossless => format!(

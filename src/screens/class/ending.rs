@@ -192,7 +192,7 @@ fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
     }
     panel.gap();
     panel.paragraph(
-        "\"right\": how many votes were right. \"degrees off\": the mean error of angles; of two \
+        "\"right\": how many votes were right. \"degrees off\": the mean error of angles; for two \
          rays the larger error counts. \"tells apart\": how well a question separates the better \
          teams from the others, -1 to 1; it requires ten teams. \"gain\": the share of the \
          possible improvement that the discussion achieved.",

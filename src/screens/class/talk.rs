@@ -97,7 +97,7 @@ fn draw(play: &Stage, question: &Question, area: Rect, buf: &mut Buffer, look: &
         }
         _ if is_tally => return draw_question(area, buf, look, question, None),
         Form::Number { quantity, .. } => quantity.unit(),
-        Form::Shot(_) => "mm, a minus for the left",
+        Form::Shot(_) => "mm, negative to the left",
     };
     let rows = match question::beside(question) {
         Beside::Nothing => 0,

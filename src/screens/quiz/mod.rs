@@ -47,7 +47,7 @@ pub(crate) enum QuizAction {
     Another,
     /// open the page of the chapters that explains it
     ReadUp,
-    /// check with two questions whether you still believe it
+    /// check with two questions whether you still have the misconception
     Check,
     /// scroll a text that is longer than its panel
     Scroll(i16),

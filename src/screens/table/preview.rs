@@ -124,6 +124,27 @@ mod tests {
     }
 
     #[test]
+    fn the_preview_has_the_restitution_of_the_game() {
+        let strike = Strike {
+            place: DVec2::new(0.0, -0.2526),
+            velocity: DVec2::new(0.0, 4.0),
+            call: None,
+        };
+        for restitution in [1.0, 0.5, 0.0] {
+            let game = Game::new(GameSetup {
+                restitution,
+                ..GameSetup::default()
+            });
+            let preview = Preview::of(&strike, &game).unwrap();
+            let collision = preview.first_hit().unwrap().impact.collision;
+            let outcome = collision.outcome();
+            let separation = (outcome.v2 - outcome.v1).length();
+            let approach = collision.u1.length();
+            assert!((separation - restitution * approach).abs() < 1e-12);
+        }
+    }
+
+    #[test]
     fn a_striker_that_hits_nothing_is_followed_to_the_end_of_its_path() {
         let game = Game::new(GameSetup::default());
         let mut strike = Strike {

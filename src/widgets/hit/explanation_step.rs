@@ -6,7 +6,8 @@ use super::Face;
 use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
 use crate::widgets::Role;
 
-/// The seconds to look at the picture, and to read one word: 150 words per minute.
+/// The time to look at the picture and the time to read one word (150 words per minute), in
+/// seconds.
 const LOOK: f64 = 3.0;
 const WORD: f64 = 0.4;
 /// The shortest duration of a step, in seconds.
@@ -21,7 +22,7 @@ pub(crate) enum ExplanationStep {
     Contact,
     /// Line of impact and tangent.
     Line,
-    /// The initial velocities, resolved along both.
+    /// The initial velocities, resolved along n and t.
     Split,
     /// The target's final velocity.
     Coin,
@@ -47,10 +48,10 @@ impl ExplanationStep {
         match self {
             Self::Contact => "contact",
             Self::Line => "line of impact",
-            Self::Split => "the split",
-            Self::Coin => "what was hit",
-            Self::Striker => "what hit it",
-            Self::Whole => "the whole",
+            Self::Split => "the components",
+            Self::Coin => "the struck disc",
+            Self::Striker => "the striking disc",
+            Self::Whole => "the result",
         }
     }
 }
@@ -85,8 +86,8 @@ impl<'a> StepWords<'a> {
         }
     }
 
-    /// The seconds that a step lasts without a key press: time to read its text and to find it in
-    /// the picture.
+    /// The seconds that a step lasts without a key press: enough to read its text and look at the
+    /// picture.
     pub(super) fn hold(&self, step: ExplanationStep) -> f64 {
         let words = self.of(step).split_whitespace().count() as f64;
         (LOOK + WORD * words).max(SHORTEST)
@@ -104,7 +105,7 @@ impl<'a> StepWords<'a> {
         format!("{number} of {}: {name}", steps.len())
     }
 
-    /// The text of a step. Each screen explains the last one in its own way.
+    /// The text of a step. Each screen explains the last step in its own way.
     pub(super) fn of(&self, step: ExplanationStep) -> String {
         let sticks = self.collision.bond == Bond::Stick;
         match step {
@@ -134,8 +135,8 @@ impl<'a> StepWords<'a> {
         }
     }
 
-    /// Whether the target is at rest before the collision and velocities have their names from the
-    /// laboratory frame.
+    /// Whether the target is at rest before the collision and the velocities have their
+    /// laboratory-frame names.
     fn is_plain(&self) -> bool {
         self.frame == Frame::Laboratory && self.collision.u2 == DVec2::ZERO
     }
@@ -270,7 +271,7 @@ fn names(faces: [Face; 2]) -> [&'static str; 2] {
     };
     match faces.map(name) {
         ["striker", other] => ["striker", other],
-        [one, other] if one == other => ["disc that struck", "disc that was struck"],
+        [one, other] if one == other => ["striking disc", "struck disc"],
         both => both,
     }
 }
@@ -292,7 +293,7 @@ mod tests {
 
     /// 4 m/s at 30°: uₙ = 3.46, uₜ = 2; then 2 m₁/(m₁ + m₂) and (m₁ − m₂)/(m₁ + m₂) of uₙ.
     #[test]
-    fn the_numbers_are_those_of_the_closed_forms() {
+    fn the_numbers_agree_with_the_closed_forms() {
         let lab = |m2, step| words(&hit(15.0, m2, 30.0), Frame::Laboratory, step);
         assert!(lab(15.0, ExplanationStep::Split).contains("uₙ = 3.46 m/s along n"));
         assert!(lab(15.0, ExplanationStep::Split).contains("uₜ = 2.00 m/s along t"));
@@ -336,7 +337,7 @@ mod tests {
     }
 
     #[test]
-    fn head_on_no_component_along_t_is_mentioned() {
+    fn for_a_head_on_collision_no_component_along_t_is_mentioned() {
         let head_on = hit(15.0, 15.0, 0.0);
         assert!(words(&head_on, Frame::Laboratory, ExplanationStep::Split).contains("all along n"));
         let striker = words(&head_on, Frame::Laboratory, ExplanationStep::Striker);

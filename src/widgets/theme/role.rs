@@ -22,7 +22,7 @@ pub enum Role {
     Key,
     /// The frame of a panel.
     Border,
-    /// The chosen one of several items.
+    /// The chosen item among several.
     Selected,
     /// Right, won, near the truth.
     Good,
@@ -54,7 +54,7 @@ pub enum Role {
     TangentLine,
     /// The arc of an angle.
     Arc,
-    /// The square corner of a right angle.
+    /// The mark of a right angle.
     SquareCorner,
     /// The point where two discs touch.
     Contact,

@@ -51,7 +51,7 @@ impl ActiveGame {
         matches!(self.grip, Grip::Pull { to, .. } if self.pull(to) > 0.0)
     }
 
-    /// Handles the press of the button at a point of the board.
+    /// Handles a press of the mouse button at a point on the board.
     pub(super) fn take_hold(&mut self, at: DVec2) {
         let reach = HOLD * self.set().striker_radius();
         self.grip = match self.aim.place.distance(at) < reach {
