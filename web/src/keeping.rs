@@ -2,8 +2,8 @@
 //!
 //! Every request is carried out in memory at once. Its answer is passed on only when the browser
 //! has saved the files: the page asks which have changed, writes them to the browser's database
-//! in one transaction, and reports the result. If another tab has changed the files meanwhile,
-//! the page first passes those in, and all unsaved changes are made again on top of them.
+//! in one transaction, and reports the result. If another tab has changed the files in the
+//! meantime, the page first passes those in, and all unsaved changes are made again on top of them.
 //!
 //! Changes that the browser could not save stay here until it can. If the page opens another
 //! carrom, they are passed to that one.
@@ -471,7 +471,7 @@ mod tests {
         }
         let refused = browser.keep(Some("full"));
         assert!(refused.iter().all(|it| it.unsaved == 3), "{refused:?}");
-        // Another tab saves something meanwhile.
+        // Another tab saves something in the meantime.
         let mut tab = Browser::new();
         tab.ask(1, star("in another tab"), None);
         browser.files = tab.files;
