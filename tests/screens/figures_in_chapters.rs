@@ -79,7 +79,7 @@ const NAMED: [&str; 25] = [
     "a screen of 1 mm² at 1 cm.",
     "A 15 g striker at",
     "hits a 15 g coin at rest head-on",
-    "Two head-on collisions, 15 g each,",
+    "Compare two head-on collisions of 15 g discs",
     "and the striker has a mass of 15 g.",
     "so the mass is 15 g divided by",
     "their thin gold foil of 0.21 micrometres",
