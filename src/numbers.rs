@@ -218,8 +218,8 @@ pub(crate) fn mean(x: &[f64]) -> Option<f64> {
     (!x.is_empty()).then(|| x.iter().sum::<f64>() / x.len() as f64)
 }
 
-/// Pearson's correlation; `None` for fewer than three pairs, or if the values of one side
-/// vary by no more than a thousandth.
+/// Pearson's correlation; `None` for fewer than three pairs, or if one of the variables varies by
+/// no more than a thousandth.
 pub(crate) fn correlation(x: &[f64], y: &[f64]) -> Option<f64> {
     const VARIES: f64 = 1e-6;
     if x.len() < 3 {

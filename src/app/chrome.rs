@@ -211,7 +211,7 @@ fn clear(area: Rect, buf: &mut Buffer, look: Look) {
     buf.set_style(area, look.theme.base());
 }
 
-/// Ensures that an ASCII screen contains only ASCII: names and texts from outside may contain other
+/// Ensures that an ASCII screen contains only ASCII: names and text from outside may contain other
 /// characters.
 fn keep_ascii(area: Rect, buf: &mut Buffer) {
     for position in area.positions() {

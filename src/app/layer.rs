@@ -23,7 +23,7 @@ pub(super) enum AppLayer {
     Leave(Confirmation),
 }
 
-/// What keys do to a layer.
+/// How a layer responds to keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(super) enum LayerAction {
@@ -68,7 +68,7 @@ impl AppLayer {
         table.rebound(rebound)
     }
 
-    /// Whether a key scrolls it.
+    /// Whether a key scrolls the layer.
     pub(super) fn scrolls(&self, key: Key, rebound: &Rebound) -> bool {
         matches!(self.keys(rebound).find(key), Some(LayerAction::Scroll(_)))
     }

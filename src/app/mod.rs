@@ -322,7 +322,7 @@ impl App {
         waits.then(|| self.retry.pause().saturating_sub(self.retry.waited))
     }
 
-    /// Advances the time until the next retry by `passed`.
+    /// Counts down the time until the next retry by `passed`.
     fn retry(&mut self, passed: Duration) -> Option<Effect> {
         self.retry_in()?;
         self.retry.waited += passed;
@@ -471,9 +471,9 @@ impl App {
         self.with_screen(|screen, cx| screen.input(input, cx))
     }
 
-    /// Passes an input to the screen on top or, if that ignores it, to a class below, because the
-    /// class continues for the others. If the class then opens or closes a screen, the screens
-    /// above it are closed first.
+    /// Passes an input to the screen on top or, if that screen ignores it, to a class below,
+    /// because the class continues for its other members. If the class then opens or closes a
+    /// screen, the screens above it are closed first.
     fn pass_down(&mut self, input: &Input) -> Vec<Effect> {
         let top = self.stack.len().saturating_sub(1);
         let mut screens = self.stack.iter_mut().enumerate().rev();

@@ -40,7 +40,7 @@ const fn metal(name: &'static str, charge: f64, mass_number: f64, density: f64) 
 /// A foil.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Foil {
-    /// The metal that it is made of.
+    /// The metal of the foil.
     pub metal: Metal,
     /// Its thickness in metres, above 0.
     pub thickness: f64,
@@ -52,9 +52,9 @@ impl Foil {
         self.metal.density * self.thickness
     }
 
-    /// The scattering of α-particles of `energy` joules in it, each by at most one nucleus: the
-    /// part of the beam that belongs to one nucleus has the area 1/(n t), so b goes up to 1/√(π n
-    /// t).
+    /// The scattering of α-particles of `energy` joules in the foil, each by at most one nucleus:
+    /// the part of the beam that belongs to one nucleus has the area 1/(n t), so b goes up to 1/√(π
+    /// n t).
     pub fn target(&self, energy: f64) -> BeamTarget {
         BeamTarget::Coulomb {
             scatterer: Rutherford::new(ALPHA_CHARGE, self.metal.charge, energy),

@@ -15,7 +15,7 @@ const DEGREES: NumberSpec = NumberSpec::new("a number", "", 0.1, 180.0);
 /// The range of a count.
 const COUNT: NumberSpec = NumberSpec::new("a number", "", 0.1, 1e12);
 
-/// Counts at one angle. Counts are relative: only those of one metal can be compared with
+/// Counts at one angle. Counts are relative: only those for the same metal can be compared with
 /// each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Angle {
@@ -38,7 +38,7 @@ impl Angle {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{line}: {what}")]
 pub struct Fault {
-    /// Number of the line, from 1; one after the last if something is missing.
+    /// The line number, from 1; one more than the last if something is missing.
     pub line: usize,
     /// The error.
     pub what: String,

@@ -1,4 +1,4 @@
-//! Writes files atomically: a name has the old file or the new one, never part of one.
+//! Writes files atomically: under its name there is always the whole old file or the whole new one.
 
 use std::fs;
 use std::io::{self, ErrorKind, Write};
@@ -17,7 +17,7 @@ pub(crate) const UNFINISHED: &str = ".new-";
 pub(crate) struct UnplacedFile(TempPath);
 
 impl UnplacedFile {
-    /// Writes a text to a new file in `folder`, and syncs it to the disk. The umask decides who may
+    /// Writes text to a new file in `folder`, and syncs it to the disk. The umask decides who may
     /// read it.
     ///
     /// # Errors
@@ -50,7 +50,7 @@ impl UnplacedFile {
     /// Renames it over an existing file, whose permissions it keeps.
     ///
     /// # Errors
-    /// If that fails, for example because a folder has the name.
+    /// If that fails, for example because a folder has that name.
     pub(crate) fn replace(self, path: &Path) -> io::Result<()> {
         if let Ok(old) = fs::metadata(path) {
             fs::set_permissions(&self.0, old.permissions())?;

@@ -34,8 +34,8 @@ pub(crate) struct Fields<'a> {
 }
 
 impl Source<'_> {
-    /// Reads TOML with `format` set to one of the `formats` that still open. `what` names the
-    /// document in messages, such as "a saved game"; `known` are its fields.
+    /// Reads TOML with `format` set to one of the `formats` that can still be read. `what` names
+    /// the document in messages, such as "a saved game"; `known` are its fields.
     ///
     /// # Errors
     /// All errors; for a file in a newer format, only that error.
@@ -75,7 +75,7 @@ impl Source<'_> {
         fields.known = known.into();
         let expected = format!("{what} with `format = {format}`");
         if !fields.has("format") && !fields.is_misspelt("format") {
-            // Without a format it is another kind of file, with other fields.
+            // A file without a format is of another kind, with other fields.
             return fields.refuse("format", format!("expected {expected}, found nothing"));
         }
         let fields = fields.only(known);
@@ -316,7 +316,7 @@ impl<'a> Fields<'a> {
         self.table.keys().map(|key| key.get_ref().as_ref())
     }
 
-    /// The tables in this one, with their names, which may be any.
+    /// The tables in this one, with their names; any names are allowed.
     pub(crate) fn named_tables(&self, known: &[&'static str]) -> Option<Vec<(&'a str, Self)>> {
         let table = |name| Some((name, self.table(name, known)?));
         all(self.names().map(table).collect())
@@ -404,7 +404,7 @@ impl<'a> Fields<'a> {
         self.value(name, &expected, |value| text(value.get_ref(), most))
     }
 
-    /// A list of this many texts, without surrounding spaces.
+    /// A list of this many strings, without surrounding spaces.
     pub(crate) fn texts(
         &self,
         name: &str,
@@ -419,7 +419,7 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// The result of `read` for a text, or its message as an error.
+    /// The result of `read` for a string, or its message as an error.
     pub(crate) fn text_as<T>(
         &self,
         name: &str,
@@ -432,7 +432,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A list of any texts.
+    /// A list of any strings.
     pub(crate) fn any_texts(&self, name: &str) -> Option<Vec<&'a str>> {
         self.list(name, "a list of texts", 0..=usize::MAX, |value| {
             value.get_ref().as_str()

@@ -8,8 +8,8 @@ use serde_json::ser::Formatter;
 
 use super::is_invisible;
 
-/// Writes one JSON object. Its texts may come from anyone and may be shown in a terminal, so
-/// invisible and control characters are written as escapes, which any reader turns back.
+/// Writes one JSON object. Its strings may come from anyone and may be shown in a terminal, so
+/// invisible and control characters are written as escapes, which any JSON parser decodes.
 ///
 /// # Errors
 /// If it cannot be written.

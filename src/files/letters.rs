@@ -23,7 +23,7 @@ pub(super) fn hides(letter: char) -> bool {
 }
 
 /// Whether a cluster is one emoji made of several characters: a family, or the flag of a region,
-/// which is spelt in tags.
+/// which is encoded in tag characters.
 pub(super) fn is_picture(letter: &str) -> bool {
     const FLAG: char = '\u{1f3f4}';
     const LAST_TAG: char = '\u{e007f}';
@@ -42,7 +42,7 @@ pub(super) fn is_picture(letter: &str) -> bool {
     }
 }
 
-/// A text as one line, with one space between two words.
+/// Text on one line, with a single space between words.
 pub(crate) fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn names_stay_and_invisible_characters_are_removed() {
+    fn names_are_kept_and_invisible_characters_are_removed() {
         for name in [
             "Ada",
             "Zoë Müller-Łukasiewicz",

@@ -28,7 +28,7 @@ pub trait FileLibrary: Default {
         }
     }
 
-    /// Adds the files of a folder, and returns the folders in it.
+    /// Adds the files of a folder, and returns its subfolders.
     fn add_files_of(&mut self, folder: &Path) -> Vec<PathBuf> {
         let list = list(folder, Self::ENDING, Self::MOST_FILES).unwrap_or_else(|fault| {
             self.problems_mut().push(fault);

@@ -11,12 +11,12 @@ use super::FileError;
 /// The contents of a folder, sorted by name.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct List {
-    /// The folders in it.
+    /// The subfolders.
     pub folders: Vec<PathBuf>,
     /// The plain files with the requested extension. Pipes are not among them, because opening one
     /// would wait for a writer.
     pub files: Vec<PathBuf>,
-    /// Errors about other things with such names: pipes, devices, broken links.
+    /// Errors about anything else with this extension: pipes, devices, broken links.
     pub odd: Vec<FileError>,
 }
 
@@ -24,7 +24,7 @@ pub struct List {
 /// dot).
 ///
 /// # Errors
-/// If the folder cannot be read, or there are more files.
+/// If the folder cannot be read, or contains more files.
 pub fn list(folder: &Path, ending: &str, most: usize) -> Result<List, FileError> {
     let fault = |message| FileError::of_file(&folder.display().to_string(), message);
     let paths = fs::read_dir(folder).and_then(|entries| {

@@ -114,7 +114,7 @@ impl<'a> Source<'a> {
         None
     }
 
-    /// Forgets the errors so far.
+    /// Discards the errors found so far.
     pub(super) fn forget(&self) {
         self.errors.borrow_mut().clear();
     }
@@ -151,7 +151,7 @@ impl<'a> Source<'a> {
         match (FileErrors::of(self.name, errors), made) {
             (None, Some(made)) => Ok(made),
             (Some(errors), _) => Err(errors),
-            // This does not happen: without a result an error was noted.
+            // This cannot happen: if there is no result, an error has been noted.
             (None, None) => Err(FileError::of_file(self.name, "cannot be understood").into()),
         }
     }

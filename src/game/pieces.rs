@@ -136,8 +136,8 @@ pub enum PieceSet {
     /// Tournament weights: striker 15 g and 41.3 mm across, coins 5.5 g and 31.8 mm across.
     #[default]
     Tournament,
-    /// Tournament sizes with every piece 15 g, so that the paths of striker and coin are at a right
-    /// angle.
+    /// Tournament sizes with a mass of 15 g for every piece, so that the paths of striker and coin
+    /// are at a right angle.
     EqualMass,
 }
 

@@ -165,7 +165,7 @@ impl<'a> BaseLines<'a> {
         self.nearest_of(ends.into_iter().chain(self.barred().flatten()), at)
     }
 
-    /// The legal position among these that is nearest to `at`, in metres along.
+    /// The legal position among these that is nearest to `at`, in metres along the lines.
     pub(super) fn nearest_of(&self, places: impl Iterator<Item = f64>, at: DVec2) -> Option<DVec2> {
         let wanted = self.along(at);
         let apart = |along: &f64| (along - wanted).abs();
@@ -195,7 +195,7 @@ impl<'a> BaseLines<'a> {
         Self::base_circle_along() - BASE_CIRCLE_RADIUS - self.set.striker_radius()
     }
 
-    /// The intervals of the middle line that coins block, as distances along.
+    /// The intervals of the middle line that coins block, as distances along it.
     fn barred(&self) -> impl Iterator<Item = [f64; 2]> {
         let reach = self.set.striker_radius() + self.set.coin_radius() + GAP;
         let middle = self.middle();
@@ -334,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn every_candidate_is_legal_and_they_go_from_left_to_right() {
+    fn the_candidates_are_legal_and_ordered_from_left_to_right() {
         let coins = [black(DVec2::new(0.26, 0.05)), black(DVec2::new(0.25, -0.1))];
         let lines = BaseLines::new(SET, Seat::East, &coins);
         let places = lines.candidates(30);

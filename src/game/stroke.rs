@@ -43,7 +43,7 @@ pub enum StrokeError {
     #[error("a coin cannot come to rest off the board")]
     OffTheBoard,
     /// The shot was not played with the discs of this board.
-    #[error("the shot has {found} discs, and this board {expected}")]
+    #[error("the shot has {found} discs, but this board has {expected}")]
     OtherDiscs {
         /// The coins on the board and the striker.
         expected: usize,

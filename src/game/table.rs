@@ -124,7 +124,7 @@ impl Game {
         self.score_before().boards.saturating_add(1)
     }
 
-    /// The score, this board included once it has ended.
+    /// The score, including this board once it has ended.
     pub fn score(&self) -> Score {
         match &self.play.won {
             Some(won) => Score::after(self.setup.rules, self.finished.iter().chain([won])),

@@ -15,7 +15,7 @@ pub struct BeliefCount {
     pub answers: usize,
 }
 
-/// The misconceptions that any answer fits, those that the most pupils hold first.
+/// The misconceptions that at least one answer fits, the most widely held first.
 pub fn beliefs(results: &ClassResults<'_>) -> Vec<BeliefCount> {
     let pupils = &results.pupils;
     let of = |misconception: Misconception| {

@@ -52,8 +52,8 @@ impl HandIn {
     pub(crate) const LARGEST_FILE: usize = 1 << 24;
 
     /// A pupil's hand-in. Names are tidied; a name without a visible letter becomes empty. Answers
-    /// that a teacher's carrom would refuse, for example after damage, are left out, because it
-    /// would refuse the whole file.
+    /// that a teacher's carrom would refuse, for example after damage, are left out, because
+    /// otherwise it would refuse the whole file.
     pub fn new(name: &str, class: &str, attempts: Vec<Attempt>) -> Self {
         let mut known = KnownTopics::default();
         let sound = attempts.into_iter();
@@ -133,7 +133,7 @@ impl HandIn {
         if bytes.len() > Self::LARGEST_FILE {
             return Err("it is too large for a hand-in".into());
         }
-        // Some editors and mail programs put a byte order mark before a text.
+        // Some editors and mail programs put a byte order mark before the text.
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         // The kind of file and its format are checked first, whatever else is wrong.
         let value = serde_json::from_slice(bytes)

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::GivenAnswer;
 use crate::quiz::{Rays, Response};
 
-/// The share of the credit that an answer after a hint earns.
+/// The fraction of the credit that an answer after a hint earns.
 pub(crate) const AFTER_HINT: f64 = 0.5;
 
 /// A stored answer: angles in degrees, a choice counted from 1.

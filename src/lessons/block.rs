@@ -26,7 +26,7 @@ pub enum Inline {
     Live(Quantity),
 }
 
-/// The emphasis of a text.
+/// The emphasis of text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tone {
     /// No emphasis.

@@ -27,7 +27,7 @@ pub enum Forget {
 pub struct Book {
     /// `None` for the built-in chapters alone, which are read only when they are needed.
     library: Option<Arc<ChapterLibrary>>,
-    /// The line of the contents that was last selected.
+    /// The line of the table of contents that was last selected.
     pub at: usize,
     /// The bookmarks by chapter id; `None` until the stored ones are known.
     marks: Option<BTreeMap<String, Bookmark>>,

@@ -25,7 +25,7 @@ pub struct Bookmark {
 pub struct GivenAnswer {
     /// The question: [`Checkpoint::written`](super::Checkpoint::written).
     pub asked: String,
-    /// The answer, after a hint the second one.
+    /// The answer; after a hint, the second answer.
     pub answer: Response,
     /// Whether it was right.
     pub right: bool,
@@ -129,7 +129,7 @@ impl Bookmark {
         }
     }
 
-    /// Adds later entries: their place and angle, if any, replace the earlier ones. A page remains
+    /// Adds later entries: their page and angle, if any, replace the earlier ones. A page remains
     /// seen, and keeps its answer until it is answered again.
     pub(crate) fn merge(&mut self, later: Self) {
         self.place = later.place.or_else(|| self.place.take());

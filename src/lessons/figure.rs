@@ -26,7 +26,7 @@ pub enum FigureKind {
     Curves,
     /// θ₁ against θ₂.
     Angles,
-    /// The shares of the energy against α.
+    /// The shares of the energy plotted against α.
     Energy,
     /// The worked solution.
     Worked {

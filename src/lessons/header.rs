@@ -98,7 +98,7 @@ pub(super) fn read(source: &Source) -> Option<Header> {
     header
 }
 
-/// A text in one line.
+/// Text on one line.
 fn line(fields: &Fields, name: &str, most: usize) -> Option<String> {
     fields.text(name, most).map(one_line)
 }

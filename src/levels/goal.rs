@@ -88,7 +88,7 @@ pub enum HitMeasure {
     Turn(usize),
     /// The angle between the velocities of the two discs, in radians.
     Separation,
-    /// The share of body 1's energy that a disc has afterwards, 0 to 1.
+    /// The fraction of body 1's energy that a disc has afterwards, 0 to 1.
     Energy(usize),
 }
 

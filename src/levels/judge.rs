@@ -201,7 +201,7 @@ impl Missing {
 /// The first collision of two discs.
 struct FirstImpact {
     discs: [usize; 2],
-    /// The index in `discs` of the one that was shot; the other is at rest.
+    /// The index in `discs` of the disc that was shot; the other is at rest.
     moving: usize,
     before: DVec2,
     afters: [DVec2; 2],

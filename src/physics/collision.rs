@@ -307,8 +307,8 @@ impl Collision {
         }
     }
 
-    /// sin α = b / (r₁ + r₂), or `None` beyond ±1. Within rounding of ±1 it is ±1, because b and
-    /// the radii rarely agree to the last bit.
+    /// sin α = b / (r₁ + r₂), or `None` beyond ±1. A value within rounding error of ±1 counts as
+    /// ±1, because b and the radii rarely agree to the last bit.
     fn sine(&self) -> Option<f64> {
         let sine = self.offset / self.contact_distance();
         let beyond = sine.abs() - 1.0;
@@ -352,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_pieces_at_30_degrees() {
+    fn equal_pieces_at_30_degrees_leave_at_right_angles() {
         let after = carrom(30.0).outcome();
         assert_eq!(after.meeting, Meeting::Hit);
         close(after.v1.length(), 2.0);
@@ -365,7 +365,7 @@ mod tests {
     }
 
     #[test]
-    fn marbles_of_20_and_40_grams() {
+    fn marbles_of_20_and_40_grams_leave_with_the_velocities_calculated_by_hand() {
         let after = Collision::at_angle(
             Disc::from_g_mm(20.0, 8.0),
             Disc::from_g_mm(40.0, 10.0),
@@ -403,7 +403,7 @@ mod tests {
     }
 
     #[test]
-    fn head_on_between_equals_leaves_the_striker_without_direction() {
+    fn a_head_on_hit_between_equals_leaves_the_striker_without_direction() {
         for direction in 0..100 {
             let u1 = 4.0 * DVec2::from_angle(f64::from(direction));
             let after = Collision { u1, ..carrom(0.0) }.outcome();
@@ -415,7 +415,7 @@ mod tests {
     }
 
     #[test]
-    fn head_on_a_light_striker_comes_straight_back() {
+    fn a_light_striker_rebounds_straight_back_from_a_head_on_hit() {
         let after = Collision {
             striker: Disc::from_g_mm(5.5, 15.9),
             ..carrom(0.0)

@@ -35,7 +35,7 @@ impl Twofold {
         Self(quotient, 0.0).with(left / number)
     }
 
-    /// The sum with a small number.
+    /// The sum of this and a small number.
     fn with(self, small: f64) -> Self {
         let sum = self.0 + small;
         Self(sum, small - (sum - self.0))
@@ -75,7 +75,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_agrees_with_the_library_except_for_the_last_bit() {
+    fn unit_vectors_agree_with_the_library_except_for_the_last_bit() {
         for step in -20_000..20_000 {
             let angle = f64::from(step) * 7.313e-4;
             let (sine, cosine) = angle.sin_cos();

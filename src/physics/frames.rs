@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn the_scattering_angle_at_any_restitution() {
+    fn the_closed_form_gives_the_scattering_angle_at_any_restitution() {
         for e in [0.0, 0.3, 0.9] {
             let lab = Collision {
                 restitution: e,

@@ -15,7 +15,7 @@
 //! = 1 the same holds with Newton's law of restitution along n, as in W. Goldsmith, *Impact*
 //! (1960), chapter 2.
 //!
-//! Angles are in radians, speeds are shares of u, energies are shares of ½m₁u². `None` means
+//! Angles are in radians, speeds are fractions of u, energies are fractions of ½m₁u². `None` means
 //! undefined: a body at rest has no direction.
 
 use std::f64::consts::FRAC_PI_2;
@@ -211,7 +211,7 @@ fn sin_cos(alpha: f64) -> (f64, f64) {
     (sin, if graze >= 0.0 { 0.0 } else { cos })
 }
 
-/// Whether a share of the striker's speed is more than rounding noise.
+/// Whether a fraction of the striker's speed is more than rounding noise.
 fn moves(share: f64) -> bool {
     share > 4.0 * f64::EPSILON
 }
@@ -292,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn separation_is_the_sum_of_the_angles() {
+    fn the_separation_is_the_sum_of_the_angles() {
         for p in pairs() {
             for alpha in alphas() {
                 let sum = p.theta1(alpha).unwrap() + p.theta2(alpha).unwrap();
@@ -333,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn the_largest_deflection_of_a_heavy_striker() {
+    fn a_heavy_striker_has_a_largest_deflection_below_90_degrees() {
         let LargestDeflection::Turned { theta1, alpha } = pair(15.0, 5.5, 1.0).largest_deflection()
         else {
             panic!("15 g on 5.5 g has a largest deflection");
@@ -356,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn the_largest_deflection_of_light_and_equal_strikers() {
+    fn a_light_striker_can_be_reversed_and_an_equal_one_nearly_turned_by_90_degrees() {
         let light = pair(5.5, 15.0, 1.0);
         assert_eq!(light.largest_deflection(), LargestDeflection::Reversed);
         assert_eq!(light.theta1(0.0), Some(PI));

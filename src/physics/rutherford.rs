@@ -40,9 +40,9 @@ pub const RADIUM_C_ENERGY: f64 = 7.69 * MEV;
 /// Atoms in a cubic metre of gold.
 pub const GOLD_DENSITY: f64 = 5.9e28;
 
-/// The share of α-particles of radium C that Geiger and Marsden counted at 45° behind 2.1·10⁻⁵ cm
-/// of gold on a screen of 1 mm² at 1 cm, known to 20 % (Phil. Mag. 25 (1913) 604): the only count
-/// whose absolute scale is known.
+/// The fraction of α-particles of radium C that Geiger and Marsden counted at 45° behind 2.1·10⁻⁵
+/// cm of gold on a screen of 1 mm² at 1 cm, known to 20 % (Phil. Mag. 25 (1913) 604): the only
+/// count whose absolute scale is known.
 pub const MEASURED_SHARE: f64 = 3.7e-7;
 
 /// A charged projectile and a fixed charge of the same sign.
@@ -97,9 +97,8 @@ impl Rutherford {
         self.impact_parameter(angle).map(|b| PI * b * b)
     }
 
-    /// The share of a beam that a foil of `atoms_per_area` atoms/m² scatters at Θ
-    /// into a small solid angle of `solid_angle` steradians, each particle scattered
-    /// at most once.
+    /// The fraction of a beam that a foil of `atoms_per_area` atoms/m² scatters at Θ into a small
+    /// solid angle of `solid_angle` steradians, each particle scattered at most once.
     pub(crate) fn share_into(
         &self,
         angle: f64,
@@ -209,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_defined_straight_on() {
+    fn nothing_is_defined_without_deflection() {
         let gold = Rutherford::radium_c_on_gold();
         for angle in [0.0, -1.0, 4.0, f64::NAN] {
             assert_eq!(gold.impact_parameter(angle), None);

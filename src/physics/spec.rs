@@ -111,7 +111,7 @@ impl Default for CollisionSpec {
 }
 
 impl CollisionSpec {
-    /// The largest offset as a share of r₁ + r₂: beyond 1 the discs miss each other, so slightly
+    /// The largest offset as a multiple of r₁ + r₂: beyond 1 the discs miss each other, so slightly
     /// more is enough.
     pub(crate) const WIDEST: f64 = 1.25;
 

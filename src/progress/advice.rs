@@ -10,7 +10,7 @@ const LATELY: usize = 10;
 /// the topic with the worst recent results.
 pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     if attempts.is_empty() {
-        return "Play a round of the quiz: ten hits, and no answer is wasted.".into();
+        return "Play a round of the quiz: ten hits, and you learn from every answer.".into();
     }
     let held = beliefs(attempts)
         .into_iter()

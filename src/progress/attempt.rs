@@ -280,7 +280,7 @@ mod tests {
         }
         for answer in [
             "{\"choice\":99}",
-            // These are of another kind than the right answer.
+            // These are not of the same kind as the right answer.
             "{\"choice\":\"B\"}",
             "{\"theta1_deg\":200.0,\"theta2_deg\":0.0}",
             "{\"theta1_deg\":null}",

@@ -43,7 +43,7 @@ impl Trend {
         }
     }
 
-    /// Whether the player improves.
+    /// Whether the player has improved.
     pub(crate) const fn is_good(self) -> bool {
         matches!(self, Self::Fading | Self::Gone)
     }

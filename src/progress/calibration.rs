@@ -87,7 +87,7 @@ pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
         }
         (_, beyond) if beyond < 0.0 => {
             "\"Think so\" is right less than half the time. Calling it a guess costs nothing, \
-             and it is where learning starts."
+             and that is where learning starts."
         }
         (_, beyond) if beyond > 0.0 => {
             "You know more than you think: you are right more often than you \

@@ -6,7 +6,7 @@ use crate::numbers::counted;
 
 /// Points for the queen, for a winner whose score allows them (25b).
 pub(super) const QUEEN_POINTS: u8 = 3;
-/// From this score on, the queen brings no points (27).
+/// From this score on, the queen is worth no points (27).
 pub(super) const QUEEN_WORTHLESS_FROM: u8 = 22;
 
 /// The queen just before a stroke.
@@ -107,7 +107,7 @@ pub(crate) enum TurnFate {
 /// The decision of the rules on a stroke.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Verdict {
-    /// The law that decides; `None` for a rule of the house.
+    /// The law that decides; `None` for a house rule.
     pub law: Option<Law>,
     /// What happened and its consequence, in one sentence.
     pub text: String,

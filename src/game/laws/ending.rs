@@ -3,7 +3,7 @@
 use super::case::{Case, QueenBefore, QueenFate, Verdict, points};
 use super::ruling::Law;
 
-/// The most points a board can bring (28).
+/// The most points a board can be worth (28).
 pub(crate) const MOST_POINTS: u8 = 12;
 
 /// The verdict on a stroke that ends the board; `None` if the board continues.
@@ -67,7 +67,7 @@ fn both_finished(case: &Case) -> Verdict {
     }
 }
 
-/// The player pocketed the opponent's last coin and has `own_left`.
+/// The player pocketed the opponent's last coin and has `own_left` coins left.
 fn opponent_finished(case: &Case, own_left: u8) -> Verdict {
     let player = case.colour;
     let other = player.other();

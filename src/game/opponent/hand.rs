@@ -14,9 +14,10 @@ pub const FASTEST: f64 = 4.0;
 /// The striker is placed without error, because a player can check its position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hand {
-    /// Error of the direction, as the tangent of the angle: practically radians.
+    /// Error of the direction, as the tangent of the angle, which is practically the angle in
+    /// radians.
     pub direction: f64,
-    /// Error of the speed, as a share of it.
+    /// Error of the speed, as a fraction of it.
     pub speed: f64,
 }
 
@@ -25,7 +26,7 @@ pub struct Hand {
 pub struct Slip {
     /// Tangent of the error of the direction, positive to the left.
     pub turn: f64,
-    /// Change of the speed, as a share of it.
+    /// Change of the speed, as a fraction of it.
     pub push: f64,
 }
 

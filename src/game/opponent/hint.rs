@@ -15,7 +15,7 @@ pub struct StrokeHint {
     pub stroke: Motion,
     /// Its effect.
     pub reason: Reason,
-    /// Whether the striker falls too, if every stroke that was found pockets it.
+    /// Whether the striker falls too, which happens only if every stroke that was found pockets it.
     pub fouls: bool,
 }
 

@@ -67,7 +67,7 @@ pub struct Fall {
     pub corner: usize,
     /// The last piece that hit it: the striker or a coin.
     pub sent_by: Piece,
-    /// The number of cushions it hit after that.
+    /// The number of cushions the piece hit after that.
     pub cushions: u8,
 }
 

@@ -147,7 +147,7 @@ fn a_hint_can_be_set_and_keeps_the_striker_on_the_board() {
 #[test]
 fn a_hopeless_position_has_a_stroke_and_a_blocked_base_line_has_none() {
     let mut game = scattered(0);
-    // Own coins walled in behind a row of the opponent's.
+    // The player's coins are walled in behind a row of the opponent's.
     let row = |i: i32| coin(Piece::Black, f64::from(i) * 32.0, -180.0);
     game.play.coins = (-4..=4).map(row).collect();
     game.play.coins.push(coin(Piece::White, 0.0, 350.0));

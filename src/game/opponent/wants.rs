@@ -37,11 +37,14 @@ mod tests {
     use crate::game::{GameSetup, Team};
 
     #[test]
-    fn own_coins_are_wanted_except_the_last_before_the_queen() {
+    fn a_players_own_coins_are_wanted_except_the_last_before_the_queen() {
         let mut game = Game::new(GameSetup::default());
         assert!(wants(&game, Piece::White));
         assert!(!wants(&game, Piece::Black));
-        assert!(!wants(&game, Piece::Queen), "an own coin first (65)");
+        assert!(
+            !wants(&game, Piece::Queen),
+            "one of the player's coins first (65)"
+        );
         assert!(wants_from(&game, Seat::North, Piece::Black));
 
         game.play.pocketed_before[Team::First] = true;

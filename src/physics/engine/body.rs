@@ -18,7 +18,7 @@ pub(super) struct Body {
     pub(super) since: f64,
     pub(super) radius: f64,
     pub(super) mass: f64,
-    /// The share of its initial speed that it loses per second of its slide, a/v.
+    /// The fraction of its initial speed that it loses per second of its slide, a/v.
     pub(super) relative_deceleration: f64,
     /// Counts its slides, so that outdated forecasts can be recognized.
     pub(super) version: u32,

@@ -55,7 +55,7 @@ impl FrameSide {
 }
 
 /// Seconds from the start of a slide to its end, and what ends it. `relative_deceleration` is the
-/// share of its speed that the disc loses per second, a/v.
+/// fraction of its speed that the disc loses per second, a/v.
 ///
 /// Everything in the path is first timed at the initial speed, because friction does not change the
 /// order.
@@ -95,7 +95,7 @@ pub(super) fn end(
 }
 
 /// Time to the first of the lines |x| = `wall` and |y| = `wall` at constant velocity; 0 for a disc
-/// that is past a line by rounding and still moving outward.
+/// that rounding has moved past a line and that is still moving outward.
 #[inline]
 fn cushion_ahead(position: DVec2, velocity: DVec2, wall: f64) -> (f64, FrameSide) {
     let to = |place: f64, speed: f64| {

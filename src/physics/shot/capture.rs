@@ -1,9 +1,9 @@
 //! The record of a perfectly inelastic collision: two discs that meet and stick together.
 //!
-//! Sticking is not e = 0. The pair becomes one body: its centre of mass keeps the velocity V =
-//! (m₁u₁ + m₂u₂)/(m₁+m₂) and, after an off-centre contact, it rotates with ω = μ b w / (½m₁r₁² +
-//! ½m₂r₂² + μ(r₁+r₂)²), where w is the relative speed, b the impact parameter and μ the reduced
-//! mass: angular momentum about the centre of mass is conserved.
+//! Sticking is not the same as e = 0. The pair becomes one body: its centre of mass keeps the
+//! velocity V = (m₁u₁ + m₂u₂)/(m₁+m₂) and, after an off-centre contact, it rotates with ω = μ b w /
+//! (½m₁r₁² + ½m₂r₂² + μ(r₁+r₂)²), where w is the relative speed, b the impact parameter and μ the
+//! reduced mass: angular momentum about the centre of mass is conserved.
 
 use glam::DVec2;
 

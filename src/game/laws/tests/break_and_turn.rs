@@ -50,7 +50,7 @@ fn law_18a_a_break_that_touches_nothing_may_be_tried_twice_more() {
 }
 
 #[test]
-fn law_18b_after_three_the_break_passes_and_the_colours_stay() {
+fn law_18b_after_three_misses_the_break_passes_and_the_colours_stay() {
     let mut table = unbroken();
     for _ in 0..2 {
         table.strike(false, &[]);
@@ -64,7 +64,7 @@ fn law_18b_after_three_the_break_passes_and_the_colours_stay() {
 }
 
 #[test]
-fn law_18c_the_striker_pocketed_at_an_untouched_pack_costs_the_turn_and_no_due() {
+fn law_18c_pocketing_the_striker_at_an_untouched_pack_costs_the_turn_but_no_due() {
     let mut table = unbroken();
     let rulings = table.strike(false, &[Piece::Striker]);
     expect(&table, &rulings, "18c", &[], false);
@@ -81,7 +81,7 @@ fn law_18c_does_not_cover_a_striker_that_touched_the_pack() {
 }
 
 #[test]
-fn law_21_an_own_coin_keeps_the_turn() {
+fn law_21_pocketing_ones_own_coin_keeps_the_turn() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[Piece::White]);
     expect(&table, &rulings, "21", &[], true);
@@ -108,7 +108,7 @@ fn law_21_an_opponents_coin_stays_down_and_the_turn_passes() {
 }
 
 #[test]
-fn law_21_an_opponents_coin_with_an_own_one_keeps_the_turn() {
+fn law_21_an_opponents_coin_together_with_ones_own_keeps_the_turn() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[Piece::Black, Piece::White]);
     expect(&table, &rulings, "21", &[], true);
