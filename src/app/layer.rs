@@ -49,7 +49,7 @@ pub(super) enum LayerDone {
 }
 
 impl AppLayer {
-    /// The keys of the layer. Any other key closes it, unless it is a question.
+    /// The keys of the layer. Any other key closes the layer, unless the layer is a question.
     pub(super) fn keys(&self, rebound: &Rebound) -> KeyTable<LayerAction> {
         use LayerAction::{Agree, Decline, Glossary, Scroll};
         let table = KeyTable::new("layer");
@@ -73,8 +73,8 @@ impl AppLayer {
         matches!(self.keys(rebound).find(key), Some(LayerAction::Scroll(_)))
     }
 
-    /// Handles a key; done when the layer is closed. `most` is the number of lines by which a help
-    /// page can be scrolled.
+    /// Handles a key; returns [`Outcome::Done`] when the layer is closed. `most` is the number of
+    /// lines by which a help page can be scrolled.
     pub(super) fn press(&mut self, key: Key, most: u16, rebound: &Rebound) -> Outcome<LayerDone> {
         let action = self.keys(rebound).find(key);
         match (self, action) {

@@ -367,8 +367,8 @@ impl App {
         times.into_iter().flatten().min()
     }
 
-    /// The time until the screen's next motion, for shells that can skip it by advancing the time
-    /// at once. It is also `None` for a countdown that others see.
+    /// The time until the screen's next motion, for shells that can skip the wait by advancing the
+    /// time at once. It is also `None` during a countdown that other people see.
     pub(crate) fn motion(&self) -> Option<Duration> {
         let shares_time = self.stack.last().is_some_and(|it| it.shares_time());
         let wake = self.screen_wake();

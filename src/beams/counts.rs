@@ -61,12 +61,12 @@ impl Counts {
         self.bins.iter().sum()
     }
 
-    /// The particles from the lower edge of bin `first` on.
+    /// The number of particles in bin `first` and all later bins.
     pub(crate) fn beyond_bin(&self, first: usize) -> u64 {
         self.bins.iter().skip(first).sum()
     }
 
-    /// The counts that a law predicts for `particles`, bin by bin.
+    /// The counts that a law predicts for this number of `particles`, bin by bin.
     pub fn expected(law: &ScatteringLaw, particles: u64) -> [f64; BINS] {
         std::array::from_fn(|bin| {
             let beyond = |edge: usize| law.share_beyond(edge as f64 * BIN_WIDTH);

@@ -18,7 +18,7 @@ pub struct Metal {
     pub(crate) density: f64,
 }
 
-/// Metals from heavy to light. The numbers of atoms per cubic metre follow from mass densities and
+/// The metals, heaviest first. The numbers of atoms per cubic metre follow from mass densities and
 /// atomic masses, such as 19.3 g/cm³ and 196.97 u for gold (CRC Handbook of Chemistry and Physics).
 pub const METALS: [Metal; 5] = [
     metal("gold", GOLD_CHARGE, 197.0, GOLD_DENSITY),

@@ -54,7 +54,7 @@ pub fn geiger_marsden() -> Result<Vec<Angle>, Fault> {
 
 /// Reads a table of counts: comma-separated values under the heading
 /// `angle_deg,silver_count,gold_count`, with comments after `#`. Angles are from 0.1 to
-/// 180, each smaller than the one before; counts are from 0.1 to 10¹².
+/// 180, each smaller than the previous one; counts are from 0.1 to 10¹².
 ///
 /// # Errors
 /// The first line with an error.

@@ -223,7 +223,7 @@ fn the_share_per_steradian_integrates_to_the_share_of_a_ring() {
     assert!((sphere - 4.0 * PI).abs() < 1e-12);
 }
 
-/// The share scattered by more than an angle in a foil is n t σ, so it is proportional to the
+/// The fraction scattered by more than an angle in a foil is n t σ, so it is proportional to the
 /// thickness.
 #[test]
 fn a_foil_scatters_few_particles_backwards() {

@@ -1,4 +1,4 @@
-//! Writes files atomically: under its name there is always the whole old file or the whole new one.
+//! Writes files atomically: a name always refers to the whole old file or the whole new one.
 
 use std::fs;
 use std::io::{self, ErrorKind, Write};
@@ -47,7 +47,8 @@ impl UnplacedFile {
         Ok(Self(file.into_temp_path()))
     }
 
-    /// Renames it over an existing file, whose permissions it keeps.
+    /// Moves the file to `path`; if a file exists there, replaces that file and keeps its
+    /// permissions.
     ///
     /// # Errors
     /// If that fails, for example because a folder has that name.
@@ -59,7 +60,8 @@ impl UnplacedFile {
         Ok(())
     }
 
-    /// Renames it to an unused name; returns `false` if anything has that name, even a broken link.
+    /// Renames the file to an unused name; returns `false` if anything has that name, even a broken
+    /// link.
     ///
     /// # Errors
     /// If that cannot be done.

@@ -63,7 +63,7 @@ impl Source<'_> {
         let mut broken = None;
         for error in errors {
             let at = error.span().map_or(0, |span| span.start);
-            // The first error causes most further errors on the same line.
+            // Most further errors on the same line are caused by the first one.
             let line = self.line_near(at).as_ptr();
             if broken.replace(line) == Some(line) {
                 continue;
@@ -458,8 +458,8 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// Passes the name and the value of every field to `set`, a number in decimal form, and notes
-    /// the errors that it returns.
+    /// Passes the name and the value of every field to `set`, with numbers in decimal form, and
+    /// notes the errors that `set` returns.
     pub(crate) fn each(&self, mut set: impl FnMut(&str, &str) -> Result<(), String>) -> Option<()> {
         let fields = self
             .table

@@ -1,4 +1,4 @@
-//! Decides which characters in a text from outside are visible and which are unsafe.
+//! Decides which characters in text from outside are visible and which are unsafe.
 
 use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthChar;
@@ -105,7 +105,7 @@ pub fn tidy_name(name: &str) -> String {
     tidy
 }
 
-/// Like [`tidy_name`], but with at most this many letters. A letter may consist of a few
+/// Like [`tidy_name`], but with at most this many letters. A letter may consist of several
 /// characters.
 pub(crate) fn short_name(name: &str, letters: usize) -> String {
     const BYTES: usize = 8;

@@ -129,7 +129,7 @@ impl Record {
         self.moves.push(made);
     }
 
-    /// Takes the last move back.
+    /// Takes back the last move.
     pub fn pop(&mut self) -> Option<Move> {
         self.moves.pop()
     }

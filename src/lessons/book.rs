@@ -154,7 +154,7 @@ impl Book {
         format!("{} of {}", done.count(), chapters.len())
     }
 
-    /// The chapters of which every page has been seen.
+    /// The chapters whose pages have all been seen.
     pub fn read_through(&self) -> impl Iterator<Item = &Chapter> {
         let seen = |chapter: &&Chapter| {
             let mark = self.mark(&chapter.id);

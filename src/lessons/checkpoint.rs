@@ -238,7 +238,7 @@ fn number(words: &mut Words, meaning: &Meaning) -> Result<CheckpointKind, String
     })
 }
 
-/// The quantity with this name, of a named shot, of the page's figure, or without a shot.
+/// The quantity with this name: of a named shot, of the page's figure, or independent of any shot.
 fn named(words: &mut Words, meaning: &Meaning) -> Result<Expected, String> {
     let name = words.first().unwrap_or_default();
     if let Some(constant) = words.constant(&name)? {

@@ -36,7 +36,7 @@ pub struct Level {
     pub id: String,
     /// The title shown to players.
     pub title: String,
-    /// Hints, each more direct than the one before.
+    /// Hints, each more direct than the previous one.
     pub hints: Vec<String>,
     /// The explanation after the shot: paragraphs separated by empty lines.
     pub explanation: String,

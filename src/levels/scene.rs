@@ -93,7 +93,7 @@ impl Scene {
         self.pieces.iter().map(|piece| piece.disc).collect()
     }
 
-    /// The initial motion of each disc: all at rest except the one that is shot.
+    /// The initial motion of each disc: all at rest except the disc that is shot.
     pub fn motions(&self) -> Vec<Motion> {
         let mut motions: Vec<_> = self
             .pieces

@@ -83,12 +83,12 @@ impl Mouse {
         (self.column, self.row)
     }
 
-    /// Whether the button went down just now in an area.
+    /// Whether the button has just gone down in an area.
     pub fn presses(&self, area: Rect) -> bool {
         self.kind == MouseKind::Down && area.contains(self.cell().into())
     }
 
-    /// Whether the button is down, just now or for some time.
+    /// Whether the button is down, whether just pressed or held.
     pub(crate) fn is_held(&self) -> bool {
         matches!(self.kind, MouseKind::Down | MouseKind::Drag)
     }

@@ -12,7 +12,8 @@ struct Twofold(f64, f64);
 
 /// π/2 with twice the digits.
 const QUARTER: Twofold = Twofold(std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
-/// Terms of a series; up to an eighth of a turn the next term is below the last digit.
+/// The number of terms of a series; for angles up to an eighth of a turn the next term is below the
+/// last digit.
 const TERMS: u32 = 14;
 
 impl Twofold {

@@ -23,7 +23,7 @@ pub struct Event {
 #[strum(serialize_all = "snake_case")]
 pub enum EventKind {
     /// Two discs collided. Contacts at the same instant are listed one after another; each starts
-    /// from the velocities that the one before it left.
+    /// from the velocities after the previous contact.
     Impact {
         /// The two discs.
         discs: [usize; 2],

@@ -181,8 +181,8 @@ impl Attempt {
     }
 
     /// The chance that a guess fits a misconception, if it was not stored: an upper bound from the
-    /// answer. Choices were three or more, and at least as many as the stored misconceptions plus
-    /// the right one.
+    /// answer. There were at least three choices, and at least as many as the stored misconceptions
+    /// plus the right one.
     fn by_chance_at_most(&self, misconceptions: usize) -> f64 {
         match self.truth.contains_key("choice") {
             true => 1.0 / (misconceptions + 1).max(3) as f64,

@@ -72,8 +72,8 @@ pub(crate) fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<
     })
 }
 
-/// A comment of one or two sentences on the confidence that is furthest outside its range; of two
-/// equally far, the surer one.
+/// A comment of one or two sentences on the confidence that is furthest outside its range; if two
+/// are equally far, on the surer one.
 pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
     let gap = |it: &&Calibrated| it.beyond().abs();
     let widest = calibration
@@ -96,7 +96,7 @@ pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
         _ if calibration.iter().any(|it| it.tally.attempts >= ENOUGH) => {
             "You judge your knowledge well. That is a skill in itself."
         }
-        _ => "After a few more answers, this shows how well you judge your knowledge.",
+        _ => "After a few more answers, you will see how well you judge your knowledge.",
     }
 }
 

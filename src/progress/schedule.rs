@@ -10,7 +10,7 @@
 //! answered last evening is due this morning.
 //!
 //! - Wrong, or right by a guess: off the ladder, and due at once.
-//! - Right from off the ladder: on its first step.
+//! - Right while off the ladder: onto the first step.
 //! - Right when it is due: one step up, until the last; or more, if it has rested longer than
 //!   planned: after n days, the next interval is the largest power of two that is at most n.
 //! - Right before it is due: nothing changes, because ten right answers on one day show no more
@@ -129,7 +129,7 @@ mod tests {
         }
     }
 
-    /// The step and the day on which the one topic of these attempts is due.
+    /// The step and the due day of the only topic in these attempts.
     fn due(attempts: &[(i64, bool)]) -> (Option<u32>, i64) {
         let attempts: Vec<_> = attempts.iter().map(|it| on_day(it.0, it.1)).collect();
         let calendar = Calendar::utc(Some(START_S));

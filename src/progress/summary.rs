@@ -152,7 +152,7 @@ impl<'a> Summary<'a> {
         let numbers: Vec<String> = numbers.map(|(number, _)| number.to_string()).collect();
         let (last, others) = numbers.split_last().map_or(("", &[][..]), |(a, b)| (a, b));
         let (found, somebody) = match misconception.origin() {
-            Origin::Slip => ("It seems that this slip often happens to you", "makes it"),
+            Origin::Slip => ("It seems that you often make this slip", "makes it"),
             _ => ("It seems that you believe this", "believes it"),
         };
         vec![
@@ -202,7 +202,7 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// The page to read next: the one that explains the strongest misconception, or else the one
+    /// The page to read next: the page that explains the strongest misconception, or else the page
     /// that teaches the first missed topic. Topics with a "sure" but wrong answer come first.
     /// `None` if nothing was missed.
     pub(crate) fn passage(&self) -> Option<Passage> {

@@ -1,4 +1,4 @@
-//! The facts that the rules use, and their possible decisions.
+//! The facts that the rules use, and the possible decisions.
 
 use super::Law;
 use crate::game::pieces::{COINS_EACH, Colour};

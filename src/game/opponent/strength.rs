@@ -62,7 +62,7 @@ pub(super) struct Skill {
     /// Whether the position after the stroke is evaluated.
     pub(super) looks_ahead: bool,
     /// Whether strokes are restricted to the [steps](crate::game::steps) in which a player sets
-    /// them, and to those without a foul if they are exact.
+    /// them, and to those that are not fouls when played exactly.
     pub(super) on_steps: bool,
 }
 

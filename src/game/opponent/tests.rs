@@ -206,7 +206,7 @@ fn bits(stroke: Motion) -> u64 {
 }
 
 /// The search may get faster, but its results never change: the stroke of each strength, and the
-/// hint, after this many strokes of club players.
+/// hint, after this many strokes by club players.
 #[test]
 fn decisions_do_not_change_by_a_single_bit() {
     use Hands::{Four, Two};

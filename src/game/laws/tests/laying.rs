@@ -60,7 +60,7 @@ pub(super) fn lay(rules: Rules, white: u8, black: u8, queen: Queen) -> Table {
     Table(game)
 }
 
-/// Moves coins out of the outer circle, two rows of them.
+/// Moves coins out of the outer circle into rows of ten.
 pub(super) fn spread(coins: &mut [Coin]) {
     for (i, coin) in (0_i32..).zip(coins) {
         let (column, row) = (f64::from(i % 10), f64::from(i / 10));

@@ -9,7 +9,7 @@ use Piece::{Black, Striker, White};
 const QUEEN: Piece = Piece::Queen;
 
 #[test]
-fn law_65_the_queen_may_be_taken_after_one_of_ones_coins_and_must_be_covered() {
+fn law_65_the_queen_may_be_taken_after_a_coin_of_ones_own_and_must_be_covered() {
     let mut table = table(8, 9, Queen::OnBoard);
     let rulings = table.pocket(&[QUEEN]);
     expect(&table, &rulings, "65", &[], true);
@@ -18,7 +18,7 @@ fn law_65_the_queen_may_be_taken_after_one_of_ones_coins_and_must_be_covered() {
 }
 
 #[test]
-fn law_65_one_of_ones_coins_in_the_next_stroke_covers_her() {
+fn law_65_a_coin_of_ones_own_in_the_next_stroke_covers_her() {
     let mut table = table(8, 9, Queen::ToCover);
     let rulings = table.pocket(&[White]);
     expect(&table, &rulings, "65", &[], true);
@@ -34,7 +34,7 @@ fn law_66_she_goes_back_to_the_exact_centre() {
 }
 
 #[test]
-fn law_68a_the_queen_before_any_of_ones_coins_comes_back_and_costs_the_turn() {
+fn law_68a_the_queen_before_any_coin_of_ones_own_comes_back_and_costs_the_turn() {
     let mut table = table(9, 9, Queen::OnBoard);
     let rulings = table.pocket(&[QUEEN]);
     expect(&table, &rulings, "68a", &[QUEEN], false);
@@ -98,7 +98,7 @@ fn law_69_an_uncovered_queen_goes_back() {
 }
 
 #[test]
-fn law_70a_one_of_ones_coins_in_the_same_stroke_covers_her() {
+fn law_70a_a_coin_of_ones_own_in_the_same_stroke_covers_her() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[White, QUEEN]);
     expect(&table, &rulings, "70a", &[], true);

@@ -59,8 +59,8 @@ pub(in super::super) fn strike(
     stroke(sight, course, Way::straight(from, ghost)?)
 }
 
-/// The tolerance of that stroke, except for rounding, without a square root: for most strokes
-/// nothing else is computed.
+/// The tolerance of that stroke, except for rounding, computed without a square root: for most
+/// strokes nothing else is computed.
 pub(in super::super) fn allowance(
     sight: &Sight,
     course: &PocketPath,
