@@ -2,7 +2,7 @@
 //!
 //! Functions that print a quantity write a hyphen for a minus, as files and programs require.
 //! Text in formulas passes through [`true_minus`], and the Unicode screen replaces all other
-//! hyphens before numbers by minus signs.
+//! hyphens before numbers with minus signs.
 
 use std::fmt;
 

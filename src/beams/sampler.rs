@@ -10,14 +10,14 @@ use super::{BIN_WIDTH, BINS, Counts, ScatteringLaw};
 /// Stream of the generator; part of the meaning of a seed.
 const STREAM: u128 = 0x0a02_bdbf_7bb3_c0a7;
 
-/// Cells of the index table, a power of two. 4096 bytes fit in the fastest cache.
+/// The number of cells of the index table, a power of two. 4096 bytes fit in the fastest cache.
 const CELLS: usize = 4096;
 
 /// Length of the tables of bins: a power of two, so that no index is out of range.
 const PLACES: usize = 64;
 
-/// Particles that are computed in parallel, so that no step waits for the result of the previous
-/// step.
+/// The number of particles that are computed in parallel, so that no step waits for the result of
+/// the previous step.
 const LANES: usize = 4;
 
 /// Draws the particles of a beam and counts them by angle.

@@ -21,7 +21,7 @@ impl UnplacedFile {
     /// read it.
     ///
     /// # Errors
-    /// If it cannot be written completely; then it is removed.
+    /// If the file cannot be written completely; it is then removed.
     pub(crate) fn write(folder: &Path, text: &str) -> io::Result<Self> {
         Self::write_with_mode(folder, text, 0o666)
     }

@@ -7,7 +7,8 @@ use unicode_segmentation::UnicodeSegmentation;
 use super::is_invisible;
 use super::letters::{hides, is_picture};
 
-/// The most errors that are reported for one file. A file of another kind could have any number.
+/// The most errors that are reported for one file. A file of another kind could cause any number of
+/// them.
 const MOST_TOLD: usize = 20;
 
 /// The most characters in one message.
@@ -34,7 +35,7 @@ pub struct FileError {
 }
 
 impl FileError {
-    /// An error of a whole file.
+    /// An error that concerns a whole file.
     pub(crate) fn of_file(file: &str, message: impl Into<String>) -> Self {
         Self {
             file: file.into(),

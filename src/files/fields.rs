@@ -187,20 +187,20 @@ impl<'a> Fields<'a> {
             .map(|(_, it)| it)
     }
 
-    /// Notes an error of a field, at its value, or at the table if the field is missing; always
+    /// Notes an error in a field, at its value, or at the table if the field is missing; always
     /// returns `None`, for the caller to return.
     pub(crate) fn refuse<T>(&self, name: &str, message: impl Into<String>) -> Option<T> {
         let at = self.table.get(name).map_or(self.at, |v| v.span().start);
         self.refuse_at(at, name, message)
     }
 
-    /// Notes an error of the table itself; always returns `None`.
+    /// Notes an error in the table itself; always returns `None`.
     pub(crate) fn refuse_table<T>(&self, message: impl Into<String>) -> Option<T> {
         self.source.note(Rank::Value, self.at, &self.path, message);
         None
     }
 
-    /// Notes an error of an item of a list, counted from 0; always returns `None`.
+    /// Notes an error in an item of a list, counted from 0; always returns `None`.
     pub(crate) fn refuse_item<T>(
         &self,
         name: &str,

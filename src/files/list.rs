@@ -1,4 +1,4 @@
-//! Lists the files in a folder, or in the program.
+//! Lists the files in a folder, or those built into the program.
 
 use std::fs;
 use std::io;

@@ -31,7 +31,7 @@ pub(crate) const OUTER_CIRCLE_RADIUS: f64 = 0.085;
 /// unique result.
 pub(crate) const GAP: f64 = 0.0001;
 
-/// One of the four kinds of piece; "white" is its short name.
+/// One of the four kinds of piece; as text, a short name such as "white".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "lowercase")]
@@ -129,7 +129,7 @@ pub(super) mod metres {
     }
 }
 
-/// The set of discs of a game.
+/// The set of discs used in a game.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PieceSet {

@@ -20,7 +20,7 @@ pub struct Record {
     moves: Vec<Move>,
 }
 
-/// A move of a player.
+/// A move by a player.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, IntoStaticStr)]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]

@@ -15,7 +15,7 @@ use super::stroke::{Stroke, StrokeError};
 use super::validity::{GameError, check_coins};
 use crate::physics::{Disc, Motion};
 
-/// The agreement before the first break.
+/// The settings that are agreed before the first break.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct GameSetup {
@@ -89,7 +89,7 @@ impl Game {
         }
     }
 
-    /// The agreement before the first break.
+    /// The settings that are agreed before the first break.
     pub fn setup(&self) -> &GameSetup {
         &self.setup
     }

@@ -34,7 +34,7 @@ pub struct Book {
 }
 
 impl Book {
-    /// A book that has more chapters than the built-in ones.
+    /// A book with the chapters of this library.
     pub fn new(library: ChapterLibrary) -> Self {
         Self {
             library: Some(Arc::new(library)),
@@ -90,7 +90,7 @@ impl Book {
         self.marks = None;
     }
 
-    /// The bookmark in a chapter, if it was ever opened.
+    /// The bookmark in a chapter, if the chapter was ever opened.
     pub fn mark(&self, id: &str) -> Option<&Bookmark> {
         self.marks.as_ref()?.get(id)
     }
@@ -119,8 +119,8 @@ impl Book {
         }
     }
 
-    /// Where to continue reading: the last chapter that was opened and is not done, with the
-    /// page where it was left; otherwise the next one that is not done, with no page if it was
+    /// Where to continue reading: the last chapter that was opened and is not done, with the page
+    /// where reading stopped; otherwise the next chapter that is not done, with no page if it was
     /// never opened. `None` if nothing was opened or everything is done.
     pub(crate) fn reading_on(&self) -> Option<(usize, Option<usize>)> {
         let chapters = &self.library().chapters;

@@ -19,8 +19,8 @@ pub struct Checkpoint {
     pub asked: CheckpointKind,
     /// The question.
     pub question: Vec<TextBlock>,
-    /// The hint after a wrong answer, which does not reveal the right one; the feedback on a wrong
-    /// choice can serve as the hint.
+    /// The hint after a wrong answer, which does not reveal the right answer; the feedback on a
+    /// wrong choice can serve as the hint.
     pub hint: Vec<TextBlock>,
     /// The text after the answer.
     pub after: Vec<TextBlock>,
@@ -46,7 +46,7 @@ pub enum CheckpointKind {
     Choice(Vec<CheckpointChoice>),
 }
 
-/// The number that is right.
+/// The correct number.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Expected {
     /// A quantity of a shot.

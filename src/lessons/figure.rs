@@ -62,7 +62,7 @@ pub struct Figure {
     pub shot: CollisionSpec,
     /// The shot that it shows once the page's question is answered, usually the same one.
     pub after: CollisionSpec,
-    /// Whether it uses the impact angle that the student set last in the chapter.
+    /// Whether the figure uses the impact angle that the student set last in the chapter.
     pub own: bool,
 }
 
@@ -124,7 +124,7 @@ impl Figure {
         })
     }
 
-    /// Reads a figure as the command line names it; the only shot is the worked one.
+    /// Reads a figure as the command line names it; the only shot available is the worked one.
     ///
     /// # Errors
     /// A message that states what was expected.

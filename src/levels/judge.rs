@@ -276,7 +276,7 @@ fn pocketed(discs: &[usize], shot: &Shot, scene: &Scene) -> Finding {
     found(met, format!("pocketed: {}{wrong}", names.join(", then ")))
 }
 
-/// The events before the first collision of two discs; `None` if there is none.
+/// The events before the first collision of these two discs; `None` if there is none.
 fn before_meeting(one: usize, other: usize, shot: &Shot) -> Option<&[Event]> {
     let meets = |event: &Event| event.kind.partner(one) == Some(other);
     let at = shot.events().iter().position(meets)?;

@@ -7,7 +7,7 @@ use super::level::Level;
 use super::library::{LevelLibrary, Pack};
 use super::stars::{MOST_STARS, Starred, Win};
 
-/// All levels, numbered from 0 through all packs, with the best result in each.
+/// All levels, numbered from 0 across all packs, with the best result in each.
 #[derive(Debug, Clone, Default)]
 pub struct Shelf {
     /// `None` for the built-in levels alone, which are read only when they are needed.
@@ -19,7 +19,7 @@ pub struct Shelf {
 }
 
 impl Shelf {
-    /// A shelf that has more levels than the built-in ones, none of them won yet.
+    /// A shelf with the levels of this library, none of them won yet.
     pub fn new(library: LevelLibrary) -> Self {
         Self {
             library: Some(Arc::new(library)),

@@ -1,4 +1,4 @@
-//! Requests of the app to the shell that drives it.
+//! Requests from the app to the shell that drives it.
 
 use super::{HostCall, JoinCall, StoreCall};
 

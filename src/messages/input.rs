@@ -16,8 +16,8 @@ pub enum Input {
     Paste(String),
     /// The screen now has this many columns and rows.
     Resize(u16, u16),
-    /// The [`Effect::Keep`](super::Effect::Keep) of this ticket takes a long time; its result will
-    /// follow.
+    /// The [`Effect::Keep`](super::Effect::Keep) with this ticket takes a long time; its result
+    /// will follow.
     Saving(u64),
     /// The result of an [`Effect::Keep`](super::Effect::Keep).
     Kept(Box<StoreAnswer>),

@@ -42,7 +42,7 @@ pub struct Collision {
     /// within a degree of a graze: b is the sum of the two. There cos α depends on digits of b that
     /// `offset` alone cannot represent. Otherwise 0.
     pub offset_rest: f64,
-    /// Coefficient of restitution e, 0 to 1; without effect on discs that stick.
+    /// Coefficient of restitution e, 0 to 1; it has no effect on discs that stick.
     pub restitution: f64,
     /// Whether the discs slip past each other or stick.
     pub bond: Bond,
@@ -99,7 +99,7 @@ pub struct CollisionOutcome {
 }
 
 impl CollisionOutcome {
-    /// Whether the discs touched, if only grazing.
+    /// Whether the discs touched, even if they only grazed each other.
     pub fn hit(&self) -> bool {
         self.meeting != Meeting::Miss
     }
@@ -107,7 +107,7 @@ impl CollisionOutcome {
 
 impl Collision {
     /// A smooth, perfectly elastic collision at impact angle `alpha` radians with a target at rest.
-    /// For any other collision set the fields that differ; the angle does not depend on the
+    /// For any other collision, set the fields that differ; the angle does not depend on the
     /// velocities, the masses or the restitution.
     pub fn at_angle(striker: Disc, target: Disc, u1: DVec2, alpha: f64) -> Self {
         Self::at_offset(striker, target, u1, 0.0).with_alpha(alpha)

@@ -1,8 +1,8 @@
 //! The unit vector at an angle, bit for bit the same on every machine.
 //!
 //! Math libraries round sines differently, and after many collisions on a board a difference in the
-//! last bit gives a different result. So sines are computed here from their series with twice the
-//! digits and then rounded once.
+//! last bit gives a different result. So sines are computed here from their series to twice the
+//! precision and then rounded once.
 
 use glam::DVec2;
 
@@ -10,7 +10,7 @@ use glam::DVec2;
 #[derive(Clone, Copy)]
 struct Twofold(f64, f64);
 
-/// π/2 with twice the digits.
+/// π/2 to twice the precision.
 const QUARTER: Twofold = Twofold(std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
 /// The number of terms of a series; for angles up to an eighth of a turn the next term is below the
 /// last digit.

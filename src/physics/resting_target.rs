@@ -15,7 +15,7 @@
 //! = 1 the same holds with Newton's law of restitution along n, as in W. Goldsmith, *Impact*
 //! (1960), chapter 2.
 //!
-//! Angles are in radians, speeds are fractions of u, energies are fractions of ½m₁u². `None` means
+//! Angles are in radians, speeds are in units of u, and energies in units of ½m₁u². `None` means
 //! undefined: a body at rest has no direction.
 
 use std::f64::consts::FRAC_PI_2;
@@ -24,7 +24,7 @@ use super::Collision;
 use super::impact::reduced_mass;
 
 /// How far past its limit a sine or cosine may be by rounding alone. The error of an angle computed
-/// from such a number is no more than the rounding of the input.
+/// from such a number is no more than the rounding error of the input.
 const ROUNDING: f64 = 1e-12;
 
 /// A striker, a smooth target at rest, and their coefficient of restitution.

@@ -149,8 +149,7 @@ mod tests {
         close(potential, RADIUM_C_ENERGY, 1e-14);
     }
 
-    /// Geiger and Marsden's absolute count at 45°: gold of 2.1·10⁻⁵ cm, a screen of 1 mm²
-    /// at 1 cm.
+    /// Geiger and Marsden's absolute count at 45°: 2.1·10⁻⁵ cm of gold, a screen of 1 mm² at 1 cm.
     #[test]
     fn the_absolute_count_at_45_degrees_agrees() {
         let share = Rutherford::radium_c_on_gold()

@@ -70,7 +70,7 @@ impl EventKind {
         }
     }
 
-    /// The other disc of an impact in which this one takes part.
+    /// The other disc of an impact in which this disc takes part.
     pub(crate) fn partner(&self, disc: usize) -> Option<usize> {
         match self.discs() {
             (a, Some(b)) if a == disc => Some(b),

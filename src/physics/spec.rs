@@ -92,7 +92,7 @@ impl FieldRange {
 }
 
 impl Default for CollisionSpec {
-    /// The worked shot: 15 g on 15 g at 4 m/s and 30°, smooth and without loss.
+    /// The worked shot: 15 g on 15 g at 4 m/s and 30°, smooth and without energy loss.
     fn default() -> Self {
         Self {
             m1_g: 15.0,

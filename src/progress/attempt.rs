@@ -104,7 +104,7 @@ impl Attempt {
         topic_name(&self.family, &self.topic)
     }
 
-    /// A description of its error; `None` if it is a possible answer to some question.
+    /// The reason why the answer is impossible; `None` if it is a possible answer to some question.
     ///
     /// Anyone can change files and databases. All code that counts, shows or hands in answers
     /// relies on this check: numbers are finite and in range, and the answer is of the same kind as

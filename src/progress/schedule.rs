@@ -146,7 +146,7 @@ mod tests {
         assert_eq!(due(&[(0, true)]), (Some(0), 1));
         assert_eq!(due(&[(0, true), (1, true)]), (Some(1), 3));
         assert_eq!(due(&[(0, true), (1, true), (3, true)]), (Some(2), 7));
-        // 8 days are three steps; 7 are two, and 60 would be five.
+        // After 8 days the topic climbs three steps, after 7 only two, and after 60 five.
         assert_eq!(due(&[(0, true), (8, true)]), (Some(3), 16));
         assert_eq!(due(&[(0, true), (7, true)]), (Some(2), 11));
         assert_eq!(due(&[(0, true), (60, true)]), (Some(5), 92));

@@ -189,7 +189,8 @@ impl<'a> Summary<'a> {
     pub fn checked(&self, misconception: Misconception) -> String {
         let name = misconception.name();
         let is_it = |it: Misconception| {
-            // The code of a misconception that was later split into several tests for all of them.
+            // If a misconception was later split into several, its code still tests for all of
+            // them.
             it == misconception || it.in_codes() == Some(misconception)
         };
         let shown = |it: &&Attempt| it.shows().is_some_and(is_it);

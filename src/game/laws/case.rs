@@ -94,9 +94,9 @@ pub(crate) enum QueenFate {
 pub(crate) enum TurnFate {
     /// The same player strikes again.
     Continues,
-    /// The next.
+    /// The next player strikes.
     Passes,
-    /// Nobody: the board is over.
+    /// Nobody strikes: the board is over.
     Ends {
         /// Whether the player who struck won it.
         won: bool,
@@ -133,7 +133,7 @@ impl Verdict {
         }
     }
 
-    /// The player strikes again.
+    /// The verdict that the player strikes again.
     pub(super) fn continues(law: impl Into<Option<Law>>, text: String) -> Self {
         Self::new(law.into(), text, TurnFate::Continues)
     }
@@ -142,7 +142,7 @@ impl Verdict {
         Self::new(law.into(), text, TurnFate::Passes)
     }
 
-    /// The board is over.
+    /// The verdict that ends the board.
     pub(super) fn ends(law: impl Into<Option<Law>>, text: String, won: bool, points: u8) -> Self {
         Self::new(law.into(), text, TurnFate::Ends { won, points })
     }
@@ -156,12 +156,12 @@ impl Verdict {
         Self { dues: 1, ..self }
     }
 
-    /// What becomes of the queen.
+    /// The verdict with this fate of the queen.
     pub(super) fn queen(self, queen: QueenFate) -> Self {
         self.queen_if(true, queen)
     }
 
-    /// The verdict with this change of the queen; otherwise she stays.
+    /// The verdict with this fate of the queen if `case` is true; otherwise she stays.
     pub(super) fn queen_if(mut self, case: bool, queen: QueenFate) -> Self {
         if case {
             self.queen = queen;

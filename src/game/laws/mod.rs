@@ -53,7 +53,7 @@ pub enum Rules {
     /// The Laws of Carrom, in singles or doubles, as a match of three games.
     #[default]
     Tournament,
-    /// The simple rules of most families: first to clear wins the game.
+    /// The simple rules of most families: the first player to clear their coins wins the game.
     Friendly,
     /// No turns, no dues: the striker may be placed anywhere, and every stroke may be repeated.
     Practice,

@@ -55,7 +55,7 @@ pub struct Ruling {
     pub law: Option<Law>,
     /// What happened and the reason for the decision, in one sentence.
     pub text: String,
-    /// The changes on the board and in the score, in that order.
+    /// The changes to the board and to the score, in that order.
     pub effects: Vec<RulingEffect>,
 }
 

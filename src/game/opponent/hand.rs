@@ -58,7 +58,7 @@ impl Slip {
     }
 }
 
-/// A number from approximately the standard normal distribution, as a sum of twelve uniform numbers
+/// A number with approximately the standard normal distribution, as a sum of twelve uniform numbers
 /// (Irwin and Hall): within ±6, without a logarithm, which different machines round differently.
 fn normal(chance: &mut Pcg64) -> f64 {
     (0..12).map(|_| chance.random::<f64>()).sum::<f64>() - 6.0
@@ -103,7 +103,7 @@ mod tests {
         };
         let struck = slip.applied_to(meant);
         assert_eq!(struck.position, meant.position);
-        // tan φ = 3/4 gives a triangle with the sides 3, 4 and 5.
+        // tan φ = 3/4 gives a triangle with sides 3, 4 and 5.
         assert!((struck.velocity - DVec2::new(-0.6, 0.8) * 2.2).length() < 1e-15);
         assert_eq!(Slip::default().applied_to(meant), meant);
     }

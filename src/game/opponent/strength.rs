@@ -33,7 +33,7 @@ pub enum Strength {
     Club,
     /// Also considers cushion shots, and tries each shot with an unsteady hand.
     Expert,
-    /// Considers the same shots as an expert, tries more strokes and rarely makes an error.
+    /// Considers the same shots as an expert, tries more strokes and makes smaller errors.
     Champion,
 }
 
@@ -41,23 +41,23 @@ pub enum Strength {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Skill {
     pub(super) hand: Hand,
-    /// Positions along the base lines that are considered.
+    /// The number of positions along the base lines that are considered.
     pub(super) places: u16,
     /// Whether combinations are considered.
     pub(super) combinations: bool,
     /// Whether cushion shots are considered.
     pub(super) cushions: bool,
-    /// Aims that are tried, those most likely to succeed first.
+    /// The number of aims that are tried, those most likely to succeed first.
     pub(super) aims: usize,
     /// Speeds at which each is tried, as multiples of the least speed.
     pub(super) speeds: &'static [f64],
-    /// Strokes that are tried and do not aim for a pocket.
+    /// The number of strokes that are tried without aiming for a pocket.
     pub(super) knocks: usize,
-    /// The best strokes, which are tried with an unsteady hand.
+    /// The number of best strokes, which are tried with an unsteady hand.
     pub(super) finalists: usize,
-    /// Random errors with which each of these is tried.
+    /// The number of random errors with which each of these strokes is tried.
     pub(super) slips: usize,
-    /// Small changes of the best stroke that are tried in the same way.
+    /// The number of small changes to the best stroke that are tried in the same way.
     pub(super) refinements: usize,
     /// Whether the position after the stroke is evaluated.
     pub(super) looks_ahead: bool,

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::super::slide::{parabola, relative_deceleration};
 use super::super::{Disc, Motion};
 
-/// The engine's state of a disc.
+/// The state of a disc in the engine.
 ///
 /// It stores the start of the current slide, which only an event of this disc changes: there are no
 /// time steps.

@@ -1,4 +1,4 @@
-//! Errors of a shot.
+//! The reasons why a shot cannot be played.
 
 use thiserror::Error;
 

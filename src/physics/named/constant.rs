@@ -145,7 +145,7 @@ mod tests {
         assert!((value("rutherford_share", &[("angle_deg", "45")]) - 3.2e-7).abs() < 0.05e-7);
         // 1/sin⁴ from 60° to 120°: (sin 60° / sin 30°)⁴ = 9.
         assert!((value("rutherford_ratio", &[]) - 9.0).abs() < 1e-9);
-        // Straight back the closest approach is d itself.
+        // For scattering straight back, the closest approach is d itself.
         let back = value("rutherford_r_fm", &[("angle_deg", "180")]);
         assert!((back - value("rutherford_d_fm", &[])).abs() < 1e-9);
     }

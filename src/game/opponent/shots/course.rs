@@ -1,4 +1,4 @@
-//! The paths on which a coin reaches a pocket.
+//! The paths along which a coin reaches a pocket.
 
 use glam::DVec2;
 

@@ -94,9 +94,9 @@ pub(in super::super) fn kicks<'a>(
 
 /// The stroke along this path that gives a coin its course at the end, if there is one.
 ///
-/// The striker transfers a fixed fraction of its velocity component along the line of impact. An
-/// error of its direction becomes a shift at the end of its path; divided by r₁ + r₂ and the
-/// cosine, this is an error of the line of impact.
+/// The coin's speed is a fixed multiple of the striker's velocity component along the line of
+/// impact. An error in the striker's direction becomes a shift at the end of its path; divided by
+/// r₁ + r₂ and the cosine, this is an error of the line of impact.
 fn stroke(sight: &Sight, course: &PocketPath, way: Way) -> Option<Unchecked<ProposedStroke>> {
     let cosine = way.arriving.dot(course.toward);
     if cosine <= THINNEST || cosine.is_nan() {
