@@ -94,7 +94,7 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
         if angles.last().is_some_and(|last| last.angle <= next.angle) {
             return fault(
                 line,
-                "angle_deg: expected less than in the line before".into(),
+                "angle_deg: expected less than on the previous line".into(),
             );
         }
         angles.push(next);

@@ -304,7 +304,7 @@ fn a_bad_table_is_refused_with_the_line_number() {
         ),
         (
             &format!("{head}10,1,1\n20,1,1\n"),
-            "3: angle_deg: expected less than in the line before",
+            "3: angle_deg: expected less than on the previous line",
         ),
     ] {
         let fault = read(table).unwrap_err();

@@ -97,7 +97,7 @@ impl Source<'_> {
         let first_words = values.iter().filter_map(|it| it.split_whitespace().next());
         let mut words = first_words.map(|word| word.trim_end_matches([',', '}']));
         if let Some((word, number)) = words.find_map(|word| Some((word, with_a_point(word)?))) {
-            return format!("expected a number, found {word}; write {number} with a point");
+            return format!("expected a number, found {word}; write {number} with a decimal point");
         }
         if let Some(number) = values.iter().find_map(|value| without_a_unit(value)) {
             return format!("expected a number, found one with a unit; write {number} alone");
@@ -119,7 +119,7 @@ fn values(line: &str) -> Vec<&str> {
     }
 }
 
-/// A number that was written with a comma, with a point instead.
+/// A number that was written with a decimal comma, with a decimal point instead.
 fn with_a_point(text: &str) -> Option<String> {
     let number = text.replacen(',', ".", 1);
     let is_one = text.contains(',') && number.parse::<f64>().is_ok();
@@ -286,7 +286,7 @@ impl<'a> Fields<'a> {
             _ => None,
         };
         if let Some(number) = number {
-            message += &format!("; write {number} with a point");
+            message += &format!("; write {number} with a decimal point");
         }
         self.refuse_at(at, name, message)
     }
@@ -413,7 +413,7 @@ impl<'a> Fields<'a> {
     ) -> Option<Vec<String>> {
         let (least, items) = (count.start(), count.end());
         let expected =
-            format!("a list of {least} to {items} texts of 1 to {most} printable characters");
+            format!("a list of {least} to {items} strings of 1 to {most} printable characters");
         self.list(name, &expected, count, |value| {
             Some(text(value.get_ref(), most)?.trim().to_owned())
         })
@@ -434,7 +434,7 @@ impl<'a> Fields<'a> {
 
     /// A list of any strings.
     pub(crate) fn any_texts(&self, name: &str) -> Option<Vec<&'a str>> {
-        self.list(name, "a list of texts", 0..=usize::MAX, |value| {
+        self.list(name, "a list of strings", 0..=usize::MAX, |value| {
             value.get_ref().as_str()
         })
     }
@@ -590,8 +590,11 @@ mod tests {
     #[test]
     fn common_mistakes_get_a_hint_in_inline_tables_too() {
         for (line, hint) in [
-            ("hit = 35,0", "write 35.0 with a point"),
-            ("hit = { m = 5.5, a = 35,0 }", "write 35.0 with a point"),
+            ("hit = 35,0", "write 35.0 with a decimal point"),
+            (
+                "hit = { m = 5.5, a = 35,0 }",
+                "write 35.0 with a decimal point",
+            ),
             ("hit = 40 g", "write 40 alone"),
             ("hit = { m = 15 g, a = 35 }", "write 15 alone"),
             ("ask = “How far?”", "use straight quotes"),

@@ -66,7 +66,7 @@ pub(crate) fn not_a_file(path: &Path) -> FileError {
     let found = match fs::metadata(path) {
         Ok(about) if about.is_dir() => "a folder",
         Ok(_) => "something else",
-        Err(_) => "a link that leads nowhere",
+        Err(_) => "a broken link",
     };
     let message = format!("expected a file, found {found}");
     FileError::of_file(&path.display().to_string(), message)
