@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn every_screen_is_found_again_by_its_address() {
+    fn every_screen_can_be_reopened_by_its_address() {
         for address in [
             "home",
             "lab",

@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn json_cannot_control_a_terminal_and_reads_back_the_same() {
+    fn json_cannot_control_a_terminal_and_is_read_back_unchanged() {
         let text = "a\u{1b}[2J\u{9b}31m \u{202e}\u{0}\u{1fffe}\"\\ 球";
         let mut written = Vec::new();
         write_json(&mut written, &text).unwrap();

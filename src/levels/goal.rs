@@ -281,7 +281,7 @@ impl Goal {
                         format!("Leave {name} with at most {most} m/s right after the first hit.")
                     }
                     HitMeasure::Speed(_) => {
-                        format!("Give {name} {between} right after the first hit.")
+                        format!("Give {name} a speed of {between} right after the first hit.")
                     }
                     HitMeasure::Turn(_) => {
                         format!("Send {name} off at {between} from the line of the shot.")

@@ -81,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn closed_forms() {
+    fn the_closed_forms_give_known_shares() {
         let theta = 60.0_f64.to_radians();
         assert!((Beam::Board.share_beyond(theta) - 0.5).abs() < 1e-15);
         assert!((Beam::Space.share_beyond(theta) - 0.25).abs() < 1e-15);

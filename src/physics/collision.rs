@@ -497,7 +497,7 @@ mod tests {
     }
 
     #[test]
-    fn slip_without_restitution_is_not_sticking() {
+    fn slip_without_restitution_is_not_the_same_as_sticking() {
         let slip = Collision {
             restitution: 0.0,
             ..carrom(30.0)
@@ -594,7 +594,7 @@ mod tests {
     }
 
     #[test]
-    fn the_velocities_after_carry_all_momentum_and_agree_with_the_record() {
+    fn the_velocities_after_the_contact_carry_all_momentum_and_agree_with_the_record() {
         for (bond, offset) in [
             (Bond::Slip, 0.012),
             (Bond::Stick, 0.012),

@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn the_constant() {
+    fn the_coulomb_constant_has_its_known_value() {
         close(COULOMB_ENERGY_LENGTH / (MEV * FM), 1.43996, 5e-6);
     }
 
@@ -151,7 +151,7 @@ mod tests {
 
     /// Geiger and Marsden's absolute count at 45°: 2.1·10⁻⁵ cm of gold, a screen of 1 mm² at 1 cm.
     #[test]
-    fn the_absolute_count_at_45_degrees_agrees() {
+    fn the_absolute_count_at_45_degrees_agrees_with_the_measurement() {
         let share = Rutherford::radium_c_on_gold()
             .share_into(PI / 4.0, 1e-6 / 1e-4, GOLD_DENSITY * 2.1e-7)
             .unwrap();
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn impact_parameter_and_angle_are_inverse() {
+    fn impact_parameter_and_angle_are_inverse_functions() {
         let gold = Rutherford::radium_c_on_gold();
         for deg in 1..=180 {
             let angle = f64::from(deg).to_radians();

@@ -27,7 +27,7 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
         return match review.family.as_str() {
             LESSON => format!("Due for review, in the chapters: {}.", review.topic_name()),
             _ => format!(
-                "Due for review: {}. Play a round of the quiz to repeat it.",
+                "Due for review: {}. Play a round of the quiz to practise it.",
                 review.topic_name()
             ),
         };

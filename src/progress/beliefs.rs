@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn unknown_misconceptions_are_left_out_and_old_answers_with_one_are_used() {
+    fn unknown_misconceptions_are_left_out_and_old_answers_that_name_one_are_used() {
         assert!(trend(&[(&["unheard-of"], true), (&["unheard-of"], true)]).is_empty());
         let old = |number: u32| Attempt {
             question: figures(json!({ "number": number })),

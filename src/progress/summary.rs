@@ -170,7 +170,7 @@ impl<'a> Summary<'a> {
     fn nothing_found(&self) -> Vec<String> {
         let (right, asked) = (self.right(), self.attempts.len());
         if asked == 0 {
-            return vec!["There are no answers yet, so there is no finding.".into()];
+            return vec!["There are no answers yet, so there is nothing to report.".into()];
         }
         let why = if 5 * right >= 4 * asked {
             "No misconception stands in your way. Try a mixed round, or a level that \

@@ -85,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn only_a_written_fingerprint_can_be_read() {
+    fn only_the_written_form_of_a_fingerprint_can_be_read() {
         let hash = Fingerprint(0x0012_3456_789a_bcde);
         assert_eq!(Fingerprint::parse(&hash.to_string()), Some(hash));
         for text in [

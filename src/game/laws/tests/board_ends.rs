@@ -73,7 +73,7 @@ fn law_28_dues_are_written_off_at_the_end() {
 }
 
 #[test]
-fn law_29_the_game_is_announced_at_25_points() {
+fn law_29_the_end_of_the_game_is_announced_at_25_points() {
     let mut table = table(1, 4, Queen::White).score(21, 3);
     let rulings = table.pocket(&[OWN]);
     assert_eq!(cited(&rulings), ["25a", "29a"]);

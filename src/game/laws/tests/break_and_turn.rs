@@ -92,7 +92,7 @@ fn law_21_pocketing_ones_own_coin_keeps_the_turn() {
 }
 
 #[test]
-fn law_21_nothing_pocketed_passes_the_turn() {
+fn law_21_pocketing_nothing_passes_the_turn() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[]);
     expect(&table, &rulings, "21", &[], false);
@@ -119,7 +119,7 @@ fn law_21_an_opponents_coin_together_with_ones_own_keeps_the_turn() {
 }
 
 #[test]
-fn law_22a_the_break_alternates_in_a_game_and_each_game_begins_with_the_other() {
+fn law_22a_the_break_alternates_in_a_game_and_the_first_break_alternates_between_games() {
     let mut table = unbroken();
     let mut breakers = Vec::new();
     loop {

@@ -34,7 +34,7 @@ fn law_66_she_goes_back_to_the_exact_centre() {
 }
 
 #[test]
-fn law_68a_the_queen_before_any_coin_of_ones_own_comes_back_and_costs_the_turn() {
+fn law_68a_the_queen_pocketed_before_any_coin_of_ones_own_comes_back_and_costs_the_turn() {
     let mut table = table(9, 9, Queen::OnBoard);
     let rulings = table.pocket(&[QUEEN]);
     expect(&table, &rulings, "68a", &[QUEEN], false);
@@ -49,7 +49,7 @@ fn law_68a_an_opponents_coin_with_her_gives_no_right_and_stays_down() {
 }
 
 #[test]
-fn law_68b_the_queen_while_a_coin_is_owed_comes_back_and_costs_the_turn() {
+fn law_68b_the_queen_pocketed_while_a_coin_is_owed_comes_back_and_costs_the_turn() {
     let mut table = table(9, 9, Queen::OnBoard).white_owes(1);
     let rulings = table.pocket(&[QUEEN, White, White]);
     expect(&table, &rulings, "68b", &[QUEEN, White], false);
@@ -110,7 +110,7 @@ fn law_70a_a_coin_of_ones_own_in_the_same_stroke_covers_her() {
 }
 
 #[test]
-fn law_70b_queen_with_one_coin_of_nine_is_not_covered() {
+fn law_70b_the_queen_pocketed_with_one_of_nine_coins_is_not_covered() {
     let mut table = table(9, 9, Queen::OnBoard);
     let rulings = table.pocket(&[White, QUEEN]);
     expect(&table, &rulings, "70b", &[], true);
@@ -120,7 +120,7 @@ fn law_70b_queen_with_one_coin_of_nine_is_not_covered() {
 }
 
 #[test]
-fn law_70b_queen_with_two_coins_of_nine_is_covered() {
+fn law_70b_the_queen_pocketed_with_two_of_nine_coins_is_covered() {
     let mut table = table(9, 9, Queen::OnBoard);
     let rulings = table.pocket(&[White, QUEEN, White]);
     expect(&table, &rulings, "70b", &[], true);
