@@ -350,7 +350,7 @@ mod tests {
 
         /// The error is at most half a unit of the last place, plus the rounding error of parsing.
         #[test]
-        fn printed_numbers_are_read_back_within_rounding(x in any_number(), decimals in 0_usize..5) {
+        fn printed_numbers_are_read_back_rounded(x in any_number(), decimals in 0_usize..5) {
             let half = |decimals: i32| 0.5 * 10.0_f64.powi(-decimals) + 4.0 * f64::EPSILON * x.abs();
             for text in [fixed(x, decimals), short(x, decimals)] {
                 let read: f64 = text.parse().unwrap();
