@@ -12,7 +12,7 @@ use crate::widgets::input::{KeyTable, Rebound};
 pub(super) enum AppLayer {
     /// The page that explains the screen.
     Help {
-        /// The number of lines by which it is scrolled.
+        /// The number of lines by which the page is scrolled.
         scrolled: u16,
     },
     /// A notice, until a key is pressed.

@@ -246,7 +246,7 @@ impl App {
         vec![]
     }
 
-    /// Handles the parts of an answer that concern no single screen.
+    /// Handles the parts of an answer that do not concern a particular screen.
     fn note(&mut self, answer: &StoreAnswer) {
         self.saving.remove(&answer.ticket);
         if let Some(notice) = &answer.notice {
@@ -300,7 +300,7 @@ impl App {
     }
 
     /// Leaves the program, or asks first if something is not saved yet; a second request to leave
-    /// is not confirmed again.
+    /// is carried out without asking.
     fn leave(&mut self) -> Vec<Effect> {
         let is_asked = |layer: &AppLayer| matches!(layer, AppLayer::Leave(_));
         if self.unsaved == 0 || self.layers.iter().any(is_asked) {

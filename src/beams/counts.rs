@@ -13,7 +13,7 @@ pub const BIN_WIDTH: f64 = PI / BINS as f64;
 /// The unit of a count: particles per steradian or per ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CountedFor {
-    /// A steradian of solid angle: the count of a small screen that is moved around the target, as
+    /// A steradian of solid angle: the count on a small screen that is moved around the target, as
     /// Geiger and Marsden did.
     #[default]
     Steradian,

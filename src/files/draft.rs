@@ -8,7 +8,7 @@ use std::path::Path;
 
 use tempfile::{Builder, TempPath};
 
-/// The prefix of the names of unfinished files.
+/// The prefix for the names of unfinished files.
 pub(crate) const UNFINISHED: &str = ".new-";
 
 /// A complete file under a temporary name, in the folder of its final name. It has been synced to

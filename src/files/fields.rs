@@ -136,7 +136,7 @@ fn without_a_unit(value: &str) -> Option<&str> {
     (is_unit && number.parse::<f64>().is_ok()).then_some(number)
 }
 
-/// The message for a file of a newer format.
+/// The message about a file in a newer format.
 pub fn newer(found: impl std::fmt::Display, format: u32) -> String {
     format!(
         "{found} is newer than the {format} this carrom reads; a newer carrom may open the file"

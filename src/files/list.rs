@@ -20,7 +20,7 @@ pub struct List {
     pub odd: Vec<FileError>,
 }
 
-/// The folders in a folder, and at most this many files with this extension (given without its
+/// The subfolders of a folder, and at most this many files with this extension (given without its
 /// dot).
 ///
 /// # Errors

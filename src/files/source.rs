@@ -161,7 +161,7 @@ impl<'a> Source<'a> {
         self.first_line + before.filter(|&&byte| byte == b'\n').count()
     }
 
-    /// The line around a byte.
+    /// The line that contains a byte.
     pub(super) fn line_near(&self, at: usize) -> &'a str {
         let before = self.text.get(..at).unwrap_or_default();
         let start = before.rfind('\n').map_or(0, |newline| newline + 1);
@@ -169,7 +169,7 @@ impl<'a> Source<'a> {
         line.lines().next().unwrap_or_default()
     }
 
-    /// The key set by the line around a byte; empty if there is none.
+    /// The key that is set on the line that contains a byte; empty if there is none.
     pub(super) fn key_near(&self, at: usize) -> &'a str {
         let key = self.line_near(at).split_once('=');
         let key = key.map_or("", |(key, _)| key.trim());

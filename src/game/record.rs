@@ -31,7 +31,7 @@ pub enum Move {
     NoPlace,
     /// Lays the pack for the next board.
     NextBoard,
-    /// Places the coins as given, in practice.
+    /// Places the coins as given, in a practice game.
     LayOut(Vec<Coin>),
 }
 
@@ -51,8 +51,8 @@ pub struct Strike {
 }
 
 /// The predicted directions after the first impact, in degrees from the striker's direction, with
-/// the signs of physics: the striker's positive anticlockwise, the coin's positive clockwise.
-/// `None` means that the disc stays at rest.
+/// the sign convention of physics: the striker's positive anticlockwise, the coin's positive
+/// clockwise. `None` means that the disc stays at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Call {

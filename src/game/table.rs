@@ -153,8 +153,8 @@ impl Game {
         BaseLines::new(self.setup.set, self.seat(), self.coins())
     }
 
-    /// Whether the striker may be placed at `at` for the next stroke: within the base lines, or in
-    /// practice anywhere free.
+    /// Whether the striker may be placed at `at` for the next stroke: within the base lines or, in
+    /// a practice game, at any free position.
     ///
     /// # Errors
     /// The reason, if it must not be placed there.
@@ -225,10 +225,10 @@ impl Game {
         Ok(())
     }
 
-    /// Places `coins` on the board as given, in practice.
+    /// Places `coins` on the board as given, in a practice game.
     ///
     /// # Errors
-    /// If this is not practice, or the coins cannot be at these positions; the game is then
+    /// If this is not a practice game, or the coins cannot be at these positions; the game is then
     /// unchanged.
     pub(crate) fn lay_out(&mut self, coins: Vec<Coin>) -> Result<(), GameError> {
         if self.setup.rules != Rules::Practice {

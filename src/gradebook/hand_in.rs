@@ -41,7 +41,7 @@ struct HandInFile<A> {
     /// The codes of the rounds, for human readers of the file.
     #[serde(default)]
     codes: Vec<String>,
-    /// The sum of 0 to 10 points for the accuracy of each answer, for human readers of the file.
+    /// The sum of the points for accuracy, 0 to 10 per answer, for human readers of the file.
     #[serde(default)]
     points: f64,
     answers: Vec<A>,

@@ -39,7 +39,7 @@ pub enum Tone {
     Key,
 }
 
-/// Reads the blocks of some lines.
+/// Reads the blocks of text in some lines.
 pub(super) fn read(
     source: &Source,
     lines: &[SourceLine],

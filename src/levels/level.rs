@@ -64,7 +64,7 @@ impl Level {
         Self::read_beside(name, bytes, &[])
     }
 
-    /// Reads a level whose id must differ from those of others.
+    /// Reads a level whose id must differ from the ids of other levels.
     pub(super) fn read_beside(
         name: &str,
         bytes: &[u8],

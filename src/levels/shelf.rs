@@ -90,7 +90,7 @@ impl Shelf {
         self.best.clear();
     }
 
-    /// Records stars that were won earlier; returns whether they are more than were known.
+    /// Records stars that were won earlier; returns whether there are more than the known ones.
     pub(crate) fn recall(&mut self, starred: &Starred) -> bool {
         let key = (starred.pack.clone(), starred.level.clone());
         let best = self.best.entry(key).or_default();

@@ -4,7 +4,7 @@ use super::Attempt;
 use crate::quiz::{Clue, Evidence, Misconception};
 
 /// A misconception that the answers show, with the evidence from the first half of all attempts and
-/// from the second half, which has one more if the number is odd.
+/// from the second half, which has one more attempt if their number is odd.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeldBelief {
     /// The misconception.

@@ -61,7 +61,7 @@ impl Review {
         }
     }
 
-    /// The number of days from reaching its step to this day.
+    /// The number of days from the day on which the topic reached its step to this day.
     fn days_to(&self, day: Date) -> u32 {
         let rest = self.step.map_or(0, |step| 1_i32 << step);
         let days = (day - self.due).get_days() + rest;

@@ -110,8 +110,8 @@ fn player_finished(case: &Case, other_left: u8) -> Option<Verdict> {
     Some(won(case, 25, other_left + queen, why).queen(fate))
 }
 
-/// The points of a board that the queen alone decides: her value, or 1 if she no longer has any (75
-/// to 82).
+/// The points for a board that the queen alone decides: her value, or 1 if she no longer has any
+/// (75 to 82).
 const fn worth_at_least_one(queen: u8) -> u8 {
     if queen == 0 { 1 } else { queen }
 }

@@ -15,7 +15,7 @@ use crate::game::pieces::COINS_EACH;
 
 use super::case::{Case, QUEEN_POINTS, QueenBefore, QueenFate, Verdict, coins, points};
 
-/// The verdict on a stroke in the friendly game.
+/// The verdict on a stroke in a friendly game.
 pub(super) fn judge(case: &Case) -> Verdict {
     ending(case).unwrap_or_else(|| {
         if case.striker_fell {

@@ -76,8 +76,8 @@ impl Side {
     }
 }
 
-/// The intention of a stroke, whether it succeeded (`played` is the story of the result) and the
-/// reason for the aim.
+/// The intention behind a stroke, whether it succeeded (`played` is the story of the result) and
+/// the reason for the aim.
 pub(super) fn plan(story: &Story, breaking: bool, played: &Story) -> String {
     let Some(hit) = &story.first_hit else {
         return "I found no coin that I could reach, so I played a quiet stroke.".to_owned();

@@ -72,7 +72,7 @@ fn into_pocket(sight: &Sight, coin: usize, way: Way) -> Unchecked<PocketPath> {
     }
 }
 
-/// The courses of other coins that give a coin its course.
+/// The courses of other coins that drive a coin along its course.
 pub(in super::super) fn combinations<'a>(
     sight: &'a Sight,
     course: &'a PocketPath,
