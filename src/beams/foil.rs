@@ -8,7 +8,7 @@ use crate::physics::rutherford::{ALPHA_CHARGE, GOLD_CHARGE, GOLD_DENSITY, Ruther
 /// A metal for foils.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Metal {
-    /// Its name.
+    /// The name of the metal.
     pub name: &'static str,
     /// Charge number Z.
     pub charge: f64,
@@ -42,7 +42,7 @@ const fn metal(name: &'static str, charge: f64, mass_number: f64, density: f64) 
 pub struct Foil {
     /// The metal of the foil.
     pub metal: Metal,
-    /// Its thickness in metres, above 0.
+    /// The thickness of the foil in metres, above 0.
     pub thickness: f64,
 }
 

@@ -13,7 +13,7 @@ use super::is_invisible;
 /// unchanged.
 ///
 /// # Errors
-/// None in practice; the reason if a row cannot be written.
+/// The reason if a row cannot be written, which does not happen in practice.
 pub fn csv_table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String> {
     let mut table = csv::Writer::from_writer(Vec::new());
     let in_words = |error: csv::Error| error.to_string();

@@ -92,9 +92,9 @@ impl Colour {
 /// A coin or the queen on the board.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Coin {
-    /// What it is; never the striker.
+    /// The kind of piece; never the striker.
     pub piece: Piece,
-    /// Its centre in metres from the centre of the board.
+    /// The centre of the piece, in metres from the centre of the board.
     #[serde(rename = "at_m", with = "metres")]
     pub at: DVec2,
 }

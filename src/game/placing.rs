@@ -21,19 +21,19 @@ pub(super) const SLACK: f64 = 1e-10;
 /// Why a position of the striker is not legal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum Misplaced {
-    /// It misses one of the base lines.
+    /// The striker misses one of the base lines.
     #[error("the striker must touch both of your base lines")]
     OffTheBaseLines,
-    /// It covers part of a base circle.
+    /// The striker covers part of a base circle.
     #[error("the striker must cover a base circle fully or not touch it")]
     CutsBaseCircle,
-    /// It would touch a coin.
+    /// The striker would touch a coin.
     #[error("the striker must not touch the {0}")]
     OnACoin(Piece),
-    /// It would be in the frame or beyond it.
+    /// The striker would be in the frame or beyond it.
     #[error("the striker must be inside the frame")]
     OutsideTheFrame,
-    /// It would fall straight into a pocket.
+    /// The striker would fall straight into a pocket.
     #[error("the striker must not be over a pocket")]
     OverAPocket,
 }
@@ -87,7 +87,7 @@ impl<'a> BaseLines<'a> {
     }
 
     /// The position `along` metres to the player's right of the middle, halfway between the base
-    /// lines. It may be illegal.
+    /// lines. The position may be illegal.
     pub fn at(&self, along: f64) -> DVec2 {
         self.seat.turn(DVec2::new(along, self.middle()))
     }

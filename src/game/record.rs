@@ -39,10 +39,10 @@ pub enum Move {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Strike {
-    /// Its position, in metres from the centre of the board.
+    /// The striker's position, in metres from the centre of the board.
     #[serde(rename = "place_m", with = "metres")]
     pub place: DVec2,
-    /// Its velocity in m/s.
+    /// The striker's velocity in m/s.
     #[serde(rename = "velocity_m_s", with = "metres")]
     pub velocity: DVec2,
     /// The player's call of the first impact.
@@ -70,13 +70,13 @@ pub enum MoveError {
     /// The striker must not be placed there.
     #[error(transparent)]
     Place(#[from] Misplaced),
-    /// The engine cannot play it.
+    /// The engine cannot play the stroke.
     #[error("this stroke cannot be played: {0}")]
     Engine(#[from] EngineError),
-    /// The laws do not allow such a stroke.
+    /// The laws do not allow the stroke.
     #[error(transparent)]
     Stroke(#[from] StrokeError),
-    /// The game does not allow it.
+    /// The game does not allow the move.
     #[error(transparent)]
     Game(#[from] GameError),
     /// There is a legal position for the striker.
@@ -124,7 +124,7 @@ impl Record {
             .count()
     }
 
-    /// Adds a move. It is checked when it is [made](Move::make).
+    /// Adds a move, which is checked when it is [made](Move::make).
     pub fn push(&mut self, made: Move) {
         self.moves.push(made);
     }

@@ -30,7 +30,7 @@ pub enum StrokeError {
         piece: Piece,
         /// How many were on the board before the stroke.
         before: u8,
-        /// How many are on the board after it or were pocketed.
+        /// How many are on the board after the stroke or were pocketed.
         after: u8,
     },
     /// The striker was pocketed more than once, or is on the board as a coin.

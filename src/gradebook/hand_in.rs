@@ -90,7 +90,7 @@ impl HandIn {
     /// The text of the file.
     ///
     /// # Errors
-    /// None in practice; the reason if it cannot be written.
+    /// The reason if the text cannot be written, which does not happen in practice.
     pub fn text(&self) -> Result<String, String> {
         let text = serde_json::to_string_pretty(&self.written());
         text.map(|text| text + "\n")
@@ -182,7 +182,7 @@ type KnownTopics = HashMap<(Family, String), bool>;
 /// here.
 ///
 /// # Errors
-/// What is impossible about it.
+/// What is impossible about the answer.
 fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, String> {
     if let Some(fault) = attempt.fault() {
         return Err(fault.into());

@@ -15,9 +15,9 @@ pub struct ItemStatistics {
     pub number: u32,
     /// The text of the question, if the code determines it.
     pub question: Option<String>,
-    /// The answers to it, at least one.
+    /// The counts of the answers to the question, which has at least one.
     pub tally: Tally,
-    /// How well it distinguishes strong from weak pupils, −1 to 1.
+    /// How well the question distinguishes strong from weak pupils, −1 to 1.
     pub discrimination: Option<f64>,
     /// The misconception that the most answers fit, and the number of those answers.
     pub commonest: Option<(Misconception, usize)>,

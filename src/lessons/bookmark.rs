@@ -27,7 +27,7 @@ pub struct GivenAnswer {
     pub asked: String,
     /// The answer; after a hint, the second answer.
     pub answer: Response,
-    /// Whether it was right.
+    /// Whether the answer was right.
     pub right: bool,
     /// The first, wrong answer, if a hint followed it.
     pub first: Option<Response>,

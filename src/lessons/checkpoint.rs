@@ -81,9 +81,9 @@ impl Expected {
 pub struct CheckpointChoice {
     /// The text of the option.
     pub text: Vec<Inline>,
-    /// The feedback for a student who chose it.
+    /// The feedback for a student who chose this option.
     pub why: Vec<Inline>,
-    /// Whether it is right.
+    /// Whether the option is right.
     pub right: bool,
 }
 

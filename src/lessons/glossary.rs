@@ -12,17 +12,17 @@ use crate::quiz::Passage;
 pub struct GlossaryEntry {
     /// The term: "impact angle".
     pub term: String,
-    /// Its symbol: "α".
+    /// The symbol: "α".
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub symbol: Option<String>,
-    /// Its unit: "°".
+    /// The unit: "°".
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
-    /// The heading under which it is listed; entries with the same heading are adjacent.
+    /// The heading under which the term is listed; entries with the same heading are adjacent.
     pub topic: String,
-    /// What it means, in one sentence.
+    /// The meaning of the term, in one sentence.
     pub meaning: String,
-    /// The id of the chapter that introduces it.
+    /// The id of the chapter that introduces the term.
     pub chapter: String,
     /// The title of the page in that chapter.
     pub page: String,

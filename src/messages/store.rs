@@ -143,11 +143,11 @@ pub struct History {
 pub struct Kept<T> {
     /// Its name.
     pub name: String,
-    /// How long ago it was saved; `None` if the time is unknown.
+    /// How long ago the item was saved; `None` if the time is unknown.
     pub(crate) age: Option<Duration>,
-    /// The day on which it was saved; `None` if it is unknown.
+    /// The day on which the item was saved; `None` if the day is unknown.
     pub day: Option<Date>,
-    /// Its contents, or the reason why it cannot be read.
+    /// The contents, or the reason why they cannot be read.
     pub content: Result<Box<T>, String>,
 }
 

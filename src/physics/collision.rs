@@ -51,11 +51,11 @@ pub struct Collision {
 /// How the two discs met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Meeting {
-    /// They pass without touching, or never approach each other.
+    /// The discs pass without touching, or never approach each other.
     Miss,
-    /// They touch at |b| = r₁ + r₂ and exchange nothing.
+    /// The discs touch at |b| = r₁ + r₂ and exchange nothing.
     Graze,
-    /// They collide.
+    /// The discs collide.
     Hit,
 }
 

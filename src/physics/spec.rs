@@ -54,9 +54,9 @@ pub enum ImpactPoint {
 /// The range of one number of a [`CollisionSpec`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FieldRange {
-    /// Its name in files.
+    /// The field's name in files.
     pub name: &'static str,
-    /// What it is, and its unit: "a mass in g".
+    /// What the number is, and its unit: "a mass in g".
     pub what: &'static str,
     /// The least allowed value.
     pub least: f64,

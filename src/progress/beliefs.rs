@@ -18,9 +18,9 @@ pub struct HeldBelief {
 /// How a misconception develops.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Trend {
-    /// It did not show in the first half.
+    /// The misconception did not show in the first half.
     New,
-    /// It still shows in the second half.
+    /// The misconception still shows in the second half.
     Held,
     /// In the second half the answers are evidence against it.
     Fading,
@@ -32,7 +32,7 @@ pub(crate) enum Trend {
 }
 
 impl Trend {
-    /// Its name, as shown.
+    /// The name of the trend, as shown.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::New => "new",
@@ -50,7 +50,7 @@ impl Trend {
 }
 
 impl HeldBelief {
-    /// How it develops.
+    /// How the misconception develops.
     pub(crate) fn trend(&self) -> Trend {
         let Self { before, since, .. } = self;
         if since.asked == 0 {

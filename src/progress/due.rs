@@ -46,13 +46,13 @@ impl Due {
 }
 
 impl Review {
-    /// Whether the quiz or the chapter still has questions about it. A topic of a teacher's own
-    /// questions may have none.
+    /// Whether the quiz or the chapter still has questions about the topic. A topic of a teacher's
+    /// own questions may have none.
     pub(crate) fn comes_back(&self) -> bool {
         self.family == LESSON || self.is_of_quiz()
     }
 
-    /// Whether the quiz has questions about it.
+    /// Whether the quiz has questions about the topic.
     fn is_of_quiz(&self) -> bool {
         Family::with_id(&self.family).is_some()
             && !Topic::with_id(self.topic.clone()).families().is_empty()

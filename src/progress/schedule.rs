@@ -5,9 +5,9 @@
 //! whether the player has understood the idea and not only the kind of question. A review asks once
 //! about each topic that is due.
 //!
-//! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. It is due that many days
-//! after the day on which it reached its step. Days are those of the player's calendar: a topic
-//! answered last evening is due this morning.
+//! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. The topic is due that many
+//! days after the day on which it reached its step. Days are those of the player's calendar: a
+//! topic answered last evening is due this morning.
 //!
 //! - Wrong, or right by a guess: off the ladder, and due at once.
 //! - Right while off the ladder: onto the first step.
@@ -34,15 +34,16 @@ const LAST: u32 = 5;
 /// A topic and its next review.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Review {
-    /// The family of the last question about it.
+    /// The family of the last question about the topic.
     pub family: String,
     /// The topic, as in [`Attempt::topic`].
     pub topic: String,
-    /// Its step on the ladder, from 0: it rests for 2ⁿ days. `None` off the ladder.
+    /// The topic's step n on the ladder, from 0: the topic rests for 2ⁿ days. `None` off the
+    /// ladder.
     pub step: Option<u32>,
-    /// The first day on which it is due.
+    /// The first day on which the topic is due.
     pub due: Date,
-    /// The time at which it reached its step, in seconds since the start of 1970.
+    /// The time at which the topic reached its step, in seconds since the start of 1970.
     since_s: i64,
 }
 
@@ -52,7 +53,7 @@ impl Review {
         topic_name(&self.family, &self.topic)
     }
 
-    /// When it is due relative to `today`, in short: "now", "in 2 days".
+    /// When the topic is due relative to `today`, in short: "now", "in 2 days".
     pub fn when(&self, today: Date) -> String {
         // The difference between two dates in days always fits.
         match usize::try_from((self.due - today).get_days()) {
@@ -68,7 +69,7 @@ impl Review {
         u32::try_from(days).unwrap_or(0)
     }
 
-    /// Whether it is due on this day.
+    /// Whether the topic is due on this day.
     pub(crate) fn is_due(&self, today: Date) -> bool {
         self.due <= today
     }
@@ -92,7 +93,7 @@ pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> 
                 let rested = review.days_to(day).max(1).ilog2();
                 Some((step + 1).max(rested).min(LAST))
             }
-            // It is not due yet, so nothing changes.
+            // The topic is not due yet, so nothing changes.
             Some(_) => continue,
             None => Some(0),
         };

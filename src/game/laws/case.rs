@@ -53,17 +53,17 @@ pub(crate) struct Side {
     pub before: u8,
     /// The coins of this side that fell.
     pub fell: u8,
-    /// Its score in the game before this board.
+    /// The side's score in the game before this board.
     pub score: u8,
 }
 
 impl Side {
-    /// The number of its coins left on the board after the stroke.
+    /// The number of the side's coins left on the board after the stroke.
     pub(super) const fn left(&self) -> u8 {
         self.before.saturating_sub(self.fell)
     }
 
-    /// Whether all nine of its coins were on the board before the stroke.
+    /// Whether all nine of the side's coins were on the board before the stroke.
     pub(super) const fn had_all(&self) -> bool {
         self.before == COINS_EACH
     }
@@ -98,7 +98,7 @@ pub(crate) enum TurnFate {
     Passes,
     /// Nobody strikes: the board is over.
     Ends {
-        /// Whether the player who struck won it.
+        /// Whether the player who struck won the board.
         won: bool,
         points: u8,
     },

@@ -10,7 +10,7 @@ use crate::game::seat::{Seat, Team};
 pub struct Law {
     /// Number of the law.
     pub number: u8,
-    /// Its clause, if it has several.
+    /// The clause, if the law has several.
     pub(crate) clause: Option<char>,
 }
 
@@ -87,7 +87,7 @@ pub enum RulingEffect {
 /// How a board ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BoardWon {
-    /// The team that won it.
+    /// The team that won the board.
     pub winner: Team,
     /// The points for the board, at most 12 (28).
     pub points: u8,

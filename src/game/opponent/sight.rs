@@ -113,9 +113,9 @@ impl<'a> Sight<'a> {
 pub(super) struct Way {
     pub(super) from: DVec2,
     pub(super) to: DVec2,
-    /// Its direction at the start.
+    /// The direction at the start of the path.
     pub(super) toward: DVec2,
-    /// Its direction at the end.
+    /// The direction at the end of the path.
     pub(super) arriving: DVec2,
     /// Where the disc's centre is when it hits a cushion, and the fraction of its speed that
     /// remains.

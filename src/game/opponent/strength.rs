@@ -76,12 +76,12 @@ impl Strength {
         Self::Champion,
     ];
 
-    /// How unsteady its hand is.
+    /// How unsteady the opponent's hand is.
     pub fn hand(self) -> Hand {
         self.skill().hand
     }
 
-    /// The largest number of shots it simulates before one stroke.
+    /// The largest number of shots that the opponent simulates before one stroke.
     pub fn most_rehearsals(self) -> usize {
         self.skill().most_rehearsals()
     }

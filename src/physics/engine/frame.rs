@@ -11,12 +11,12 @@ pub(super) enum SlideEnd {
     /// Never: nothing slows the disc and nothing is in its path.
     Never,
     Stop,
-    /// It hits the cushion on this side.
+    /// The disc hits the cushion on this side.
     Cushion(FrameSide),
-    /// It falls into the pocket of this corner (0 lower left, 1 lower right, 2 upper
-    /// left, 3 upper right).
+    /// The disc falls into the pocket in this corner (0 lower left, 1 lower right, 2 upper left, 3
+    /// upper right).
     Pocket(usize),
-    /// It passes into the next cell of the grid; the slide itself continues.
+    /// The disc passes into the next cell of the grid; the slide itself continues.
     Cell(FrameSide),
 }
 

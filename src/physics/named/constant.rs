@@ -118,7 +118,7 @@ impl Constant {
         Ok(())
     }
 
-    /// Its value in the unit of its name.
+    /// The value, in the unit that the name gives.
     pub(crate) fn value(&self) -> Option<f64> {
         (self.of)(&self.fields).filter(|value| value.is_finite())
     }
