@@ -439,7 +439,7 @@ impl App {
 
     /// Passes a key to the layer or screen on top.
     fn press(&mut self, key: Key) -> Vec<Effect> {
-        // The text is measured only if it is scrolled.
+        // The text is measured only if a key scrolls it.
         let scrolls = |layer: &AppLayer| layer.scrolls(key, &self.context.settings.keys);
         let most = match self.layers.last().is_some_and(scrolls) {
             true => chrome::help_overflow(self),

@@ -29,7 +29,7 @@ pub(crate) struct Fields<'a> {
     /// The position in the text at which the table begins.
     at: usize,
     table: &'a DeTable<'a>,
-    /// The fields it may have; `[]` if any names are allowed.
+    /// The fields that the table may have; `[]` if any names are allowed.
     known: Vec<&'static str>,
 }
 
@@ -260,7 +260,7 @@ impl<'a> Fields<'a> {
         debug_assert!(self.is_known(name), "{name} is not among the known fields");
         match self.table.get(name) {
             Some(value) => read(value).or_else(|| self.unlike(name, expected, value)),
-            // The message about the unknown field already suggests it.
+            // The message about the unknown field already suggests this field.
             None if self.is_misspelt(name) => None,
             None => self.refuse(name, format!("expected {expected}, found nothing")),
         }

@@ -127,8 +127,8 @@ impl HandIn {
     /// Reads such a file.
     ///
     /// # Errors
-    /// The reason: it is not a complete hand-in, is from a newer carrom, has no name, or has an
-    /// impossible answer.
+    /// The reason: the file is not a complete hand-in, is from a newer carrom, has no name, or has
+    /// an impossible answer.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         if bytes.len() > Self::LARGEST_FILE {
             return Err("it is too large for a hand-in".into());
@@ -243,7 +243,7 @@ fn is_topic_of(topic: &str, family: Family, known: &mut KnownTopics) -> bool {
     *known.entry((family, topic.to_owned())).or_insert_with(asks)
 }
 
-/// Shortens serde's message about a file, which may quote all of it.
+/// Shortens serde's message about a file, because it may quote the whole file.
 fn short(error: &serde_json::Error) -> String {
     let message = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());

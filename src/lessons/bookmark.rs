@@ -7,9 +7,9 @@ use crate::quiz::Response;
 
 /// How far a chapter has been read.
 ///
-/// It identifies pages by their titles and answers by their questions. So it still fits a chapter
-/// that has changed since: missing pages are ignored, and an answer to a different question is
-/// not shown.
+/// A bookmark identifies pages by their titles and answers by their questions, so it still fits a
+/// chapter that has changed since: missing pages are ignored, and an answer to a different question
+/// is not shown.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Bookmark {
     /// The title of the current page; `None` for the first page.

@@ -20,7 +20,7 @@ pub struct Chapter {
     pub about: String,
     /// The pages, at least one; no two have the same title.
     pub pages: Vec<ChapterPage>,
-    /// The file it was read from, for messages.
+    /// The file from which the chapter was read, for messages.
     pub file: String,
 }
 

@@ -17,7 +17,7 @@ pub struct Hand {
     /// Error of the direction, as the tangent of the angle, which is practically the angle in
     /// radians.
     pub direction: f64,
-    /// Error of the speed, as a fraction of it.
+    /// Error of the speed, as a fraction of the speed.
     pub speed: f64,
 }
 
@@ -26,7 +26,7 @@ pub struct Hand {
 pub struct Slip {
     /// Tangent of the error of the direction, positive to the left.
     pub turn: f64,
-    /// Change of the speed, as a fraction of it.
+    /// Change in the speed, as a fraction of the speed.
     pub push: f64,
 }
 

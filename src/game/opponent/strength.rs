@@ -1,4 +1,4 @@
-//! The strength of an opponent: how thoroughly it searches and how steady its hand is.
+//! The strength of an opponent: how thoroughly the opponent searches and how steady its hand is.
 
 use serde::{Deserialize, Serialize};
 use strum::Display;

@@ -16,7 +16,7 @@ pub(in super::super) struct ProposedStroke {
     pub(in super::super) toward: DVec2,
     /// The least sufficient speed in m/s.
     pub(in super::super) speed: f64,
-    /// The largest tolerable error of its direction, in radians.
+    /// The largest tolerable error in the stroke's direction, in radians.
     pub(in super::super) allowance: f64,
 }
 
