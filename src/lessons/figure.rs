@@ -60,7 +60,7 @@ pub struct Figure {
     pub kind: FigureKind,
     /// The shot that the figure shows.
     pub shot: CollisionSpec,
-    /// The shot that it shows once the page's question is answered, usually the same one.
+    /// The shot that the figure shows once the page's question is answered, usually the same shot.
     pub after: CollisionSpec,
     /// Whether the figure uses the impact angle that the student set last in the chapter.
     pub own: bool,

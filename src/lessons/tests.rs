@@ -137,7 +137,7 @@ const OF_TOPICS: &str = "
     momentum, impulse | momentum
 ";
 
-/// All cases that questions can show: a misconception, a topic, and what is asked about it.
+/// All cases that questions can show: a misconception, a topic, and what is asked about the topic.
 fn cases() -> BTreeSet<(&'static str, Topic, Option<String>)> {
     let mut cases = BTreeSet::new();
     let all = Family::ALL

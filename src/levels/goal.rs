@@ -27,14 +27,14 @@ pub enum Goal {
     Untouched {
         /// The disc.
         disc: usize,
-        /// The disc that must not hit it; `None` means that no disc may.
+        /// The disc that must not hit this disc; `None` means that no disc may.
         by: Option<usize>,
     },
     /// A disc is hit by another.
     Hit {
         /// The disc that is hit.
         disc: usize,
-        /// The disc that hits it.
+        /// The other disc, which hits this disc.
         by: usize,
         /// The least number of cushions that `by` hits first.
         least: usize,
@@ -223,7 +223,7 @@ impl Goal {
         })
     }
 
-    /// The circle to draw on the board, and the disc that it is for.
+    /// The circle to draw on the board, and the disc whose goal it is.
     pub(crate) fn circle(&self) -> Option<(GoalCircle, usize)> {
         match self {
             Self::Rest { disc, circle } | Self::Pass { disc, circle } => Some((*circle, *disc)),

@@ -1,5 +1,5 @@
-//! Reports in words whether a shot meets the goals of a level, or what happened instead. It uses
-//! only the record of the shot.
+//! Reports in words whether a shot meets the goals of a level, or what happened instead. Only the
+//! record of the shot is used.
 
 use glam::DVec2;
 

@@ -48,7 +48,7 @@ pub struct Level {
     pub scene: Scene,
     /// The dials that the player may change.
     pub adjust: Adjust,
-    /// The goals; all of them must be met.
+    /// The goals, all of which must be met.
     pub goals: Vec<Goal>,
     /// An aim that wins.
     pub solution: LevelAim,

@@ -13,7 +13,7 @@ use crate::physics::{Board, Disc, Motion};
 /// The largest number of discs in a scene.
 pub(crate) const MOST_DISCS: usize = 256;
 
-/// How far discs may overlap each other or the frame, in metres. As in the engine, it allows for
+/// How far discs may overlap each other or the frame, in metres. As in the engine, this allows for
 /// the rounding error of discs that are meant to touch.
 const SLACK: f64 = 1e-10;
 

@@ -60,7 +60,7 @@ impl Shelf {
         packs.map(|pack| pack.levels.len()).sum()
     }
 
-    /// The most stars won in a level; 0 if it was never won.
+    /// The most stars won in a level; 0 if the level was never won.
     pub fn stars(&self, number: usize) -> u8 {
         let key = |(pack, level): (&Pack, &Level)| (pack.name.clone(), level.id.clone());
         let stars = self

@@ -141,7 +141,7 @@ pub struct History {
 /// A saved game or class round.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kept<T> {
-    /// Its name.
+    /// The name of the item.
     pub name: String,
     /// How long ago the item was saved; `None` if the time is unknown.
     pub(crate) age: Option<Duration>,

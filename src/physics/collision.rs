@@ -36,7 +36,7 @@ pub struct Collision {
     /// Velocity of the target before the collision, in m/s.
     pub u2: DVec2,
     /// Impact parameter b in metres: how far the target's centre is to the right of the line along
-    /// which the striker moves relative to it.
+    /// which the striker moves relative to the target.
     pub offset: f64,
     /// The rounding error of [`offset`](Self::offset), in metres, if it comes from an impact angle
     /// within a degree of a graze: b is the sum of the two. There cos α depends on digits of b that
@@ -251,9 +251,9 @@ impl Collision {
         self.u1 * (m1 / (m1 + m2)) + self.u2 * (m2 / (m1 + m2))
     }
 
-    /// Velocities of the two centres right after the contact, in m/s. For discs that slip they are
-    /// v₁ and v₂. A pair that sticks rotates about its centre of mass with ω, so each centre has V
-    /// + ω × r, where r is its position relative to the centre of mass.
+    /// Velocities of the two centres right after the contact, in m/s. For discs that slip, these
+    /// are v₁ and v₂. A pair that sticks rotates about its centre of mass with ω, so each centre
+    /// has V + ω × r, where r is its position relative to the centre of mass.
     pub(crate) fn centres_after(&self) -> [DVec2; 2] {
         let outcome = self.outcome();
         let (centre1, centre2) = self.placed_at_contact();
@@ -574,7 +574,7 @@ mod tests {
 
     /// By hand: two discs of 15 g and 15 mm, b = 15 mm, 4 m/s. μ = 7.5 g and I = 1687.5 + 1687.5 +
     /// 7.5 · 900 = 10125 g mm², so ω = 7.5 · 15 · 4000 / 10125 = 44.4 rad/s, and each centre, 15 mm
-    /// from the centre of mass, moves round it at 2/3 m/s.
+    /// from the centre of mass, moves around it at 2/3 m/s.
     #[test]
     fn the_centres_of_a_pair_that_sticks_rotate_about_their_centre_of_mass() {
         let piece = Disc::from_g_mm(15.0, 15.0);

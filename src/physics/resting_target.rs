@@ -56,18 +56,18 @@ pub enum LargestDeflection {
     Turned {
         /// The largest θ₁, atan(k / (2√(1−k))); at e = 1 that is asin(m₂/m₁).
         theta1: f64,
-        /// The impact angle that gives it, atan √(1−k).
+        /// The impact angle that gives the largest θ₁, atan √(1−k).
         alpha: f64,
     },
     /// k = 1: θ₁ = 90° − α comes arbitrarily close to 90°, but at α = 0 the striker stops and has
     /// no direction.
     NearlyRight,
-    /// k > 1: head-on it comes straight back, θ₁ = 180°.
+    /// k > 1: in a head-on collision the striker comes straight back, θ₁ = 180°.
     Reversed,
 }
 
 impl From<&Collision> for RestingTarget {
-    /// The masses and the restitution of a collision; its velocities are not used.
+    /// The masses and the coefficient of restitution of a collision, without its velocities.
     fn from(collision: &Collision) -> Self {
         Self {
             m1: collision.striker.mass,

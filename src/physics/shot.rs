@@ -107,9 +107,9 @@ pub struct Sample {
 /// A straight part of a disc's path, from one event of this disc to its next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
-    /// When it begins, in seconds since the start of the shot.
+    /// When the leg begins, in seconds since the start of the shot.
     pub start: f64,
-    /// When it ends.
+    /// When the leg ends.
     pub end: f64,
     /// Centre at the start, in metres.
     pub from: DVec2,

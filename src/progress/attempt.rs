@@ -223,7 +223,7 @@ pub(crate) const ROUND: &str = "round";
 /// The key of the misconceptions that an answer could have shown.
 const MISCONCEPTIONS: &str = "misconceptions";
 
-/// The key of the chance that a guess fits one of them.
+/// The key of the chance that a guess fits one of these misconceptions.
 const BY_CHANCE: &str = "by_chance";
 
 /// The chance that a guess fits a number or one ray, as in questions.
@@ -345,7 +345,7 @@ mod tests {
             ..HIT.truth()
         };
         let still = noted(rays, Confidence::Guess);
-        // The striker has no angle error, but the answer for it is still wrong.
+        // The striker has no angle error, but the answer for the striker is still wrong.
         assert!(rays.apart(&HIT.truth(), Ray::Striker).is_none());
         assert!(still.error_deg.unwrap() < 1e-9 && !still.right);
     }

@@ -22,12 +22,12 @@ pub(crate) enum Trend {
     New,
     /// The misconception still shows in the second half.
     Held,
-    /// In the second half the answers are evidence against it.
+    /// In the second half the answers are evidence against the misconception.
     Fading,
-    /// In the second half the evidence against it is as strong as the evidence required to name a
-    /// misconception.
+    /// In the second half the evidence against the misconception is as strong as the evidence
+    /// required to name a misconception.
     Gone,
-    /// No question in the second half could show it.
+    /// No question in the second half could show the misconception.
     NotMet,
 }
 

@@ -26,8 +26,8 @@ impl Calibrated {
         }
     }
 
-    /// How far the share of right answers is outside the range of this confidence: above 0 if it is
-    /// higher, below if lower, 0 if it fits or if there are too few answers.
+    /// How far the share of right answers is outside the range of this confidence: above 0 if the
+    /// share is higher, below 0 if it is lower, 0 if it fits or if there are too few answers.
     pub(crate) fn beyond(&self) -> f64 {
         let (from, to) = Self::honest(self.confidence);
         match self.tally.share_right() {

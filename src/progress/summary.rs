@@ -31,7 +31,7 @@ impl<'a> Summary<'a> {
     }
 
     /// The points of the round: the sum of its questions' points, each rounded to a tenth as shown.
-    /// It may be negative; otherwise a wrong "sure" would cost nothing at 0 points, and honest
+    /// The sum may be negative; otherwise a wrong "sure" would cost nothing at 0 points, and honest
     /// answers would not be worthwhile.
     pub fn points(&self) -> f64 {
         // Adding 0 turns −0, the sum of no points, into 0.
@@ -236,8 +236,8 @@ impl<'a> Summary<'a> {
     }
 }
 
-/// A log-likelihood ratio as "about 600 times", rounded to one digit. It exceeds the threshold for
-/// naming a misconception.
+/// A log-likelihood ratio as "about 600 times", rounded to one digit. The ratio exceeds the
+/// threshold for naming a misconception.
 fn times_as(weight: f64) -> String {
     let odds = weight.exp();
     if odds >= 1e6 {

@@ -23,9 +23,9 @@ pub struct TopicStanding {
 pub(crate) enum Mastery {
     /// Not answered yet.
     New,
-    /// Less than half of them were right.
+    /// Less than half of the answers were right.
     NotYet,
-    /// At least half of them were right.
+    /// At least half of the answers were right.
     Growing,
     /// There are [`LATELY`] answers, and at least four of five were right.
     Solid,

@@ -7,8 +7,8 @@ use super::super::{Disc, Motion};
 
 /// The state of a disc in the engine.
 ///
-/// It stores the start of the current slide, which only an event of this disc changes: there are no
-/// time steps.
+/// The body stores the start of the current slide, which only an event of this disc changes: there
+/// are no time steps.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Body {
     /// The start of the current slide.

@@ -77,8 +77,8 @@ impl StuckPair {
 
 impl Shot {
     /// The record, `duration` seconds long, of two discs on a frictionless open sheet that stick
-    /// together when they meet. If they miss, it is the record of the miss. The numbers must be
-    /// valid for a shot, and the duration finite.
+    /// together when they meet. If the discs miss each other, this is the record of the miss. The
+    /// numbers must be valid for a shot, and the duration finite.
     pub(in super::super) fn captured(
         board: &Board,
         discs: [Disc; 2],
