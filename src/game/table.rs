@@ -15,7 +15,7 @@ use super::stroke::{Stroke, StrokeError};
 use super::validity::{GameError, check_coins};
 use crate::physics::{Board, Disc, Motion};
 
-/// The agreement before the first break.
+/// The settings that are agreed before the first break.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GameSetup {
     /// The rules.
@@ -95,7 +95,7 @@ impl Game {
         }
     }
 
-    /// The agreement before the first break.
+    /// The settings that are agreed before the first break.
     pub fn setup(&self) -> &GameSetup {
         &self.setup
     }
@@ -138,7 +138,7 @@ impl Game {
         self.score_before().boards.saturating_add(1)
     }
 
-    /// The score, this board included once it has ended.
+    /// The score, including this board once it has ended.
     pub fn score(&self) -> Score {
         match &self.play.won {
             Some(won) => Score::after(self.setup.rules, self.finished.iter().chain([won])),
@@ -167,11 +167,11 @@ impl Game {
         BaseLines::new(self.setup.set, self.seat(), self.coins())
     }
 
-    /// Whether the striker may be placed at `at` for the next stroke: within the base lines, or in
-    /// practice anywhere free.
+    /// Whether the striker may be placed at `at` for the next stroke: within the base lines or, in
+    /// a practice game, at any free position.
     ///
     /// # Errors
-    /// The reason, if it must not be placed there.
+    /// The reason, if the striker must not be placed there.
     pub(crate) fn check_place(&self, at: DVec2) -> Result<(), Misplaced> {
         match self.setup.rules {
             Rules::Practice => check_anywhere(self.setup.set, self.coins(), at),
@@ -239,10 +239,10 @@ impl Game {
         Ok(())
     }
 
-    /// Places `coins` on the board as given, in practice.
+    /// Places `coins` on the board as given, in a practice game.
     ///
     /// # Errors
-    /// If this is not practice, or the coins cannot be at these positions; the game is then
+    /// If this is not a practice game, or the coins cannot be at these positions; the game is then
     /// unchanged.
     pub(crate) fn lay_out(&mut self, coins: Vec<Coin>) -> Result<(), GameError> {
         if self.setup.rules != Rules::Practice {

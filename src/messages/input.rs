@@ -16,8 +16,8 @@ pub enum Input {
     Paste(String),
     /// The screen now has this many columns and rows.
     Resize(u16, u16),
-    /// The [`Effect::Keep`](super::Effect::Keep) of this ticket takes a long time; its result will
-    /// follow.
+    /// The [`Effect::Keep`](super::Effect::Keep) with this ticket takes a long time; its result
+    /// will follow.
     Saving(u64),
     /// The result of an [`Effect::Keep`](super::Effect::Keep).
     Kept(Box<StoreAnswer>),
@@ -83,12 +83,12 @@ impl Mouse {
         (self.column, self.row)
     }
 
-    /// Whether the button went down just now in an area.
+    /// Whether the button has just gone down in an area.
     pub fn presses(&self, area: Rect) -> bool {
         self.kind == MouseKind::Down && area.contains(self.cell().into())
     }
 
-    /// Whether the button is down, just now or for some time.
+    /// Whether the button is down, whether just pressed or held.
     pub(crate) fn is_held(&self) -> bool {
         matches!(self.kind, MouseKind::Down | MouseKind::Drag)
     }

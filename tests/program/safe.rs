@@ -339,7 +339,7 @@ fn a_message_names_a_path_that_is_not_a_file() {
     let said = said(&output);
     for part in [
         "a: good",
-        "02-b.md: expected a file, found a link that leads nowhere",
+        "02-b.md: expected a file, found a broken link",
         "03-c.md: expected a file",
         "04-d.md: expected a file, found a folder",
     ] {

@@ -187,7 +187,7 @@ fn plans_and_hints_use_the_restitution_of_the_game() {
 #[test]
 fn a_hopeless_position_has_a_stroke_and_a_blocked_base_line_has_none() {
     let mut game = scattered(0);
-    // Own coins walled in behind a row of the opponent's.
+    // The player's coins are walled in behind a row of the opponent's.
     let row = |i: i32| coin(Piece::Black, f64::from(i) * 32.0, -180.0);
     game.play.coins = (-4..=4).map(row).collect();
     game.play.coins.push(coin(Piece::White, 0.0, 350.0));
@@ -246,7 +246,7 @@ fn bits(stroke: Motion) -> u64 {
 }
 
 /// The search may get faster, but its results never change: the stroke of each strength, and the
-/// hint, after this many strokes of club players.
+/// hint, after this many strokes by club players.
 #[test]
 fn decisions_do_not_change_by_a_single_bit() {
     use Hands::{Four, Two};
