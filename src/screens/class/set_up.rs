@@ -13,7 +13,7 @@ use crate::screens::Context;
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 
-/// The message for a text that is not a code.
+/// The message for an invalid code.
 const NO_CODE: &str = "expected the code of a round, such as mixed-7, or 7 for ten hits";
 /// The largest number of letters in a name or a code while it is typed.
 const LONGEST: usize = 2 * LONGEST_NAME;
@@ -68,7 +68,7 @@ pub(super) enum RoundKind {
     Code,
 }
 
-/// What keys do on the set-up page.
+/// The key actions on the set-up page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum SetUpAction {
@@ -185,7 +185,7 @@ impl SetUp {
             SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices => "start",
             SetUpRow::Earlier => "open the list",
         };
-        // In a text field, these keys go to its ends.
+        // In a text field, these keys move the cursor to its ends.
         let ends = match at {
             SetUpRow::Team(_) | SetUpRow::Class | SetUpRow::Kind(RoundKind::Code) => {
                 [Key::Home, Key::End].as_slice()

@@ -24,7 +24,7 @@ pub(super) struct Tally {
     field: TextField,
 }
 
-/// What keys do while votes are counted.
+/// The key actions while votes are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum CountAction {

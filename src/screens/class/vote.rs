@@ -1,4 +1,4 @@
-//! The page on which the teams give one of their two votes on a question, one after the other.
+//! The page on which the teams, one after another, give one of their two votes on a question.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -13,7 +13,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::panels::Heading;
 use crate::widgets::{AnswerAction, AnswerInput, Outcome, Role, draw_question};
 
-/// Answers closer to each other than this are the same, in units of the tolerance.
+/// Answers that differ by less than this, in units of the tolerance, count as the same.
 const SAME: f64 = 1e-6;
 
 /// Who has voted, and the team that is voting now.
@@ -34,7 +34,7 @@ struct Booth {
     is_open: bool,
 }
 
-/// What keys do while teams vote.
+/// The key actions while teams vote.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum VoteAction {
@@ -131,7 +131,7 @@ impl TeamVotes {
             }
             (VoteAction::Vote(action), Some(booth)) => {
                 let outcome = booth.input.act(action);
-                // A choice requires only one key.
+                // A choice requires only one key press.
                 if matches!(action, AnswerAction::Choose(_)) || outcome == Outcome::Done(()) {
                     self.give(session);
                 }
@@ -258,7 +258,7 @@ impl TeamVotes {
 }
 
 impl Booth {
-    /// Whether the answer has to be typed; a choice requires only one key.
+    /// Whether the answer has to be typed; a choice requires only one key press.
     fn is_typed(&self) -> bool {
         !matches!(self.input, AnswerInput::Choice { .. })
     }
