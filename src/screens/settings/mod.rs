@@ -111,7 +111,7 @@ impl Screen for SettingsScreen {
 
     fn act(&mut self, action: SettingsAction, cx: &mut Context) -> Next {
         match action {
-            // A click elsewhere uses the typed name.
+            // A click elsewhere accepts the typed name.
             SettingsAction::Set(action) => {
                 self.take(cx);
                 self.form.act(action, &mut cx.settings);

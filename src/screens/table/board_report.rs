@@ -28,7 +28,7 @@ pub(super) struct TeamReport {
 }
 
 impl TeamReport {
-    /// The share of strokes that pocketed a piece of the team, in per cent.
+    /// The percentage of strokes that pocketed a piece of the team.
     pub(super) fn share(&self) -> u32 {
         (100 * self.pocketing + self.strokes / 2) / self.strokes.max(1)
     }

@@ -23,11 +23,11 @@ pub(super) struct NewGame {
 /// text and its description.
 type Agreement = (&'static str, Vec<(Options, String, &'static str)>);
 
-/// Actions of keys on the page.
+/// The key actions on the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum NewGameAction {
-    /// change what is agreed
+    /// change the options of the game
     Agree(FormAction),
     /// play
     Play,
@@ -104,12 +104,12 @@ fn agreements(now: Options) -> Vec<Agreement> {
     let sets = [
         (
             PieceSet::Tournament,
-            "A heavy striker on light coins: it is deflected by at most 21.5°; the paths are at \
-             less than 90°.",
+            "A heavy striker on light coins: it is deflected by at most 21.5°; the paths are \
+             less than 90° apart.",
         ),
         (
             PieceSet::EqualMass,
-            "Striker and coins have equal masses, so the paths are at 90°.",
+            "Striker and coins have equal masses, so the paths are 90° apart.",
         ),
     ];
     let sets = sets.map(|(set, about)| (Options { set, ..now }, words::masses(set).into(), about));
@@ -146,7 +146,7 @@ fn players(seat: Seat, now: Options) -> Vec<(Options, String, &'static str)> {
     choices
 }
 
-/// An option that is on or off: its name, its place in the options, and its description.
+/// An option that is on or off: its name, its field in the options, and its description.
 type Switch = (&'static str, fn(&mut Options) -> &mut bool, &'static str);
 
 const SWITCHES: [Switch; 4] = [

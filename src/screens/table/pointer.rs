@@ -20,7 +20,7 @@ pub(super) struct Pointer {
 }
 
 impl Pointer {
-    /// The coin and pocket of this story of a stroke in `game`; `None` if no coin is hit.
+    /// The coin and pocket in this story of a stroke in `game`; `None` if the stroke hits no coin.
     pub(super) fn of(story: &Story, stroke: &Strike, game: &Game) -> Option<Self> {
         let Some(fall) = story.fall else {
             return Some(Self {

@@ -15,7 +15,7 @@ pub(crate) struct Levels {
     moved: bool,
 }
 
-/// What keys do in the list of levels.
+/// The key actions in the list of levels.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum LevelsAction {

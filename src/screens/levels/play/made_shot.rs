@@ -8,8 +8,8 @@ use crate::screens::levels::words::face_of;
 use crate::widgets::RayInput;
 use crate::widgets::replay::{ShotAction, ShotClock, ShotImpact, ShotPlayer, WatchRate};
 
-/// The time at which the replay of a shot ends. If only the first collision matters, it ends at the
-/// next cushion contact after that.
+/// The time at which the replay of a shot ends. If only the first collision matters, the replay
+/// ends at the next cushion contact after that collision.
 fn end(level: &Level, shot: &Shot) -> f64 {
     if !level.is_of_the_first_hit() {
         return shot.duration();
@@ -51,8 +51,8 @@ pub(super) struct MadeShot {
 }
 
 impl MadeShot {
-    /// The shot numbered `number`, from 1, made after this many hints, replayed at `rate` if that
-    /// was chosen. `to_say` is whether a prediction was possible.
+    /// The shot with this number, counted from 1, made after this many hints; replayed at `rate`,
+    /// if the player has chosen one. `to_say` says whether a prediction was possible.
     pub(super) fn new(
         level: &Level,
         shot: Shot,
