@@ -119,7 +119,7 @@ pub trait Screen {
     }
 }
 
-/// The consequence of an input or of the passing time.
+/// The consequence of an input or of time passing.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Next {
     /// The input was not used here; the app may use it.

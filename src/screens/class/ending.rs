@@ -95,7 +95,7 @@ struct ClassBelief {
 /// The class's misconceptions, ordered by the number of teams that hold them and, in a tie, by the
 /// evidence.
 fn held(round: &ClassRound) -> Vec<ClassBelief> {
-    // Counted hands have no names, so they are weighed question by question.
+    // Counted hands have no names, so their evidence is weighed question by question.
     let all = match round.way() {
         WayOfVoting::Tally => round.questions().len(),
         WayOfVoting::Teams | WayOfVoting::Devices => round.participants().len(),

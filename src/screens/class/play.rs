@@ -161,7 +161,7 @@ impl ClassPlay {
         }
     }
 
-    /// Handles news from pupils on devices.
+    /// Handles messages from pupils on devices.
     pub(super) fn take_news(&mut self, news: &[HostNews], cx: &mut Context) {
         self.stage.session.take_news(news);
         self.flush(cx);

@@ -8,7 +8,7 @@ use crate::widgets::hit::degrees;
 use crate::widgets::panel::{Beside, Panel};
 use crate::widgets::{Role, brief};
 
-/// Writes a question with its choices and, with `vote`, the number of votes for each.
+/// Writes a question with its choices and, if `vote` is given, the number of votes for each.
 pub(super) fn write(
     play: &Stage,
     question: &Question,

@@ -363,7 +363,7 @@ fn left_out(own: &Library) -> Option<String> {
     Some(match own.problems.len() {
         1 => format!("Left out of your own questions: {first}"),
         all => format!(
-            "Files of your own questions with faults are left out. carrom concept check lists all \
+            "Files with faults in your own questions are left out. carrom concept check lists all \
              {all} faults. The first: {first}"
         ),
     })

@@ -178,7 +178,7 @@ fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buf
     picture.draw(buf, look);
 }
 
-/// Bars on a number line, higher for more equal answers.
+/// Bars on a number line: the more answers are equal, the higher the bar.
 fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
     let numbers = votes.iter().filter_map(|said| match said {
         Response::Number(x) => Some(*x),

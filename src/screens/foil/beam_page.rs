@@ -40,7 +40,7 @@ fn name_of_counts(counted_for: Option<CountedFor>) -> &'static str {
     }
 }
 
-/// The counts, and the line of the law once there are any.
+/// The counts and, once there are any, the line of the law.
 pub(super) fn picture(foil: &FoilScreen, area: Rect, look: Look) -> Picture {
     let law = foil.setup.law();
     let particles = foil.setup.particles();
@@ -207,7 +207,7 @@ fn about(setup: &FoilSetup) -> &'static str {
              out than near the middle."
         }
         (Obstacle::Nucleus, Beam::Board) => {
-            "As if the atoms were on a board: every offset along a line is equally likely."
+            "As on a board, every offset along a line is equally likely."
         }
         (Obstacle::Nucleus, Beam::Space) => {
             "Nobody can aim at a nucleus. Each particle passes through some point of the foil, and \

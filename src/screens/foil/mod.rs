@@ -40,7 +40,7 @@ pub(crate) enum FoilAction {
     Open(FoilPage),
     /// change a setting
     Set(FormAction),
-    /// start a whole beam of such particles
+    /// start a whole beam of these particles
     WholeBeam,
     /// start a beam, let it continue, or start another
     Throw,

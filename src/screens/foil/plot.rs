@@ -172,7 +172,7 @@ mod tests {
             |degrees| expected_at(&run.law, CountedFor::Steradian, run.thrown(), degrees).unwrap();
         assert_eq!((at(15.0) / at(150.0)).round(), 2999.0);
         assert_eq!((at(60.0) / at(120.0)).round(), 9.0);
-        // At half of a small angle there are about sixteen times as many.
+        // At half of a small angle the count is about sixteen times as high.
         for small in [4.0, 10.0, 20.0] {
             let times = at(small / 2.0) / at(small);
             assert!((times - 16.0).abs() < 0.4, "{times}");

@@ -212,11 +212,11 @@ fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
     let twice = 2.0 * setup.offset_fm.abs();
     let text = if twice < 0.1 {
         "Straight on: the α-particle is slowed, stops for an instant at d, where all its energy \
-         has gone into the repulsion, and flies straight back."
+         is potential energy, and flies straight back."
             .into()
     } else {
         format!(
-            "Both are positive, so they repel: the α-particle is slowed, deflected and sped up \
+            "Two positive charges repel: the α-particle is slowed, deflected and sped up \
              again, on a hyperbola. tan(Θ/2) = d/2b, here {d:.1}/{twice:.1}."
         )
     };

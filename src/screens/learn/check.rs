@@ -74,7 +74,7 @@ fn too_long(
     let mut cx = Context::new(settings, 0);
     cx.body = BODY;
     let (rows, room) = reading.rows(&cx);
-    // The page is drawn too, so that a panic or a missing figure is found.
+    // The page is drawn too, so that a panic or a missing figure is detected.
     let mut buf = Buffer::empty(Rect::new(0, 0, 80, 24));
     reading.draw(&mut buf, &cx);
     let what = match answer {

@@ -34,7 +34,7 @@ pub(crate) struct SettingsScreen {
 pub(crate) enum SettingsAction {
     /// choose a setting and change it
     Set(FormAction),
-    /// go to the next value; for the player's name, type it
+    /// go to the next value, or type the player's name
     Enter,
     /// use the typed name
     Take,

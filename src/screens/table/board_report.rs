@@ -72,7 +72,7 @@ impl BoardReport {
 }
 
 /// The rank of a stroke: first by what it pocketed, then by how difficult that was; 0 if it
-/// pocketed nothing, or also the striker.
+/// pocketed nothing, or if it also pocketed the striker.
 fn rank(past: &Past) -> f64 {
     let Some(Story {
         first_hit: Some(hit),

@@ -79,7 +79,7 @@ fn agreements(now: Options) -> Vec<Agreement> {
         ),
         (
             Rules::Practice,
-            "No turns and no penalties: place striker and coins anywhere, and take back any stroke.",
+            "No turns, no penalties: place the striker and coins anywhere; take back any stroke.",
         ),
     ];
     let rules = rules.map(|(rules, about)| {

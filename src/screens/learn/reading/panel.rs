@@ -174,7 +174,7 @@ fn revealed(
     }
 }
 
-/// Both rays beside the true ones, and the explanation that starts from them.
+/// The predicted rays beside the true ones, and the explanation that starts from the prediction.
 fn write_rays<A>(rays: &Rays, watch: &Watch, figure: &LiveFigure, panel: &mut Panel<A>) {
     let names = ["striker", "coin"].map(Some);
     said_and_true(watch.collision(), rays, names, false, panel);

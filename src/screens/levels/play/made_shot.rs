@@ -95,7 +95,7 @@ impl MadeShot {
         self.keep_if_watched(level, cx);
     }
 
-    /// Records whether the shot has been watched to its end, and then saves a win in the level of
+    /// Records whether the shot has been watched to its end, and then saves a win in the level with
     /// this number.
     pub(super) fn keep_if_watched(&mut self, level: usize, cx: &mut Context) {
         self.watched |= self.player.zoom().is_none() && self.player.clock().is_over();
@@ -104,7 +104,7 @@ impl MadeShot {
         }
     }
 
-    /// Saves a win, even if it was not watched to its end.
+    /// Saves a win, even if the shot was not watched to its end.
     pub(super) fn keep(&self, level: usize, cx: &mut Context) {
         if let Some(win) = self.win {
             cx.won(level, win);

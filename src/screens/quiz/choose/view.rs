@@ -1,4 +1,4 @@
-//! The view of choosing a round.
+//! The view for choosing a round.
 
 use super::{Choosing, ChoosingAction, ChoosingPage, RoundChoice, chapters_read, code as code_of};
 use crate::lessons::Book;
