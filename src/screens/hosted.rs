@@ -68,7 +68,7 @@ enum Pressed<A> {
 pub trait AnyScreen {
     /// See [`Screen::title`].
     fn title(&self) -> String;
-    /// See [`Screen::place`].
+    /// See [`Screen::route`].
     fn route(&self, cx: &Context) -> Route;
     /// See [`Screen::status`].
     fn status(&self, cx: &Context) -> String;
@@ -79,7 +79,7 @@ pub trait AnyScreen {
     fn about(&self, cx: &Context) -> Vec<&'static str>;
     /// Handles a key press.
     fn press(&mut self, key: Key, cx: &mut Context) -> Next;
-    /// Handles the player's yes to a confirmation.
+    /// Handles a confirmation to which the player has said yes.
     fn confirmed(&mut self, cx: &mut Context) -> Next;
     /// See [`Screen::input`].
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next;
@@ -124,7 +124,7 @@ struct Scrolled {
 
 /// A view after layout, with its panels scrolled.
 struct ShownView<'p, A> {
-    /// Below the tabs.
+    /// The area below the tabs.
     area: Rect,
     small_heading: bool,
     layout: SplitLayout,

@@ -40,8 +40,8 @@ use crate::widgets::input::KeyTable;
 /// A screen of the app: it handles input, advances with time and draws itself.
 ///
 /// A screen is pure: it reads no clock and touches no file. One table defines what its keys do; the
-/// bottom line, the help page and key presses follow from it. Keys that are not in it belong to the
-/// app.
+/// bottom line, the help page and key presses follow from it. Keys that are not in the table belong
+/// to the app.
 pub trait Screen {
     /// The actions of the keys.
     type Action: Copy + PartialEq;

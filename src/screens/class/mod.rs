@@ -84,7 +84,7 @@ pub(crate) enum RoundAction {
     ToTheShot,
     /// show a one-minute countdown, or add half a minute
     Countdown,
-    /// show only the question's text, as large as it fits
+    /// show only the question's text, as large as possible
     WordsAlone,
     /// show pupils' names on the scoreboard, or the results of each question
     BoardNames,

@@ -56,7 +56,7 @@ fn choices(play: &Stage, question: &Question) -> Vec<Response> {
     }
 }
 
-/// Whether the picture of a question shows more than its text.
+/// How much the picture of a question adds to its text.
 pub(super) fn beside(question: &Question) -> Beside {
     match (&question.picture, &question.form) {
         (Illustration::Nothing, _) => Beside::Nothing,

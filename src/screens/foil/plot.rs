@@ -133,7 +133,7 @@ impl FoilFigure {
         })
     }
 
-    /// Handles the mouse over its picture; returns whether it was used.
+    /// Handles the mouse over the figure's picture; returns whether the mouse was used.
     pub(crate) fn mouse(&mut self, mouse: &Mouse, area: Rect) -> bool {
         match self.0.page {
             FoilPage::Tracks => self.0.move_particle(mouse, area),

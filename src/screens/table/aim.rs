@@ -142,8 +142,8 @@ impl Aim {
     }
 }
 
-/// The direction of a step to the right or up on the screen: along the base lines of a seat,
-/// or simply to the right in practice.
+/// The direction of a step to the right or up on the screen: along the base lines of a seat, or
+/// simply to the right in a practice game.
 pub(super) fn along_the_screen(seat: Seat, rules: Rules) -> DVec2 {
     match seat {
         Seat::East | Seat::West if rules != Rules::Practice => DVec2::Y,

@@ -14,7 +14,7 @@ pub(super) struct BoardReport {
     pub(super) run: Vec<ByTeam<u8>>,
 }
 
-/// The figures of a team on a board.
+/// The figures of a team for a board.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct TeamReport {
     pub(super) strokes: u32,

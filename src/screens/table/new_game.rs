@@ -93,7 +93,7 @@ fn agreements(now: Options) -> Vec<Agreement> {
             (
                 Hands::Four,
                 "four",
-                "Partners sit opposite: South and North against East and West.",
+                "Partners sit opposite each other: South and North against East and West.",
             ),
         ];
         let hands =

@@ -273,7 +273,7 @@ impl People {
     }
 }
 
-/// Whether a participant has voted, has handed in or is away.
+/// The state of a participant: has voted, has handed in, is away.
 fn state_of(one: &Participant, round: &ClassRound) -> String {
     let ballot = one.ballot(round.place().question);
     let voted = match Vote::BOTH.map(|vote| ballot.vote(vote)) {

@@ -31,7 +31,7 @@ use crate::widgets::{Look, RayInput, curves, svg};
 
 use worked::WorkedFigure;
 
-/// The number of steps of a setting, or of degrees, by which `<` and `>` change it.
+/// The number of steps, or of degrees, by which `<` and `>` change a setting.
 const LEAP: i8 = 10;
 
 /// The key actions for the figure of a page.

@@ -68,8 +68,8 @@ fn is_asked(later: &[ChapterPage], shot: &CollisionSpec) -> bool {
     })
 }
 
-/// The outcome of a collision, as a figure of this kind shows it; if it `is_asked` later, only the
-/// drawn geometry.
+/// The outcome of a collision, as a figure of this kind shows it; only the drawn geometry if a
+/// later page asks for the outcome (`is_asked`).
 fn outcome(kind: FigureKind, collision: &Collision, is_asked: bool) -> Vec<String> {
     match kind {
         FigureKind::Split { lines } => split(collision, lines),

@@ -21,7 +21,7 @@ pub(super) struct WorkedFigure {
     form: Option<SettingsForm>,
 }
 
-/// The student's numbers in a solution of their own.
+/// The numbers that the student can set in a solution of their own.
 const FIELDS: [CollisionField; 5] = [
     CollisionField::StrikerMass,
     CollisionField::CoinMass,

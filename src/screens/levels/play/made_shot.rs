@@ -17,7 +17,7 @@ fn end(level: &Level, shot: &Shot) -> f64 {
     let hit = |event: &Event| matches!(event.kind, EventKind::Impact { .. });
     let cushion = |event: &&Event| matches!(event.kind, EventKind::Cushion { .. });
     let events = shot.events();
-    // The collision may itself come after a cushion.
+    // The collision may itself come after a cushion contact.
     let since = events.iter().position(hit).unwrap_or(0);
     let next = events.iter().skip(since).find(cushion);
     next.map_or(shot.duration(), |event| event.time)

@@ -50,7 +50,7 @@ enum ChoosingPage {
     Topics,
     /// A code.
     Code {
-        /// The typed part.
+        /// The typed text.
         typed: TextField,
         /// Whether the player entered the text and it is not a valid code.
         refused: bool,

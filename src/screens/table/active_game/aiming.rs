@@ -36,7 +36,7 @@ pub enum AimAction {
     Turn(i16),
     /// turn the aim by 10°
     TurnFar(i16),
-    /// change the strength; the wheel too
+    /// change the strength; the wheel works, too
     Strength(i8),
     /// move the striker by 2 mm or by 20 mm
     Place(i8),

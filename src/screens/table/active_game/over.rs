@@ -177,7 +177,7 @@ impl ActiveGame {
     }
 }
 
-/// The seat that breaks the next board; `None` in practice or after the match.
+/// The seat that breaks the next board; `None` in a practice game or after the match.
 fn next_breaker(game: &Game) -> Option<Seat> {
     if game.setup().rules == Rules::Practice {
         return None;

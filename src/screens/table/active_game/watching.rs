@@ -27,8 +27,8 @@ use crate::widgets::{Charset, Role};
 /// The time that a pocketed piece takes to reach its tray, in seconds.
 pub(super) const FALL: f64 = 0.6;
 
-/// The time for which the end of a stroke is shown, at real speed, before computers play on, in
-/// seconds.
+/// The time, in seconds at real speed, for which the end of a stroke is shown before computers play
+/// on.
 const END_SEEN: f64 = 4.0;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -173,7 +173,7 @@ impl StrokeReplay {
         watching.unwrap_or_else(|| game.turn(cx))
     }
 
-    /// Handles a click on the picture, which continues.
+    /// Handles a click on the picture: the replay continues.
     pub(super) fn click(&mut self, game: &mut ActiveGame, cx: &mut Context) -> After {
         match self.player.clicked() {
             Some(action) => self.work(action, cx).into(),
