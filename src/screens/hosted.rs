@@ -313,7 +313,7 @@ impl<S: Screen> Hosted<S> {
                 let (_, at) = targets.find(|(cells, _)| cells.contains(cell.into()))?;
                 panel.action(at)
             });
-            // The wheel moves the mark of a list, and the list scrolls with it; a list may be
+            // The wheel moves the mark of a list, and the list scrolls with it; a list may be shown
             // beside pages.
             let is_followed = |it: &Shown| {
                 let placed = &it.placed;

@@ -138,7 +138,7 @@ impl ClassPlay {
         self.flush(cx);
     }
 
-    /// Passes on the requests of the session.
+    /// Passes on the requests that the session has made.
     fn flush(&mut self, cx: &mut Context) {
         for effect in self.stage.session.take_effects() {
             match effect {
@@ -489,7 +489,7 @@ impl ClassPlay {
         self.stage.step_view(heading, beside, draw, words)
     }
 
-    /// Handles a key if it edits text; returns whether it does.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         let page = self.host_page.as_mut();
         match &mut self.phase {

@@ -51,7 +51,7 @@ pub(super) enum SetUpRow {
     Start,
     /// Starts the round with hands or cards that are counted.
     Tally,
-    /// Starts the round with everyone on a device of their own.
+    /// Starts the round with everyone on their own device.
     Devices,
     /// The list of earlier rounds.
     Earlier,
@@ -200,7 +200,7 @@ impl SetUp {
             .when(matches!(at, SetUpRow::Team(_)))
     }
 
-    /// Handles a key if it edits text; returns whether it does.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         if let (SetUpRow::Add, Key::Char(c)) = (self.at(), key)
             && !c.is_whitespace()

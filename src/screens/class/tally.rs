@@ -119,7 +119,7 @@ impl Tally {
                 "Who has changed their mind? Show your card once more.",
             ),
         };
-        // Until the second vote is counted, the first is shown.
+        // Until the second vote is counted, the first one is shown.
         let shown = (self.vote == Vote::Second).then_some(Vote::First);
         let mut words = play.words();
         question::write(play, question, shown, |_| None, &mut words);

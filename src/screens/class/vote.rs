@@ -54,8 +54,8 @@ pub(crate) enum VoteAction {
 
 impl TeamVotes {
     /// For the first vote, the mark starts at the first team without a vote. After the discussion
-    /// every team keeps its vote unless it changes it, so the mark starts at the row that continues
-    /// the round.
+    /// every team keeps its vote unless it votes again, so the mark starts at the row that
+    /// continues the round.
     pub(super) fn new(round: &ClassRound, question: usize, vote: Vote) -> Self {
         let mut votes = Self {
             vote,
@@ -263,7 +263,7 @@ impl Booth {
         !matches!(self.input, AnswerInput::Choice { .. })
     }
 
-    /// Writes the name of the team and its input. What is typed is shown only on request.
+    /// Writes the team's name and input. What is typed is shown only on request.
     fn write(&self, name: &str, form: &Form, foot: &mut Panel<VoteAction>) {
         if let Form::Choice { options, .. } = form {
             foot.line(name, Role::Title);

@@ -79,7 +79,7 @@ pub(crate) struct FoilScreen {
     levelled: bool,
 }
 
-/// The state of the beam for the current setting.
+/// The state of the beam with the current settings.
 #[derive(Debug, Clone, Default)]
 enum BeamPhase {
     #[default]

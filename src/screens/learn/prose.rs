@@ -9,7 +9,7 @@ use crate::widgets::{Charset, Role, formula};
 /// The style of text.
 #[derive(Clone, Copy)]
 pub(super) struct Prose<'a> {
-    /// The collision of the live numbers.
+    /// The collision from which the live numbers are computed.
     pub figure: Option<&'a Collision>,
     /// The charset, which determines how many rows a formula takes.
     pub charset: Charset,

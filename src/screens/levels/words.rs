@@ -29,7 +29,7 @@ pub(super) fn face_of(scene: &Scene, disc: usize) -> Face {
     face(kind.unwrap_or(DiscKind::White))
 }
 
-/// A disc of a scene in one word.
+/// The name of a disc of a scene, in one word.
 pub(super) fn short(scene: &Scene, disc: usize) -> &'static str {
     let piece = scene.pieces.get(disc);
     let name = piece.map_or("disc", |piece| piece.kind.name());

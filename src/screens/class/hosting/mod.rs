@@ -79,7 +79,7 @@ impl HostPage {
         }
     }
 
-    /// Handles a key if it edits text; returns whether it does.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         match self {
             Self::People(people) => people.typed(key),

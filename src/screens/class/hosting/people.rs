@@ -135,7 +135,7 @@ impl People {
         }
     }
 
-    /// Handles a key if it edits text; returns whether it does.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         match &mut self.doing {
             PersonEdit::Rename(_, field) => field.update(key),

@@ -273,7 +273,7 @@ impl LiveFigure {
             FigureState::Hits(hits) => match hits.as_slice() {
                 [] => keys,
                 [hit] => keys.with(watched(hit), FigureAction::Watch),
-                // The frame of each hit is fixed.
+                // Each of two collisions is shown in a fixed frame.
                 [hit, ..] => {
                     let watched = watched(hit).without_keys(&[Key::Char('f')]);
                     alpha.with(watched, FigureAction::Watch)
