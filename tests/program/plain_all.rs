@@ -158,7 +158,7 @@ fn a_class_is_hosted_and_votes_in_plain_lines() {
     let (host_folder, folder) = (Folder::new("plain-host"), Folder::new("plain-join"));
     let class = ["class", "--host", "--code", "from-angle2-7"];
     let mut host = Talk::begin(&class, &host_folder);
-    host.hears("Nobody is in yet.");
+    host.hears("Nobody has joined yet.");
     let mut addresses = host
         .said
         .iter()

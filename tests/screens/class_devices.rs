@@ -566,7 +566,12 @@ fn a_round_that_is_over_or_of_another_class_is_not_offered() {
     }
     // Another round begins, and both are saved.
     let mut class = hosted(&folder, Some("from-angle2-7"), "10b", &[]);
-    press(&mut class, Who::Host, "<Down><Enter>", "Nobody is in yet");
+    press(
+        &mut class,
+        Who::Host,
+        "<Down><Enter>",
+        "Nobody has joined yet",
+    );
     let app = pupil("Bo", &class);
     let bo = class.add("Bo", app, 80, 24);
     press(&mut class, bo, "<Enter>", "You are in, Bo.");

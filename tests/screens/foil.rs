@@ -147,7 +147,7 @@ fn the_mouse_turns_pages_and_drags_the_particle() {
     game.click(tab);
     assert!(game.screen().contains(">counted in 1913"));
     game.click((20, 12));
-    assert!(game.screen().contains("how far off the law"));
+    assert!(game.screen().contains("deviation from the law"));
     let tab = at(&mut game, "a beam");
     game.click(tab);
     game.click((20, 12));

@@ -213,7 +213,7 @@ fn a_figure_opens_in_the_lab_and_is_exported() {
     let mut game = open(number, Charset::Unicode, (80, 24));
     game.press("e");
     assert!(
-        game.screen().contains("First give"),
+        game.screen().contains("Give your answer first"),
         "the outcome is not revealed"
     );
     game.press("2<Enter>e");

@@ -45,7 +45,7 @@ enum TablePage {
     Playing(Box<Playing>),
 }
 
-/// Actions of keys at the table: each page and each phase of a game has actions of its own.
+/// The key actions at the table: each page and each phase of a game has actions of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TableAction {
     /// On the page of a new game.

@@ -24,11 +24,11 @@ pub(super) struct NewGame {
 /// text and its description.
 type Agreement = (&'static str, Vec<(Options, String, &'static str)>);
 
-/// Actions of keys on the page.
+/// The key actions on the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum NewGameAction {
-    /// change what is agreed
+    /// change the options of the game
     Agree(FormAction),
     /// play
     Play,
@@ -85,7 +85,7 @@ fn agreements(now: Options) -> Vec<Agreement> {
         ),
         (
             Rules::Practice,
-            "No turns and no penalties: place striker and coins anywhere, and take back any stroke.",
+            "No turns, no penalties: place the striker and coins anywhere; take back any stroke.",
         ),
     ];
     let rules = rules.map(|(rules, about)| {
@@ -99,7 +99,7 @@ fn agreements(now: Options) -> Vec<Agreement> {
             (
                 Hands::Four,
                 "four",
-                "Partners sit opposite: South and North against East and West.",
+                "Partners sit opposite each other: South and North against East and West.",
             ),
         ];
         let hands =
@@ -110,12 +110,12 @@ fn agreements(now: Options) -> Vec<Agreement> {
     let sets = [
         (
             PieceSet::Tournament,
-            "A heavy striker on light coins: the paths are at less than 90°; at e = 1 the striker is \
+            "A heavy striker on light coins: the paths are less than 90° apart; at e = 1 the striker is \
              deflected by at most 21.5°.",
         ),
         (
             PieceSet::EqualMass,
-            "Striker and coins have equal masses, so the paths are at 90° if e = 1.",
+            "Striker and coins have equal masses, so the paths are 90° apart if e = 1.",
         ),
     ];
     let sets = sets.map(|(set, about)| (Options { set, ..now }, words::masses(set).into(), about));
@@ -152,7 +152,7 @@ fn players(seat: Seat, now: Options) -> Vec<(Options, String, &'static str)> {
     choices
 }
 
-/// An option that is on or off: its name, its place in the options, and its description.
+/// An option that is on or off: its name, its field in the options, and its description.
 type Switch = (&'static str, fn(&mut Options) -> &mut bool, &'static str);
 
 const SWITCHES: [Switch; 4] = [

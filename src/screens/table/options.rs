@@ -94,7 +94,7 @@ impl Options {
         }
     }
 
-    /// The player at a seat; in practice always a person.
+    /// The player at a seat; in a practice game always a person.
     pub fn player(&self, seat: Seat) -> Player {
         match self.rules {
             Rules::Practice => Player::Person,
@@ -107,7 +107,7 @@ impl Options {
         self.strengths[seat as usize]
     }
 
-    /// The team whose people call the strokes from a seat: their own strokes, and those of a
+    /// The team whose human players call the strokes from a seat: their own strokes, and those of a
     /// computer that plays against them.
     pub(super) fn caller(&self, game: &Game, seat: Seat) -> Team {
         let own = game.team(seat);

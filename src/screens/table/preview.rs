@@ -51,7 +51,7 @@ pub(super) struct FirstHit {
 }
 
 impl Preview {
-    /// The path of `strike` up to its first contact; `None` if it cannot be played.
+    /// The path of `strike` up to its first contact; `None` if the stroke cannot be played.
     pub(super) fn of(strike: &Strike, game: &Game) -> Option<Self> {
         let shot = strike.shot(game).ok()?;
         let first = first_hit(&shot);

@@ -37,7 +37,7 @@ pub(super) struct SavedGames {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum SavedGamesAction {
-    /// choose a saved game, resume or remove it
+    /// choose a saved game, then resume or remove it
     Saved(KeptAction),
     /// watch the whole game again, stroke by stroke
     WatchAll,
