@@ -201,7 +201,7 @@ fn commands(tape: &Tape) -> Vec<Value> {
             // The picture taken just before is compared.
             Instruction::Expect(_) | Instruction::Refuse(_) => {}
             Instruction::At(_) | Instruction::Reach(..) => {
-                unreachable!("a tape of several devices is not played in a page")
+                unreachable!("a tape with several devices cannot be played in a page")
             }
         }
     }

@@ -1,5 +1,5 @@
-//! The message to a pupil's device while a question is open: it contains all that is shown, and
-//! nothing about the answer.
+//! The message to a pupil's device while a question is open: it contains everything that is shown,
+//! and nothing about the answer.
 
 use carrom::class::{AskedQuestion, RevealedTruth};
 use carrom::quiz::{Dice, Difficulty, Family, Form, Illustration, Measure, Question, Rays};

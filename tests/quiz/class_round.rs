@@ -267,7 +267,7 @@ fn a_round_that_was_being_written_opens_without_its_last_line() {
 
 /// A file stores a round as changes that lead to it, which need not be the changes that were made.
 #[test]
-fn a_round_of_any_history_is_read_as_it_was_written() {
+fn a_round_with_any_history_is_read_back_as_it_was_written() {
     let names = ["Ada", "ada", "Bo", "Bo 2", "Zo\u{eb}", "'\"\\", "=1+1"];
     let mut state = 7_u64;
     let mut below = |most: usize| {

@@ -26,7 +26,7 @@ fn written(question: &Question) -> String {
 /// new kind of course is required instead. (Texts may be improved; figures, families, order and
 /// choices must not change.)
 #[test]
-fn a_code_is_always_the_same_round() {
+fn a_code_always_gives_the_same_round() {
     let rounds = [
         "quick-7",
         "mixed-7",

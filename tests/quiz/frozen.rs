@@ -280,7 +280,7 @@ fn without_figures(text: &str) -> String {
 
 /// The texts of questions in words are in `assets/concepts` and are left out.
 #[test]
-fn the_words_of_each_family() {
+fn the_words_of_each_family_are_unchanged() {
     let mut text = String::new();
     let written = [Family::Concept, Family::Ideas];
     let families = Family::ALL.iter().filter(|it| !written.contains(it));

@@ -79,7 +79,10 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
             ("{v2: 1.41}", "about 1.41 m/s"),
             ("{theta1_deg marbles: 63.4}", "gives 63.4°"),
             ("{theta2_deg marbles: 45}", "at 45°."),
-            ("{separation_deg marbles: 108.4}", "between the paths is 108.4°"),
+            (
+                "{separation_deg marbles: 108.4}",
+                "between the paths is 108.4°",
+            ),
         ],
     ),
     // Equal masses share the energy equally at α = 45°.
@@ -227,7 +230,7 @@ const EQUATIONS: [(&str, &str, &[&str]); 17] = [
     ),
 ];
 
-/// What a page shows, before its question is answered and after.
+/// What a page shows before and after its question is answered.
 #[derive(Default)]
 struct Seen {
     /// The text in one line.

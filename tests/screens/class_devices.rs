@@ -164,7 +164,7 @@ fn a_failed_save_is_reported_on_both_sides() {
 /// The teacher looks up a term while a pupil joins, and a pupil looks one up while the round
 /// begins.
 #[test]
-fn a_class_continues_under_the_glossary() {
+fn a_class_continues_while_the_glossary_is_open() {
     let place = Route::Host {
         code: Code::parse("from-angle2-7"),
         name: "10b".into(),
@@ -231,7 +231,7 @@ fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
             assert_eq!(screen.contains("Trying"), !is_in, "{screen}");
             let mut tapped = 0;
             for (letter, _) in choices(&screen) {
-                // The choice before may have scrolled this one.
+                // The previous choice may have scrolled this one.
                 let screen = class.game(ada).screen();
                 let drawn = choices(&screen).into_iter().find(|(it, _)| *it == letter);
                 let Some((_, at)) = drawn else { continue };
@@ -488,7 +488,7 @@ fn files_of_classes(folder: &Folder) -> usize {
         .count()
 }
 
-/// Continues through all questions, whether or not anybody votes.
+/// Continues through all questions, even if nobody votes.
 fn play_to_the_end(class: &mut Classroom) {
     for _ in 0..40 {
         if class.game(Who::Host).screen().contains("for a spreadsheet") {
@@ -721,7 +721,7 @@ impl Crowd {
 #[test]
 fn new_seats_for_one_address_become_available_with_time() {
     let mut crowd = Crowd::new();
-    // A class of 40 behind one router, and half of it joins again.
+    // A class of 40 is behind one router, and half of the pupils join again.
     for _ in 0..60 {
         assert_eq!(crowd.come(1).1, []);
     }
@@ -766,7 +766,7 @@ fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
         assert_eq!(crowd.come(1).1, []);
     }
     crowd.vote(250);
-    // The device gets no seat from itself.
+    // The device does not get one of its own seats.
     crowd.now_s += 2;
     let (line, sent_away) = crowd.come(1);
     assert_eq!(sent_away, [(line, Refusal::Full)]);
@@ -782,7 +782,7 @@ fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
 
 /// The pupil does not have to do anything: the device joins as soon as it is allowed.
 #[test]
-fn a_device_that_has_to_wait_shows_it_and_tries_again() {
+fn a_device_that_has_to_wait_says_so_and_tries_again() {
     let place = Route::Join {
         address: Some("192.168.43.117:8090".into()),
         code: Some(JoinCode::of(7)),

@@ -57,7 +57,7 @@ fn a_hint_told() -> Headless {
     game
 }
 
-/// A saved game of two computers whose last stroke is being played.
+/// A saved game between two computer players whose last stroke is being played.
 fn end_of_a_board(settings: Settings) -> Headless {
     let bytes = include_bytes!("../saves/board-over-1.toml");
     let (saved, _) = SavedGame::read("board-over-1.toml", bytes).unwrap();
@@ -147,7 +147,7 @@ fn each_key_of_each_table_does_something() {
 }
 
 #[test]
-fn no_key_outside_of_the_table_does_anything() {
+fn no_key_outside_the_table_does_anything() {
     let named = [
         Key::Up,
         Key::Down,

@@ -45,7 +45,7 @@ pub struct Concept {
     pub ask: String,
     /// The right choice.
     pub right: String,
-    /// The wrong choices, two or three; in their order if the question is ordered.
+    /// The two or three wrong choices, in their natural order if the question is ordered.
     pub wrongs: Vec<Wrong>,
     /// The explanation of the right choice, shown after any answer.
     pub why: String,
@@ -141,7 +141,7 @@ pub fn of(family: Family) -> Vec<&'static Concept> {
     all.filter(|concept| concept.family == family).collect()
 }
 
-/// The question of an `id`.
+/// The question with this `id`.
 pub fn with_id(id: &str) -> Option<&'static Concept> {
     all().iter().find(|concept| concept.id == id)
 }
@@ -169,7 +169,7 @@ fn embedded() -> Result<Vec<Concept>, FileErrors> {
 /// The questions in the order in which `order` lists their ids, one per line.
 ///
 /// # Errors
-/// If it lists an unknown id, or leaves one out.
+/// If it lists an unknown id or omits a known one.
 fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, FileError> {
     let mut ordered = Vec::with_capacity(concepts.len());
     let mut family = Family::Concept;
@@ -182,7 +182,7 @@ fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, Fil
             line: Some(line),
             ..FileError::of_file(
                 ORDER,
-                format!("expected the id of a question, once, found {id}"),
+                format!("expected the id of a question not yet listed, found {id}"),
             )
         };
         let at = concepts.iter().position(|concept| concept.id == id);

@@ -7,11 +7,11 @@ use super::prelude::*;
 use crate::physics::CollisionOutcome;
 use crate::physics::units::g_from_kg;
 
-/// The largest impact angle asked about, as its cosine: beyond it they hardly touch.
+/// The cosine of the largest impact angle asked about; at larger angles the discs hardly touch.
 const LEAST_COSINE: f64 = 0.3;
 
-/// The smallest impact angle asked about, as its sine: closer to head-on the picture does not
-/// show that the collision is off-centre.
+/// The sine of the smallest impact angle asked about; at smaller angles the picture does not show
+/// that the collision is off-centre.
 const LEAST_SINE: f64 = 0.17;
 
 /// How far from 90° an angle must be, in degrees, before the question asks "more or less?".
@@ -163,8 +163,8 @@ fn frames(
                 .options(WHO, 0)
                 .chooses(SquareOnTheGround, 1)
                 .says(
-                    "You assumed 90° in the laboratory frame. There one coin must be at rest at \
-                     first, and here both move.",
+                    "You assumed 90° in the laboratory frame. That requires one coin at rest \
+                     at first, but here both move.",
                 )
                 .chooses(FramesMixed, 2)
                 .says(BACK_TO_BACK)
@@ -217,15 +217,15 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -
     let (right, came) = match pair.way_deg {
         0..90 => (
             0,
-            "Before the collision the angle was less than 90°, and so it is afterwards:",
+            "Before the collision the angle was less than 90°, and it still is afterwards:",
         ),
         90 => (
             1,
-            "Before the collision the angle was 90°, and so it is afterwards:",
+            "Before the collision the angle was 90°, and it still is afterwards:",
         ),
         _ => (
             2,
-            "Before the collision the angle was more than 90°, and so it is afterwards:",
+            "Before the collision the angle was more than 90°, and it still is afterwards:",
         ),
     };
     if right != 1 && (deg_from_rad(separation) - 90.0).abs() < NEAR_SQUARE_DEG {
@@ -320,7 +320,7 @@ fn speed(
         )
         .wrong(OneLineFormula, others)
         .says(
-            "You exchanged the whole velocities. Off-centre only the components along n are \
+            "You exchanged the whole velocities. Off-centre, only the components along n are \
              exchanged.",
         )
         .why(format!(

@@ -24,7 +24,7 @@ const HEAVIER: [&[(u32, u32)]; 3] = [
     &[(24, 18), (25, 20), (30, 26)],
 ];
 
-/// Masses in grams of a striker and a coin as heavy or heavier.
+/// Masses in grams of a striker and a coin that is equally heavy or heavier.
 const NOT_HEAVIER: [&[(u32, u32)]; 2] = [
     &[(12, 12), (15, 15), (18, 18), (20, 20)],
     &[(10, 20), (12, 15), (15, 30), (20, 25)],
@@ -42,7 +42,8 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A hit with these masses at the greatest deflection, or at 30° if no α gives a greatest one.
+/// A hit with these masses at the greatest deflection, or at 30° if the deflection has no greatest
+/// value.
 fn turned_most(
     (m1_g, m2_g): (u32, u32),
     e_tenths: u32,
@@ -216,8 +217,9 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         .wrong(BeyondLargest, 0.0)
         .says(HEAD_ON)
         .why(format!(
-            "The tip of the final velocity vector lies on one circle, 2α around it. At the greatest deflection the vector is a tangent, so 2α + θ₁ = 90° and α = \
-             (90° − {}°) / 2 = {}.",
+            "The tip of the final velocity vector lies on a circle, at an angle of 2α. At the \
+             greatest deflection the vector is a tangent, so 2α + θ₁ = 90° and α = (90° − {}°) / 2 \
+             = {}.",
             Intermediate::angle(theta1, |theta1| degrees((FRAC_PI_2 - theta1) / 2.0)),
             degrees(alpha)
         ))

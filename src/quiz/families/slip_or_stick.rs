@@ -295,7 +295,7 @@ fn loss(hit: &Hit) -> Option<Question> {
                greatest head-on.",
         )
         .why(format!(
-            "Only energy of the motion along the line of impact can be lost: cos² {}° = {shown} of \
+            "Only the energy of motion along the line of impact can be lost: cos² {}° = {shown} of \
              the total. The share m₂ / (m₁ + m₂) = {lost} of that is lost: {shown} × {lost} = {}.",
             bare_degrees(hit.alpha().abs()),
             percent(shown.value, lost.value)

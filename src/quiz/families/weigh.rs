@@ -31,7 +31,7 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A collision of which only the angles are known.
+/// A collision for which only the angles are known.
 struct SeenHit {
     hit: Hit,
     coin_g: f64,

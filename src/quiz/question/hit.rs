@@ -113,12 +113,12 @@ impl Hit {
         if self.side() < 0.0 { "left" } else { "right" }
     }
 
-    /// Mass of the striker over mass of the target.
+    /// Mass of the striker divided by the mass of the target.
     pub(crate) fn mass_ratio(&self) -> f64 {
         self.pieces.striker().mass / self.pieces.target().mass
     }
 
-    /// Whether both masses are equal.
+    /// Whether the two masses are equal.
     pub(in crate::quiz) fn masses_are_equal(&self) -> bool {
         self.mass_ratio().total_cmp(&1.0).is_eq()
     }
@@ -152,7 +152,7 @@ impl Hit {
         format!("{how_much} energy is lost: e = {e}.")
     }
 
-    /// The distance of the centres at contact, r₁ + r₂, in millimetres.
+    /// The distance between the centres at contact, r₁ + r₂, in millimetres.
     pub fn reach_mm(&self) -> f64 {
         mm_from_m(self.collision().contact_distance())
     }

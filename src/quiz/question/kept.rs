@@ -23,8 +23,8 @@ impl Form {
         })
     }
 
-    /// Whether some form could accept a stored answer: it is of one kind and in its range, as for
-    /// [`Form::accepts`].
+    /// Whether some form could accept a stored answer, because it is of a known kind and in its
+    /// range, as for [`Form::accepts`].
     pub fn could_be_kept(answer: &Figures) -> bool {
         let number = |(name, value): (&String, &Value)| {
             let x = value.as_f64()?;

@@ -9,8 +9,8 @@ use super::{
     Answer, Difficulty, Family, Figures, Form, Illustration, Misconception, Ray, Response, Topic,
 };
 
-/// Answers closer to each other than this cannot be told apart, in units of the largest tolerance;
-/// more than 2, so that no answer fits two.
+/// Answers closer to each other than this, in units of the largest tolerance, cannot be told apart.
+/// It is more than 2, so that no answer fits two of them.
 pub const MIN_SEPARATION: f64 = 2.0625;
 
 /// A question, ready to be asked on a screen, on paper or line by line.
@@ -157,8 +157,8 @@ impl Question {
         self.beliefs.iter().map(|belief| belief.misconception)
     }
 
-    /// How far an answer may be from a misconception's answer and still fit it, as a share of the
-    /// largest tolerance: 1 except for small angles, shares and e.
+    /// How far an answer may be from a misconception's answer and still fit it, as a fraction of
+    /// the largest tolerance: 1 except for small angles, shares and e.
     pub(in crate::quiz) fn width(&self, belief: &WrongAnswer) -> f64 {
         match (&self.form, belief.said) {
             (Form::Number { quantity, .. }, Response::Number(x)) => quantity.width(x),

@@ -48,7 +48,7 @@ impl Ray {
 ///
 /// Angles in radians with the signs of physics: scattering angle θ₁ of the striker positive
 /// anticlockwise, recoil angle θ₂ of the target positive clockwise, both from the striker's
-/// original direction. `None` is a disc that stays still.
+/// original direction. `None` means that the disc stays still.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Rays {
     /// Scattering angle θ₁.

@@ -14,7 +14,7 @@ const NONE_BEFORE: f64 = 0.25;
 const COMMON: f64 = 5.0;
 /// The probability at which a named misconception is established.
 const CLEAR: f64 = 0.95;
-/// The probability of "none" at which no misconception is considered left.
+/// The probability of "none" at which all misconceptions are considered ruled out.
 const NONE_LEFT: f64 = 0.9;
 /// The smallest number of questions before the round can end.
 const FEWEST: usize = 3;
@@ -138,8 +138,8 @@ pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
         || posterior.none >= NONE_LEFT
 }
 
-/// The most informative question after these answers, with misconceptions as codes count them, of
-/// those drawn with the dice; no question of `asked` is repeated.
+/// Of the questions drawn with the dice, the most informative one after these answers, with
+/// misconceptions as codes count them; no question in `asked` is repeated.
 pub(super) fn ask(asked: &[Question], in_codes: &[Clue], dice: &mut Dice) -> Option<Question> {
     let posterior = Posterior::new(&evidence(in_codes));
     let hardest = match asked.len() < BEFORE_HARD {

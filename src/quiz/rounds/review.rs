@@ -104,7 +104,7 @@ mod tests {
         }
         let all = ["from-angle", "speeds", "unequal-masses", "where-to"];
         assert_eq!(met.into_iter().collect::<Vec<_>>(), all);
-        // A topic with only one family is asked about all the same; an unknown topic is left out.
+        // A topic with only one family is still asked about; an unknown topic is left out.
         let same = ["striker-speed", "target-speed", "a-chapter"].map(Topic::with_id);
         assert_eq!(
             questions(&same, Topic::families, &mut Dice::new(7)).len(),
