@@ -140,7 +140,7 @@ fn a_device_shows_what_the_board_shows() {
             question.family.id(),
             question.text
         );
-        // Once the answer is revealed, the message contains all of it.
+        // Once the answer is revealed, the message contains the whole answer.
         let told = RevealedTruth::new(&question, question.why.clone(), Some(10.0));
         let told = serde_json::to_string(&told).unwrap();
         let told: RevealedTruth = serde_json::from_str(&told).unwrap();

@@ -55,7 +55,7 @@ fn the_second_vote_scores_and_the_first_is_kept() {
 }
 
 /// Ten people on devices, half of them always right: every question discriminates equally. Ten is
-/// the least number for which the index is calculated.
+/// the smallest number for which the index is calculated.
 #[test]
 fn ten_people_are_enough_for_a_discrimination_index() {
     let devices = |people: usize| {

@@ -7,7 +7,7 @@
 //! set to a folder, the hashed data are written there, one JSON object per line and one file per
 //! family, so that two versions can be compared.
 //!
-//! The texts may change; each change shows in one snapshot with a section per family.
+//! The texts may change; each change shows up in one snapshot with a section per family.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

@@ -122,7 +122,7 @@ fn answers_given_alone_are_handed_in_by_a_key() {
     assert_eq!((files.len(), files[0].attempts.len()), (1, 1));
     assert_eq!((&*files[0].name, &*files[0].class), ("Ada", "10b"));
     press(&mut class, Who::Host, "w", "1 handed in");
-    // Repeated hand-ins stay one file, and their number is limited.
+    // Repeated hand-ins are kept in one file, and their number is limited.
     for _ in 1..20 {
         press(&mut class, ada, "hy", "Handed in: 1 answer.");
     }

@@ -17,7 +17,7 @@ fn foil(predict: bool, seed: u64) -> Headless {
     Headless::new(App::new(Route::Foil, settings, seed), 100, 30)
 }
 
-/// The page of the beam, set to 10 to the power of `exponent` particles.
+/// The page of the beam, set to `10^exponent` particles.
 fn beam(exponent: u32, predict: bool, seed: u64) -> Headless {
     let mut game = foil(predict, seed);
     game.press("<Tab><Down><Down><Down><Down><Down><Left><Left><Left>");

@@ -1,4 +1,4 @@
-//! Tests of every phase of every screen, by its own table of keys.
+//! Tests every phase of every screen against its own table of keys.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -291,10 +291,14 @@ fn every_list_behaves_the_same_way() {
         let mut click = moment.game();
         click.press("<Home>");
         click.click(mark(&second.0, &first.0));
-        assert_eq!(seen(&mut click), second, "{name}: a click chooses");
+        assert_eq!(seen(&mut click), second, "{name}: a click chooses a line");
         click.click(mark(&second.0, &first.0));
         let opened = after("<Home><Down><Enter>");
-        assert_eq!(seen(&mut click), opened, "{name}: a second one opens");
+        assert_eq!(
+            seen(&mut click),
+            opened,
+            "{name}: a second click opens the line"
+        );
     }
     assert!(lists >= 8 && clicked >= 6, "{lists} lists, {clicked}");
 }

@@ -108,9 +108,9 @@ fn enter_alone_gives_no_answer() {
     assert!(asked > 20);
 }
 
-/// The speed last chosen applies to the next shot and in every other level.
+/// The last speed chosen applies to the next shot and to every other level.
 #[test]
-fn the_speed_last_chosen_is_remembered() {
+fn the_last_speed_chosen_is_remembered() {
     let mut game = level(number("follow-on"));
     game.press("p<Enter>");
     assert!(game.screen().contains("real speed"), "{}", game.screen());

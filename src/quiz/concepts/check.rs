@@ -159,8 +159,8 @@ fn places(concepts: &[Concept]) -> Vec<String> {
         .collect()
 }
 
-/// Whether choices are given away by a first word that mostly right ones have, or by "always" and
-/// "never" in wrong ones.
+/// Whether choices are given away by a first word that is found mostly in right ones, or by
+/// "always" and "never" in wrong ones.
 fn words(concepts: &[Concept]) -> Vec<String> {
     let mut begin: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
     for (text, wrong) in concepts.iter().flat_map(Concept::choices) {

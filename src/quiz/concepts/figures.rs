@@ -1,4 +1,4 @@
-//! The figures of a text, filled in from the question's own hit.
+//! The figures in a text, filled in from the question's own hit.
 
 use crate::numbers::{short, true_minus, with_unit};
 use crate::physics::CollisionSpec;

@@ -1,10 +1,10 @@
 //! Concept questions: each asks about one idea of glancing collisions, in words, with wrong choices
 //! that students are known to believe.
 //!
-//! They are data: the files of `assets/concepts/`, one for each subject, and a teacher's own in a
-//! [`Library`]. `docs/concepts.md` describes the format. No calculated figure is typed there: a
-//! text contains `{theta1_deg}`, and the figure is calculated from the question's own hit while the
-//! file is read.
+//! The questions are data: the files of `assets/concepts/`, one for each subject, and a teacher's
+//! own in a [`Library`]. `docs/concepts.md` describes the format. No calculated figure is typed in
+//! these files: a text contains `{theta1_deg}`, and the figure is calculated from the question's
+//! own hit while the file is read.
 
 mod check;
 mod figures;
@@ -107,7 +107,7 @@ impl Concept {
 }
 
 impl Topic {
-    /// The families that ask about it; none if no built-in question does.
+    /// The families that ask about this topic; none if no built-in question does.
     pub fn families(&self) -> Vec<Family> {
         let mut families = self.families_of_figures();
         let written = [Family::Concept, Family::Ideas];
@@ -124,7 +124,7 @@ impl Topic {
     }
 }
 
-/// All concept questions, read once for the whole process.
+/// All concept questions, read once per process.
 ///
 /// Their order is fixed, because it is part of the format of a round's code: new questions go to
 /// the end, into a family that no older code draws from.

@@ -66,7 +66,7 @@ fn concept(subject: &str, file: &str, item: &Fields) -> Option<Concept> {
     let hit = item.or("hit", None, |name| {
         read_hit(&item.table(name, &CollisionSpec::field_names())?).map(Some)
     });
-    // If the hit is invalid, the texts are checked with the default one.
+    // If the hit is invalid, the texts are checked with the default hit.
     let filled = hit.unwrap_or_else(|| Some(CollisionSpec::default()));
     let id = item.id("id");
     let difficulty = item.word("difficulty", &Difficulty::ALL.map(|it| (it.id(), it)));

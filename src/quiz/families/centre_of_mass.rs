@@ -82,7 +82,7 @@ fn turn_from_angle(hit: &Hit) -> Option<Question> {
     turn(hit, angle)
         .wrong(CopiedAngle, deg_from_rad(alpha))
         .says(
-            "You answered α itself. It describes where they touch, not how far the striker is \
+            "You answered α itself. But α describes where they touch, not how far the striker is \
                deflected.",
         )
         .why(why_turn(alpha, angle))

@@ -1,4 +1,4 @@
-//! Drawing of hits, shared by several families.
+//! Draws hits for several families.
 
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;

@@ -118,10 +118,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
                  free to move.",
             )
             .chooses(HalfAndHalf, BELOW)
-            .says(
-                "Did you assume that 45° is the most? That is only the collision that shares \
-                   the energy equally.",
-            )
+            .says("Did you assume a limit of 45°? That is only where the energy is shared equally.")
             .why(
                 "With equal masses the striker leaves at right angles to the line of impact, at \
                  90° − α. The closer to head-on, the closer to 90°; exactly head-on it stops.",

@@ -9,7 +9,7 @@ use super::tolerance::{RIGHT_DEG, apart_deg};
 use super::{Answer, Confidence, Form, Measure, Question, Ray, Rays, Response};
 
 /// Up to this fraction of the tolerance an answer earns full credit: 2° for an angle, which is
-/// about as well as one can read the picture.
+/// about as accurately as the picture can be read.
 const FULL_CREDIT: f64 = 0.5;
 
 /// At this many times the tolerance or more, an answer earns no credit: 30° for an angle.

@@ -1,4 +1,4 @@
-//! A hit on a target at rest, as the player reads it: where will the two discs go?
+//! A hit on a target at rest, as it is given to the player: where will the two discs go?
 
 use glam::DVec2;
 
@@ -25,7 +25,8 @@ pub struct Hit {
 }
 
 impl From<&Collision> for Hit {
-    /// A collision of smooth discs with the target at rest, as a hit given by its offset.
+    /// Describes a collision of smooth discs, with the target at rest, as a hit given by its
+    /// offset.
     fn from(collision: &Collision) -> Self {
         Self {
             pieces: Pieces::Own {

@@ -98,7 +98,7 @@ pub enum Misconception {
     SquareOnTheGround,
     /// The whole angle is used instead of half of it.
     HalfAngleForgotten,
-    /// The count falls too slowly with the angle: with a square instead of the fourth power.
+    /// The count is taken to fall too slowly with the angle: as a square instead of a fourth power.
     TooGentle,
     /// Anything heavy or fast is taken never to bounce back.
     NeverBack,

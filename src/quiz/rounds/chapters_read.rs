@@ -23,8 +23,8 @@ const LETTERS: [(char, &str); 12] = [
     ('l', "when-energy-is-lost"),
 ];
 
-/// Some chapters, at least one of which teaches a topic of questions. In codes they are letters:
-/// `read-abd-7` asks about chapters 1, 2 and 4.
+/// Some chapters, at least one of which teaches a topic that questions ask about. In codes they are
+/// letters: `read-abd-7` asks about chapters 1, 2 and 4.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ChaptersRead(BTreeSet<char>);
 

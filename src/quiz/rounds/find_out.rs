@@ -12,7 +12,7 @@ use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Questi
 const NONE_BEFORE: f64 = 0.25;
 /// How many times as likely a common misconception is as any other.
 const COMMON: f64 = 5.0;
-/// The probability at which a named misconception is established.
+/// The probability at which a named misconception is considered established.
 const CLEAR: f64 = 0.95;
 /// The probability of "none" at which all misconceptions are considered ruled out.
 const NONE_LEFT: f64 = 0.9;

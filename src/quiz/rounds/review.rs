@@ -26,8 +26,8 @@ pub(super) fn questions(
     while !left.is_empty() {
         let last = questions.last().map(|question| question.family);
         let another = |family: &Family| Some(*family) != last;
-        // A topic about which only the last family asks is postponed, unless nothing else is
-        // left.
+        // A topic about which only the family of the previous question asks is postponed, unless
+        // nothing else is left.
         let next = left.iter().position(|(_, all)| all.iter().any(another));
         let (topic, mut families) = left.remove(next.unwrap_or(0));
         dice.shuffle(&mut families);

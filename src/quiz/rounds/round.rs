@@ -147,7 +147,7 @@ impl Round {
             let concept = library.concepts.iter().find(|it| it.id == id)?;
             return concept::question(concept, dice);
         }
-        // In a round of ten hits a kind may have another difficulty than in its family.
+        // In a round of ten hits a kind may have a different difficulty from the one in its family.
         let difficulty = match draw < VERSION_DRAWS / 2 {
             true => asked.difficulty,
             false => *dice.pick(&Difficulty::ALL)?,
