@@ -86,7 +86,7 @@ impl Concept {
         };
         Some(format!(
             "expected a right choice about as long as the others, found the {which} by far: \
-             {right} letters to {least}-{most}"
+             {right} letters, the others {least}-{most}"
         ))
     }
 

@@ -76,8 +76,8 @@ impl MovingPair {
         };
         let [u1, u2] = [self.speed, self.target_speed].map(|it| significant(it.into()));
         let text = format!(
-            "A striker moves at {u1} m/s, an equal coin at {u2} m/s {way}. {place} The discs are \
-             smooth, and no energy is lost."
+            "A striker moves at {u1} m/s, and an equal coin at {u2} m/s {way}. {place} The discs \
+             are smooth, and no energy is lost."
         );
         let disc = collision.striker;
         Outline::new(text, Illustration::before(collision, Markings::FIGURES))
@@ -271,9 +271,9 @@ fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Opt
         .wrong(FramesMixed, 180.0)
         .says("You answered 180°. That is the angle in the centre-of-mass frame.")
         .why(format!(
-            "Along the line of impact n they exchange velocities, along t each keeps its own: the \
-             speeds become {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle \
-             is {} / ({v1} × {v2}), and the angle is {separation}.",
+            "Along the line of impact n they exchange velocities; along t each keeps its own. The \
+             speeds become {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle is {} / \
+             ({v1} × {v2}), and the angle is {separation}.",
             true_minus(&significant(dot))
         ))
 }

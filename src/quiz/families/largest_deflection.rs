@@ -136,7 +136,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
                    rebound.",
             )
             .why(
-                "Head-on a lighter striker bounces straight back: 180°. By choosing the offset \
+                "Head-on, a lighter striker bounces straight back: 180°. By choosing the offset \
                  you can get any deflection from 180° down to 0° at a graze.",
             ),
     }
@@ -189,7 +189,7 @@ fn aimed(dice: &mut Dice) -> Option<(Hit, f64, f64, Outline)> {
     Some((hit, theta1, alpha, draft))
 }
 
-const HEAD_ON: &str = "Head-on a heavier striker goes straight on: it is not deflected at all.";
+const HEAD_ON: &str = "Head-on, a heavier striker goes straight on: it is not deflected at all.";
 
 fn where_by_angle(dice: &mut Dice) -> Option<Question> {
     let (_, theta1, alpha, draft) = aimed(dice)?;
@@ -243,10 +243,7 @@ fn where_by_offset(dice: &mut Dice) -> Option<Question> {
             degrees(alpha)
         ))
         .wrong(SineCosine, reach_mm * alpha.cos())
-        .says(
-            "You used the cosine instead of the sine. Head-on the offset is 0, so it must be a \
-               sine.",
-        )
+        .says("You used the cosine instead of the sine. Head-on, the offset is 0, so use the sine.")
         .wrong(CopiedAngle, reach_mm * theta1.sin())
         .says(format!(
             "You used the deflection, {}, as the impact angle. The impact angle is the coin's \
