@@ -197,7 +197,7 @@ const HOLD: &str = "
       again();
     };";
 
-/// Whether a frame was drawn more than 450 ms after the given time, later than those that a key
+/// Whether a frame was drawn more than 450 ms after the given time, later than any frame that a key
 /// press causes.
 const DRAWN_LATE: &str = "return window.frameTimes.some((time) => time - arguments[0] > 450)";
 

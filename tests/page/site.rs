@@ -1,4 +1,4 @@
-//! The site for a static server: installed on the first visit, it opens without a network
+//! The site for a static server: it is installed on the first visit and opens without a network
 //! afterwards.
 
 use std::io::{BufRead, BufReader, Write};

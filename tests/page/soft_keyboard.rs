@@ -1,5 +1,5 @@
-//! The keyboard on a phone's screen, tested with real taps and with text input as from such a
-//! keyboard. It composes words and may change them, its keys have no names, and it stays open only
+//! The keyboard on a phone's screen, tested with real taps and with the kind of text input that it
+//! sends. It composes words and may change them, its keys have no names, and it stays open only
 //! while a field has the focus.
 
 use std::fs;

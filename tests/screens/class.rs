@@ -75,7 +75,7 @@ fn kept(folder: &Path) -> Vec<ClassRound> {
 /// Of three teams, one is always right, one follows a misconception until the discussion, and one
 /// follows it throughout.
 #[test]
-fn three_teams_play_a_round_to_its_tables() {
+fn three_teams_play_a_round_and_get_its_tables() {
     let folder = Folder::new("class-round");
     let code = "mixed-7";
     let mut game = class(folder.path(), code, &["Ants", "=Bees()", "Cats"]);

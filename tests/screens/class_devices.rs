@@ -24,7 +24,7 @@ const TAPE: &str = include_str!("../classes/devices.tape");
 
 /// The screens and the tables are identical, byte by byte.
 #[test]
-fn a_tape_plays_a_class_and_is_the_same_every_time() {
+fn a_tape_plays_a_class_with_the_same_result_every_time() {
     let (run, steps) = TAPE.split_at(TAPE.find("Expect").unwrap());
     for set in [
         "Set Size 80x24\nSet Charset ascii\n",
@@ -404,7 +404,7 @@ fn a_removed_pupil_stays_out_until_let_in() {
 
 /// One key removes any number of pupils, who may join again.
 #[test]
-fn all_who_are_away_and_never_voted_are_removed_by_one_key() {
+fn one_key_removes_all_pupils_who_are_away_and_never_voted() {
     let (mut class, pupils) = gathering(&["Ada", "Bo", "Cy", "Di"]);
     press(
         &mut class,

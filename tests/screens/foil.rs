@@ -185,7 +185,7 @@ fn the_last_page_shows_what_was_counted_and_what_was_not() {
 
 /// An aluminium nucleus is too light and too small for the law; a gold nucleus is neither.
 #[test]
-fn a_light_nucleus_is_warned_about_on_both_pages() {
+fn both_pages_warn_about_a_light_nucleus() {
     for (wide, high) in [(80, 24), (120, 40)] {
         let mut game = Headless::new(App::new(Route::Foil, Settings::default(), 1), wide, high);
         for page in ["<Down>", "<Tab>"] {

@@ -296,7 +296,7 @@ fn a_line_of_the_summary_is_opened_by_a_click() {
 /// A guessed topic is due at once; a review asks each due topic once, and has no code that could be
 /// passed on.
 #[test]
-fn a_review_asks_what_is_due() {
+fn a_review_asks_about_the_topics_that_are_due() {
     let mut game = choosing();
     for code in ["speeds1-7", "from-angle1-7"] {
         game.press("c");

@@ -90,7 +90,7 @@ impl Concept {
         ))
     }
 
-    /// The number of letters of the right choice, of the shortest wrong one, and of the longest.
+    /// The numbers of letters of the right choice and of the shortest and the longest wrong one.
     fn letters(&self) -> [usize; 3] {
         let wrongs = self.wrongs.iter().map(|wrong| letters(&wrong.choice));
         let (least, most) = (wrongs.clone().min(), wrongs.max());

@@ -1,4 +1,4 @@
-//! Concept questions: each asks about one idea of glancing collisions, in words, with wrong choices
+//! Concept questions: each asks in words about one idea of glancing collisions, with wrong choices
 //! that students are known to believe.
 //!
 //! The questions are data: the files of `assets/concepts/`, one for each subject, and a teacher's

@@ -376,7 +376,7 @@ fn the_right_choice_of_an_ordered_question_is_in_its_place() {
 
 /// The manual contains a complete example, which must be a valid question.
 #[test]
-fn the_example_of_the_manual_is_a_question() {
+fn the_example_in_the_manual_is_a_valid_question() {
     let manual = include_str!("../../../docs/concepts.md");
     let (_, after) = manual.split_once("```toml\n").unwrap();
     let (example, _) = after.split_once("```").unwrap();

@@ -30,10 +30,10 @@ pub(super) mod where_to;
 /// without any clear question. A test checks that no family needs even a twentieth of this.
 const DRAWS: usize = 20_000;
 
-/// One draw, whether or not its answers are distinct; `None` if the numbers are unsuitable.
+/// One draw, even if its answers are not distinct; `None` if the numbers are unsuitable.
 type Draw = fn(Difficulty, &mut Dice) -> Option<Question>;
 
-/// Each family's name as shown and its generator, in the order of [`Family`].
+/// The displayed name and the generator of each family, in the order of [`Family`].
 #[rustfmt::skip]
 static TABLE: [(&str, Draw); Family::ALL.len()] = [
     ("where will they go?", where_to::ask),

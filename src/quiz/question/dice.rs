@@ -47,7 +47,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_generator_is_pcg32_by_its_definition() {
+    fn the_generator_agrees_with_the_definition_of_pcg32() {
         // O'Neill's reference: state' = a·state + c, output = rotr(xorshift, state >> 59).
         const A: u64 = 6_364_136_223_846_793_005;
         let seed = 42;

@@ -140,8 +140,8 @@ impl Measure {
         }
     }
 
-    /// The largest number that makes sense and can be typed; the smallest is 0, or for angles its
-    /// negative.
+    /// The largest number that makes sense and can be typed; the smallest is 0, or for angles the
+    /// negative of the largest.
     pub const fn largest(&self) -> f64 {
         match self {
             Self::Angle => 180.0,

@@ -76,7 +76,7 @@ impl Rays {
         angles.all(|angle| is_within(deg_from_rad(angle), -most, most))
     }
 
-    /// Both in degrees, with names and signs as `carrom solve` gives them.
+    /// Both angles in degrees, with the names and signs that `carrom solve` uses.
     pub fn json(&self) -> Value {
         json!({
             "theta1_deg": self.striker.map(deg_from_rad),

@@ -84,7 +84,7 @@ impl Topic {
         taught.map(|row| Self::with_id(row.id.as_str()))
     }
 
-    /// The page that teaches it; `None` for a teacher's own subjects.
+    /// The page that teaches this topic; `None` for a teacher's own subjects.
     pub fn taught_on(&self) -> Option<Passage> {
         let TopicRow { chapter, page, .. } = self.known()?;
         Some(Passage { chapter, page })

@@ -33,7 +33,8 @@ pub enum CourseKind {
     Mixed,
     /// All kinds, mixed so that every misconception is tested often enough to be detected.
     Even,
-    /// Finding out what a student believes: each question is chosen by the answers before it.
+    /// Finding out what a student believes: each question is chosen according to the answers before
+    /// it.
     FindOut,
     /// Questions that can show a misconception.
     Check(Misconception),
@@ -199,7 +200,7 @@ impl Code {
         }
     }
 
-    /// Reads a code; `None` if it is not one. Case and surrounding blanks do not matter.
+    /// Reads a code; `None` if the text is not a code. Case and surrounding blanks do not matter.
     pub fn parse(text: &str) -> Option<Self> {
         Self::read(text).ok()
     }

@@ -1,9 +1,10 @@
-//! Finding out what a student believes: each question is chosen by the answers before it.
+//! Finding out what a student believes: each question is chosen according to the answers before it.
 //!
 //! The student is assumed to hold one of the misconceptions, or none. The answers determine the
 //! probability of each. Some candidates are drawn with the dice, and the round asks the one whose
-//! answer is expected to give the most information, in bits (D. V. Lindley, 1956). It ends when one
-//! misconception is established, when none is left, or after as many questions as the course has.
+//! answer is expected to give the most information, in bits (D. V. Lindley, 1956). The round ends
+//! when one misconception is established, when all are ruled out, or after as many questions as the
+//! course has.
 
 use crate::quiz::misconceptions::{Clue, Evidence, SLIP, evidence};
 use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Question};

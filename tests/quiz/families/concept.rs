@@ -18,7 +18,7 @@ fn passes_the_checks_for_all_families() {
 }
 
 #[test]
-fn each_question_is_asked_as_it_is_in_its_file() {
+fn each_question_is_asked_as_it_is_written_in_its_file() {
     for question in WRITTEN.into_iter().flat_map(all) {
         let written = concepts::with_id(word(&question, "id")).unwrap();
         assert_eq!(question.difficulty, written.difficulty);
