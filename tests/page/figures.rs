@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use crate::browser::{Browser, TIME_FRAMES, page, press, wait_until_ready};
 use crate::chromium::Chromium;
 
-/// Reopens the page as on a computer that is slower by this factor.
+/// Reopens the page on a simulated computer that is slower by this factor.
 fn open(chromium: &mut Chromium, page: &str, slower: f64) {
     chromium.open("about:blank");
     chromium.debug("Emulation.setCPUThrottlingRate", &json!({ "rate": slower }));

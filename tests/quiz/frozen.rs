@@ -2,7 +2,7 @@
 //!
 //! The draws are a format: a code must give the same round in every version. One hash per family
 //! covers everything except the texts: figures, the right answer, the order of the choices and the
-//! answers of misconceptions. None of these hashes must ever change. Misconceptions are counted as
+//! answers of misconceptions. None of these hashes may ever change. Misconceptions are counted as
 //! existing codes count them, because one that was split keeps its draws. If `CARROM_QUESTIONS` is
 //! set to a folder, the hashed data are written there, one JSON object per line and one file per
 //! family, so that two versions can be compared.

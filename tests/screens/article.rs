@@ -138,8 +138,7 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
     ),
 ];
 
-/// The equations that the article refers to but does not show, by the chapters and pages that show
-/// them.
+/// The equations that the article refers to but does not show, by chapter and page.
 const EQUATIONS: [(&str, &str, &[&str]); 17] = [
     (
         "momentum-is-a-vector",

@@ -94,7 +94,7 @@ pub(crate) fn seen(game: &mut Headless) -> Seen {
     (game.buffer().clone(), keys, settings, quit, exports)
 }
 
-/// Whether a key changes anything in a game on a screen of this size, perhaps after another key.
+/// Whether a key changes anything in a game on a screen of this size, optionally after another key.
 fn changes(mut game: Headless, size: (u16, u16), before: Option<Key>, key: Key) -> bool {
     game.resize(size.0, size.1);
     if let Some(before) = before {

@@ -79,7 +79,7 @@ impl Concept {
         Topic::of_subject(&self.subject)
     }
 
-    /// An error in one of its fields, with the file and the line.
+    /// An error in one of the question's fields, with the file and the line.
     fn fault(&self, field: &str, message: impl Into<String>) -> FileError {
         FileError {
             file: self.file.clone(),

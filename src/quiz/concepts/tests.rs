@@ -178,7 +178,7 @@ fn right_choices_that_are_given_away_are_reported() {
     );
 }
 
-/// Figures in texts that no placeholder can give.
+/// Figures in texts that no placeholder can provide.
 #[test]
 fn figures_typed_in_texts_are_correct() {
     // where-turned-most: "at about α = 34°".

@@ -2,8 +2,8 @@
 //!
 //! A family draws numbers with the dice and builds a whole [`Question`] from them: the text, the
 //! picture, the right answer, the answer each misconception leads to, and the explanation. It need
-//! not check whether the answers can be told apart: [`Family::ask`] draws again until they can. A
-//! new family is a new file and a line in the table here; its topics are listed in the table of
+//! not check whether the answers can be told apart: [`Family::ask`] draws again until they can. To
+//! add a family, add a file and a line in the table here; its topics are listed in the table of
 //! topics.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question};

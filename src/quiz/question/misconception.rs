@@ -92,9 +92,9 @@ pub enum Misconception {
     FramesMixed,
     /// The frame's velocity is subtracted where it must be added.
     FrameReversed,
-    /// The centre of mass is taken to be halfway, whatever the masses.
+    /// The centre of mass is taken to be halfway between the discs, whatever the masses.
     HalfwayCentre,
-    /// The right angle is expected in the laboratory frame although both move.
+    /// The right angle is expected in the laboratory frame although both discs move.
     SquareOnTheGround,
     /// The whole angle is used instead of half of it.
     HalfAngleForgotten,

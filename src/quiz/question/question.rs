@@ -103,7 +103,7 @@ impl Question {
     }
 
     /// Whether an answer shows which misconception it fits, if any, and cannot simply be copied
-    /// from the text: only such questions are asked.
+    /// from the text. Only questions for which this is true are asked.
     pub(crate) fn is_clear(&self) -> bool {
         let revealed = match &self.form {
             Form::Number { quantity, truth } => self.text.contains(&quantity.print(*truth)),

@@ -10,7 +10,7 @@ use crate::quiz::concepts::Library;
 use crate::quiz::families;
 use crate::quiz::question::{Family, Misconception, Topic};
 
-/// The prefix of the letters of chapters in codes.
+/// The prefix of chapter letters in codes.
 const READ: &str = "read";
 
 /// What a round is made of.

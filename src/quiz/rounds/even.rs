@@ -1,8 +1,8 @@
 //! Mixed questions that test every misconception often enough to detect it.
 //!
 //! In the older mixed rounds all families are equally frequent, so some misconceptions could show
-//! in every other question and others in none of twenty. Here some candidates are drawn with the
-//! dice, and the round asks the one that best tests what has not been tested enough.
+//! up in every second question and others in none of twenty. Here some candidates are drawn with
+//! the dice, and the round asks the one that best tests what has not been tested enough.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Form, Misconception, Question};
 

@@ -126,8 +126,8 @@ fn bits(p: f64) -> f64 {
     if p > 0.0 { -p * p.log2() } else { 0.0 }
 }
 
-/// Whether these answers settle the result: one misconception is named and established, or none is
-/// left. `in_codes` are the same answers with misconceptions as codes count them.
+/// Whether these answers settle the result: one misconception is named and established, or all are
+/// ruled out. `in_codes` are the same answers with misconceptions as codes count them.
 pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
     if clues.len() < FEWEST {
         return false;
