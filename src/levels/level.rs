@@ -91,7 +91,7 @@ impl Level {
         let about = about?;
         let id = about.id("id").and_then(|id| {
             if others.iter().any(|other| other.id == id) {
-                let message = format!("expected an id of its own, found \"{id}\" twice");
+                let message = format!("expected a unique id, found \"{id}\" twice");
                 return about.refuse("id", message);
             }
             Some(id)

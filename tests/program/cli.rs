@@ -379,7 +379,7 @@ fn a_right_choice_that_gives_itself_away_is_reported_with_its_line() {
     .unwrap();
     let message = err(&carrom(&["concept", "check", &path]));
     assert!(
-        message.contains("mine.toml:21: ") && message.contains("expected an id of its own"),
+        message.contains("mine.toml:21: ") && message.contains("expected a unique id"),
         "{message}"
     );
 }

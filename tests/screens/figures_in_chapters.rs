@@ -1,4 +1,4 @@
-//! Each number that a chapter's text contains and the engine does not print, computed from the
+//! Each number that a chapter's text contains but the engine does not print, computed from the
 //! engine and from the data of the figures. If a sentence, a figure or the physics changes, these
 //! tests show what no longer agrees.
 

@@ -17,7 +17,7 @@ fn foil(predict: bool, seed: u64) -> Headless {
     Headless::new(App::new(Route::Foil, settings, seed), 100, 30)
 }
 
-/// The page of the beam, set to 10 to the power of `exponent` particles.
+/// The page of the beam, set to `10^exponent` particles.
 fn beam(exponent: u32, predict: bool, seed: u64) -> Headless {
     let mut game = foil(predict, seed);
     game.press("<Tab><Down><Down><Down><Down><Down><Left><Left><Left>");
@@ -185,7 +185,7 @@ fn the_last_page_shows_what_was_counted_and_what_was_not() {
 
 /// An aluminium nucleus is too light and too small for the law; a gold nucleus is neither.
 #[test]
-fn a_light_nucleus_is_warned_about_on_both_pages() {
+fn both_pages_warn_about_a_light_nucleus() {
     for (wide, high) in [(80, 24), (120, 40)] {
         let mut game = Headless::new(App::new(Route::Foil, Settings::default(), 1), wide, high);
         for page in ["<Down>", "<Tab>"] {

@@ -108,9 +108,9 @@ fn enter_alone_gives_no_answer() {
     assert!(asked > 20);
 }
 
-/// The speed last chosen applies to the next shot and in every other level.
+/// The last speed chosen applies to the next shot and to every other level.
 #[test]
-fn the_speed_last_chosen_is_remembered() {
+fn the_last_speed_chosen_is_remembered() {
     let mut game = level(number("follow-on"));
     game.press("p<Enter>");
     assert!(game.screen().contains("real speed"), "{}", game.screen());
@@ -161,7 +161,7 @@ fn a_level_is_won_by_arrow_keys_alone() {
 }
 
 #[test]
-fn fine_and_big_steps_and_the_ends_of_the_range() {
+fn directions_change_in_fine_or_big_steps_and_stay_in_range() {
     let mut game = level(number("dead-stop"));
     game.press(",");
     assert!(game.screen().contains("45.05 deg"), "{}", game.screen());
@@ -234,7 +234,7 @@ fn a_miss_shows_the_missed_goals_and_keeps_the_aim() {
 }
 
 #[test]
-fn hints_come_one_by_one() {
+fn hints_are_shown_one_by_one() {
     let shelf = embedded();
     let (_, dead_stop) = shelf.get(number("dead-stop")).unwrap();
     let mut game = level(number("dead-stop"));

@@ -332,7 +332,7 @@ fn a_round_without_answers_is_left_at_once() {
 }
 
 #[test]
-fn after_a_round_comes_another_or_home() {
+fn a_round_is_followed_by_another_or_by_the_choice_of_a_round() {
     let mut game = plain(7);
     for question in Round::hits(7).questions() {
         answer(&mut game, question, &WILD, "1");
@@ -348,7 +348,7 @@ fn after_a_round_comes_another_or_home() {
 }
 
 #[test]
-fn home_leads_to_the_round_of_the_seed_and_then_to_others() {
+fn the_home_screen_opens_the_round_for_the_seed_and_then_others() {
     let app = App::new(Route::Home, Settings::default(), 7);
     let mut game = Headless::new(app, 80, 24);
     game.press("zh");

@@ -400,7 +400,7 @@ fn leaving_a_running_game_is_confirmed_once() {
     assert!(game.screen().contains("a new game"));
 }
 
-/// The row after the pieces; the number holds for the game, and for the next one.
+/// The row below that of the pieces; its number applies to this game and to the next one.
 #[test]
 fn the_restitution_of_a_new_game_is_chosen_on_its_page() {
     let mut game = Headless::new(App::new(Route::Table, still(), 1), 80, 24);
@@ -420,7 +420,7 @@ fn the_restitution_of_a_new_game_is_chosen_on_its_page() {
     game.press("<Escape>");
     game.press(&"<Down>".repeat(5));
     chosen(&mut game, "0.80");
-    // The rows around it are still their own.
+    // The rows above and below it are unchanged.
     game.press("<Up><Right><Down><Down><Right>");
     let page = game.screen();
     let row = |name: &str, value: &str| {
@@ -432,7 +432,7 @@ fn the_restitution_of_a_new_game_is_chosen_on_its_page() {
 }
 
 #[test]
-fn a_stroke_takes_its_time_and_then_nothing_moves() {
+fn a_stroke_is_animated_and_then_nothing_moves() {
     let mut game = at_the_table(Options::two_people(), Settings::default());
     assert_eq!(game.app().wake(), None);
     game.press(" ");
@@ -644,7 +644,7 @@ fn whole_game(
 }
 
 #[test]
-fn a_whole_game_against_each_strength_by_mouse_alone() {
+fn a_whole_game_against_each_strength_is_played_by_mouse_alone() {
     for strength in Strength::ALL {
         let pull = |game: &mut Headless, chance: &mut Pcg64| {
             // Point anywhere up the board, then pull back from the striker's position.
@@ -663,7 +663,7 @@ fn a_whole_game_against_each_strength_by_mouse_alone() {
 }
 
 #[test]
-fn a_whole_game_against_each_strength_by_keys_alone() {
+fn a_whole_game_against_each_strength_is_played_by_keys_alone() {
     for strength in Strength::ALL {
         let strike = |game: &mut Headless, chance: &mut Pcg64| {
             let turns = chance.random_range(0..60);

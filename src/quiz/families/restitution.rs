@@ -62,7 +62,7 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
              the line of impact.",
         )
         .chooses(LossForbidsSquare, place(3))
-        .says("You assumed that a loss rules out the right angle. It only requires other masses.")
+        .says("You assumed that a loss rules out the right angle. But other masses can give 90°.")
         .why(format!(
             "{COMPONENT} With a loss this requires m₁ = e m₂ = {} × {} g = {} g.",
             significant(e),
@@ -236,7 +236,7 @@ fn e_from_angles(dice: &mut Dice) -> Option<Question> {
         .wrong(UpsideDown, k * (m1 + m2) / m1 - 1.0)
         .says("You swapped the two masses.")
         .wrong(Lossless, 1.0)
-        .says("You assumed e = 1: then the angles would differ.")
+        .says("You assumed e = 1, but then the angles would be different.")
         .why(format!(
             "Along the line of impact the striker loses the fraction k = sin θ₁ / (cos θ₂ sin(θ₁ + θ₂)) = {shown}. As k = (1 + e) m₂ / (m₁ + m₂), e = {shown} × {} / {} \
              − 1 = {}.",

@@ -228,7 +228,7 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
         .wrong(TooGentle, at(half_sine * fewer.sqrt()))
         .says("You used the square of the sine. The law contains the fourth power.")
         .wrong(CountsReversed, at(half_sine / root))
-        .says("You chose a smaller angle. There more particles are counted, not fewer.")
+        .says("You chose a smaller angle. More particles are counted there, not fewer.")
         .why(format!(
             "Counts are proportional to 1 / sin⁴ of half the angle. So the sine of half the angle \
              is {times} × sin {}° = {sine}, where {times}⁴ = {fewer}. Half the angle is {half}°, and \
