@@ -1,13 +1,13 @@
-//! Whether the right misconception is named: `cargo bench --bench diagnosis`.
+//! Measures how often carrom names the right misconception: `cargo bench --bench diagnosis`.
 //!
 //! Simulated students answer rounds of *Find out*, of the mixed course and of the older mixed
-//! course. The benchmark prints for how many of them the misconception named first is the one
-//! that they hold. `-- 50` simulates 50 students of each kind instead of 200.
+//! course. The benchmark prints how many of them have their own misconception named first. `-- 50`
+//! simulates 50 students of each kind instead of 200.
 //!
-//! The code below calculates a student's rays and numbers without the grader's physics. Among
-//! choices the student picks the one that agrees with the belief. If the belief predicts
-//! nothing, the student either guesses or knows the answer. Each angle has a random error of 2°
-//! (one standard deviation), every other number one of 2 %.
+//! The code below calculates a student's rays and numbers without the grader's physics. From
+//! several choices, the student picks the one that fits the belief. If the belief predicts nothing,
+//! the student either guesses or knows the answer. Each angle has a random error of 2° (one
+//! standard deviation), every other number one of 2 %.
 
 use std::f64::consts::{PI, TAU};
 use std::thread;
@@ -19,7 +19,8 @@ use carrom::quiz::{
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-/// The standard deviation of an angle, in degrees, and of any other number, as a share of it.
+/// The standard deviation of an angle, in degrees, and of any other number, as a fraction of that
+/// number.
 const NOISE: (f64, f64) = (2.0, 0.02);
 
 /// What a student believes.
@@ -102,7 +103,7 @@ struct Student {
     dice: Pcg64,
 }
 
-/// The figures in a question about a collision with a target at rest.
+/// The numbers in a question about a collision with a target at rest.
 struct HitFigures {
     m1: f64,
     m2: f64,

@@ -1,8 +1,8 @@
 //! How fast a beam is simulated and counted: `cargo bench --bench foil`.
 //!
-//! Each law is counted into 36 bins on one core, in the same rounds with the table of edges and
-//! with the plain loop that computes the angle of each particle. Both count the same particles,
-//! and the counts must be equal. The best of many rounds is printed, and the median.
+//! For each law, particles are counted into 36 bins on one core, in the same rounds with the table
+//! of edges and with the plain loop that computes the angle of each particle. Both count the same
+//! particles, and the counts must be equal. The best and the median of many rounds are printed.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -104,7 +104,7 @@ fn pictures() {
     );
 }
 
-/// Times the making of the table, and a whole beam of 10⁸ at once.
+/// Times the construction of the table, and a whole beam of 10⁸ at once.
 fn whole(law: &ScatteringLaw) {
     let start = Instant::now();
     let sampler = black_box(Sampler::new(law));

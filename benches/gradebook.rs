@@ -1,10 +1,10 @@
-//! The time for a gradebook, and whether it grows no faster than the class:
+//! The time to make a gradebook, and whether this time grows no faster than the class:
 //! `cargo bench --bench gradebook`.
 //!
-//! Classes of 10, 20, 40 and 60 pupils answer 30 rounds of ten questions each. Each size is
-//! timed as `carrom gather` works, from the bytes of the files to the finished document; the
-//! last column compares the time per pupil with that of the smallest class. Another file
-//! contains 5,000 rounds.
+//! Classes of 10, 20, 40 and 60 pupils answer 30 rounds of ten questions each. Each size is timed
+//! the way `carrom gather` works, from the bytes of the files to the finished document; the last
+//! column compares the time per pupil with that of the smallest class. Another file contains 5,000
+//! rounds.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -18,7 +18,7 @@ const ROUNDS: u64 = 30;
 const CLASSES: [usize; 4] = [10, 20, 40, 60];
 /// The number of rounds in the one large file.
 const MANY_ROUNDS: u64 = 5_000;
-/// The number of runs of each measurement, of which the best is printed.
+/// The number of runs of each measurement; the best is printed.
 const RUNS: usize = 3;
 
 /// The answers of one pupil to these rounds; different pupils are right at different questions.
@@ -41,7 +41,7 @@ fn answers(rounds: &[Round], pupil: usize) -> Vec<Attempt> {
     all
 }
 
-/// The bytes of the file of a pupil.
+/// The bytes of a pupil's file.
 fn file(pupil: usize, answers: Vec<Attempt>) -> Vec<u8> {
     let hand_in = HandIn::new(&format!("Pupil {pupil}"), "10b", answers);
     hand_in.text().expect("a hand-in is text").into_bytes()

@@ -15,7 +15,7 @@ use glam::DVec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-/// The number of strokes after which a board is undecided.
+/// The number of strokes after which a board counts as undecided.
 const MOST_STROKES: u64 = 3000;
 
 /// A player in the contest.
@@ -180,7 +180,7 @@ fn thinking(strength: Strength) {
         let mut game = new_game(seed);
         while game.play().won.is_none() {
             let thought: u64 = hand.random();
-            // The best of three has the least disturbance.
+            // The best of three is disturbed least.
             let time = (0..3).map(|_| {
                 let start = Instant::now();
                 std::hint::black_box(think(&game, strength, thought));

@@ -2,7 +2,7 @@
 //!
 //! Functions that print a quantity write a hyphen for a minus, as files and programs require.
 //! Text in formulas passes through [`true_minus`], and the Unicode screen replaces all other
-//! hyphens before numbers by minus signs.
+//! hyphens before numbers with minus signs.
 
 use std::fmt;
 
@@ -218,8 +218,8 @@ pub(crate) fn mean(x: &[f64]) -> Option<f64> {
     (!x.is_empty()).then(|| x.iter().sum::<f64>() / x.len() as f64)
 }
 
-/// Pearson's correlation; `None` for fewer than three pairs, or if the values of one side
-/// vary by no more than a thousandth.
+/// Pearson's correlation; `None` for fewer than three pairs, or if one of the variables varies by
+/// no more than a thousandth.
 pub(crate) fn correlation(x: &[f64], y: &[f64]) -> Option<f64> {
     const VARIES: f64 = 1e-6;
     if x.len() < 3 {
@@ -350,7 +350,7 @@ mod tests {
 
         /// The error is at most half a unit of the last place, plus the rounding error of parsing.
         #[test]
-        fn printed_numbers_read_back(x in any_number(), decimals in 0_usize..5) {
+        fn printed_numbers_are_read_back_rounded(x in any_number(), decimals in 0_usize..5) {
             let half = |decimals: i32| 0.5 * 10.0_f64.powi(-decimals) + 4.0 * f64::EPSILON * x.abs();
             for text in [fixed(x, decimals), short(x, decimals)] {
                 let read: f64 = text.parse().unwrap();

@@ -1,4 +1,4 @@
-//! Leaves symbols undefined for the page: it provides the time and random numbers for SQLite.
+//! Leaves some symbols undefined: the page provides the time and random numbers for SQLite.
 
 fn main() {
     let is_page = std::env::var("CARGO_CFG_TARGET_FAMILY").is_ok_and(|family| family == "wasm");

@@ -1,4 +1,4 @@
-//! Files of each kind that carrom reads, damaged.
+//! Damaged files of each kind that carrom reads.
 
 use std::error::Error;
 use std::fs;
@@ -25,7 +25,7 @@ use rand_pcg::Pcg64Mcg;
 use crate::damage::change;
 use crate::{Fault, watched};
 
-/// A kind of files.
+/// A kind of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Level,
@@ -112,7 +112,7 @@ fn add(models: &mut Vec<Model>, kind: Kind, folder: &Path, ending: &str) -> std:
     Ok(())
 }
 
-/// Damages the file with this number and reads it; prints it if `told`.
+/// Damages the file with this number and reads it; if `told`, prints it.
 pub(crate) fn damage(
     number: u64,
     models: &[Vec<Model>],

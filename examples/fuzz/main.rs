@@ -12,8 +12,8 @@
 //! that carrom reads. Nothing may panic, take longer than a second, show "NaN", or put a
 //! character that is not ASCII on an ASCII screen.
 //!
-//! The counts are saved in FOLDER (`target/fuzz` by default), so that runs add up; a fault is
-//! recorded there with the number that reproduces it.
+//! The counts are saved in FOLDER (`target/fuzz` by default), so that results accumulate; a fault
+//! is recorded there with the number that reproduces it.
 
 #[path = "../../tests/common/damage.rs"]
 mod damage;
@@ -94,7 +94,7 @@ fn worked() -> Duration {
     START.elapsed()
 }
 
-/// Runs `act`; a panic or too long a time is a fault.
+/// Runs `act`; it is a fault if this panics or takes too long.
 fn watched<T>(act: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
     let start = worked();
     let said = |cause: Box<dyn Any + Send>| {

@@ -12,7 +12,7 @@ use crate::widgets::input::{KeyTable, Rebound};
 pub(super) enum AppLayer {
     /// The page that explains the screen.
     Help {
-        /// The number of lines by which it is scrolled.
+        /// The number of lines by which the page is scrolled.
         scrolled: u16,
     },
     /// A notice, until a key is pressed.
@@ -23,7 +23,7 @@ pub(super) enum AppLayer {
     Leave(Confirmation),
 }
 
-/// What keys do to a layer.
+/// How a layer responds to keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(super) enum LayerAction {
@@ -49,7 +49,7 @@ pub(super) enum LayerDone {
 }
 
 impl AppLayer {
-    /// The keys of the layer. Any other key closes it, unless it is a question.
+    /// The keys of the layer. Any other key closes the layer, unless the layer is a question.
     pub(super) fn keys(&self, rebound: &Rebound) -> KeyTable<LayerAction> {
         use LayerAction::{Agree, Decline, Glossary, Scroll};
         let table = KeyTable::new("layer");
@@ -68,13 +68,13 @@ impl AppLayer {
         table.rebound(rebound)
     }
 
-    /// Whether a key scrolls it.
+    /// Whether a key scrolls the layer.
     pub(super) fn scrolls(&self, key: Key, rebound: &Rebound) -> bool {
         matches!(self.keys(rebound).find(key), Some(LayerAction::Scroll(_)))
     }
 
-    /// Handles a key; done when the layer is closed. `most` is the number of lines by which a help
-    /// page can be scrolled.
+    /// Handles a key; returns [`Outcome::Done`] when the layer is closed. `most` is the number of
+    /// lines by which a help page can be scrolled.
     pub(super) fn press(&mut self, key: Key, most: u16, rebound: &Rebound) -> Outcome<LayerDone> {
         let action = self.keys(rebound).find(key);
         match (self, action) {

@@ -246,7 +246,7 @@ impl App {
         vec![]
     }
 
-    /// Handles the parts of an answer that concern no single screen.
+    /// Handles the parts of an answer that do not concern a particular screen.
     fn note(&mut self, answer: &StoreAnswer) {
         self.saving.remove(&answer.ticket);
         if let Some(notice) = &answer.notice {
@@ -300,7 +300,7 @@ impl App {
     }
 
     /// Leaves the program, or asks first if something is not saved yet; a second request to leave
-    /// is not confirmed again.
+    /// is carried out without asking.
     fn leave(&mut self) -> Vec<Effect> {
         let is_asked = |layer: &AppLayer| matches!(layer, AppLayer::Leave(_));
         if self.unsaved == 0 || self.layers.iter().any(is_asked) {
@@ -322,7 +322,7 @@ impl App {
         waits.then(|| self.retry.pause().saturating_sub(self.retry.waited))
     }
 
-    /// Advances the time until the next retry by `passed`.
+    /// Counts down the time until the next retry by `passed`.
     fn retry(&mut self, passed: Duration) -> Option<Effect> {
         self.retry_in()?;
         self.retry.waited += passed;
@@ -367,8 +367,8 @@ impl App {
         times.into_iter().flatten().min()
     }
 
-    /// The time until the screen's next motion, for shells that can skip it by advancing the time
-    /// at once. It is also `None` for a countdown that others see.
+    /// The time until the screen's next motion, for shells that can skip the wait by advancing the
+    /// time at once. It is also `None` during a countdown that other people see.
     pub(crate) fn motion(&self) -> Option<Duration> {
         let shares_time = self.stack.last().is_some_and(|it| it.shares_time());
         let wake = self.screen_wake();
@@ -439,7 +439,7 @@ impl App {
 
     /// Passes a key to the layer or screen on top.
     fn press(&mut self, key: Key) -> Vec<Effect> {
-        // The text is measured only if it is scrolled.
+        // The text is measured only if a key scrolls it.
         let scrolls = |layer: &AppLayer| layer.scrolls(key, &self.context.settings.keys);
         let most = match self.layers.last().is_some_and(scrolls) {
             true => chrome::help_overflow(self),
@@ -471,9 +471,9 @@ impl App {
         self.with_screen(|screen, cx| screen.input(input, cx))
     }
 
-    /// Passes an input to the screen on top or, if that ignores it, to a class below, because the
-    /// class continues for the others. If the class then opens or closes a screen, the screens
-    /// above it are closed first.
+    /// Passes an input to the screen on top or, if that screen ignores it, to a class below,
+    /// because the class continues for its other members. If the class then opens or closes a
+    /// screen, the screens above it are closed first.
     fn pass_down(&mut self, input: &Input) -> Vec<Effect> {
         let top = self.stack.len().saturating_sub(1);
         let mut screens = self.stack.iter_mut().enumerate().rev();

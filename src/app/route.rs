@@ -72,8 +72,8 @@ impl Data {
         })
     }
 
-    /// The round of a code, with the teacher's own questions if the code refers to them; `None` if
-    /// the code is empty.
+    /// The round that a code describes, with the teacher's own questions if the code refers to
+    /// them; `None` if the code is empty.
     fn round(&self, code: &str) -> Result<Option<Code>, String> {
         if code.is_empty() {
             return Ok(None);
@@ -94,7 +94,7 @@ pub(super) fn address(route: &Route, cx: &Context) -> String {
         value => format!("{name}={value}"),
     };
     let round = |name: &str, code: &Code| match code.course.kind {
-        // A review has no code that another player, or the same one later, could use.
+        // A review has no code that another player, or the same player later, could use.
         CourseKind::Review(_) => name.to_owned(),
         _ => named(name, &code.to_string()),
     };
@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn every_screen_is_found_again_by_its_address() {
+    fn every_screen_can_be_reopened_by_its_address() {
         for address in [
             "home",
             "lab",
@@ -226,7 +226,7 @@ mod tests {
     /// A round continues at the same question with the answers that were given, even if the next
     /// question depends on them.
     #[test]
-    fn a_round_continues_where_it_was_left() {
+    fn a_round_continues_where_the_player_left_off() {
         for code in ["mixed-7", "find-out-3", "exam-4", "hits-2"] {
             let mut app = linked(&format!("quiz={code}"));
             app.update(&Input::Resize(120, 40));

@@ -22,8 +22,8 @@ pub enum BeamTarget {
 
 /// A target and the distribution of the offsets over the beam.
 ///
-/// An offset is expressed as *nearness*: b as a share of the beam's half-width, 0 at the centre of
-/// the beam, 1 at its edge.
+/// An offset is expressed as *nearness*: b as a fraction of the beam's half-width, 0 at the centre
+/// of the beam, 1 at its edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScatteringLaw {
     /// The target.
@@ -63,7 +63,7 @@ impl ScatteringLaw {
         }
     }
 
-    /// The share of the beam that leaves at `angle` radians into a small solid angle, per
+    /// The fraction of the beam that leaves at `angle` radians into a small solid angle, per
     /// steradian: 1/4π for hard spheres, dσ/dΩ over the area of the beam for a charge. `None` on a
     /// board, where there is no solid angle, and at angles that no particle of the beam reaches.
     pub fn share_per_steradian(&self, angle: f64) -> Option<f64> {
@@ -83,7 +83,7 @@ impl ScatteringLaw {
         }
     }
 
-    /// The share of the beam that is scattered by more than `angle` radians.
+    /// The fraction of the beam that is scattered by more than `angle` radians.
     pub fn share_beyond(&self, angle: f64) -> f64 {
         self.beam.share_within(self.nearness(angle))
     }

@@ -15,7 +15,7 @@ const DEGREES: NumberSpec = NumberSpec::new("a number", "", 0.1, 180.0);
 /// The range of a count.
 const COUNT: NumberSpec = NumberSpec::new("a number", "", 0.1, 1e12);
 
-/// Counts at one angle. Counts are relative: only those of one metal can be compared with
+/// Counts at one angle. Counts are relative: only those for the same metal can be compared with
 /// each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Angle {
@@ -38,7 +38,7 @@ impl Angle {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{line}: {what}")]
 pub struct Fault {
-    /// Number of the line, from 1; one after the last if something is missing.
+    /// The line number, from 1; one more than the last if something is missing.
     pub line: usize,
     /// The error.
     pub what: String,
@@ -54,7 +54,7 @@ pub fn geiger_marsden() -> Result<Vec<Angle>, Fault> {
 
 /// Reads a table of counts: comma-separated values under the heading
 /// `angle_deg,silver_count,gold_count`, with comments after `#`. Angles are from 0.1 to
-/// 180, each smaller than the one before; counts are from 0.1 to 10¹².
+/// 180, each smaller than the previous one; counts are from 0.1 to 10¹².
 ///
 /// # Errors
 /// The first line with an error.
@@ -94,7 +94,7 @@ pub fn read(table: &str) -> Result<Vec<Angle>, Fault> {
         if angles.last().is_some_and(|last| last.angle <= next.angle) {
             return fault(
                 line,
-                "angle_deg: expected less than in the line before".into(),
+                "angle_deg: expected less than on the previous line".into(),
             );
         }
         angles.push(next);

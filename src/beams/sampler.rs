@@ -10,18 +10,19 @@ use super::{BIN_WIDTH, BINS, Counts, ScatteringLaw};
 /// Stream of the generator; part of the meaning of a seed.
 const STREAM: u128 = 0x0a02_bdbf_7bb3_c0a7;
 
-/// Cells of the index table, a power of two. 4096 bytes stay in the fastest cache.
+/// The number of cells of the index table, a power of two. 4096 bytes fit in the fastest cache.
 const CELLS: usize = 4096;
 
 /// Length of the tables of bins: a power of two, so that no index is out of range.
 const PLACES: usize = 64;
 
-/// Particles that are computed in parallel, so that no step waits for the result of the one before.
+/// The number of particles that are computed in parallel, so that no step waits for the result of
+/// the previous step.
 const LANES: usize = 4;
 
 /// Draws the particles of a beam and counts them by angle.
 ///
-/// Particle i takes the i-th 64-bit number w of PCG64 (M. E. O'Neill, 2014; the seed is its state,
+/// Particle i uses the i-th 64-bit number w of PCG64 (M. E. O'Neill, 2014; the seed is its state,
 /// the stream is fixed). In a plane, w/2⁶⁴ is the nearness b/b_max; in space it is the square of
 /// the nearness, so that offsets are uniform over a line or over a disc. Because each particle has
 /// its own number, a beam can be computed in batches of any size and in any order.
@@ -99,7 +100,7 @@ impl Sampler {
     }
 }
 
-/// The generator of a seed, whose next number is that of this particle.
+/// The generator of a seed, advanced so that its next number is that of this particle.
 pub(super) fn generator(seed: u64, particle: u64) -> Pcg64 {
     let mut generator = Pcg64::new(u128::from(seed), STREAM);
     generator.advance(u128::from(particle));

@@ -50,7 +50,7 @@ fn thrown(law: &ScatteringLaw, seed: u64, particles: u64) -> Counts {
     counts
 }
 
-/// Share of the beam beyond an edge, from the closed forms of physics alone.
+/// Fraction of the beam beyond an edge, from the closed forms of physics alone.
 type Beyond<'a> = &'a dyn Fn(f64) -> f64;
 
 fn chi_squared(counts: &Counts, beyond: Beyond) -> f64 {
@@ -189,7 +189,7 @@ fn the_generator_is_pcg64_as_defined() {
 }
 
 #[test]
-fn shares_and_angles_are_inverse() {
+fn shares_and_angles_are_inverse_functions() {
     for law in [DISC, SPHERE, coulomb(Beam::Space), foil(2e-6)] {
         for deg in 10..180 {
             let angle = f64::from(deg).to_radians();
@@ -202,7 +202,7 @@ fn shares_and_angles_are_inverse() {
 
 /// The count per steradian, integrated over a band of directions, is the count in the band.
 #[test]
-fn the_share_per_steradian_is_the_share_of_a_thin_ring() {
+fn the_share_per_steradian_integrates_to_the_share_of_a_ring() {
     for law in [SPHERE, coulomb(Beam::Space), foil(2e-6)] {
         for deg in [5.0_f64, 15.0, 60.0, 90.0, 150.0, 179.0] {
             let (angle, half) = (deg.to_radians(), 1e-5);
@@ -223,7 +223,7 @@ fn the_share_per_steradian_is_the_share_of_a_thin_ring() {
     assert!((sphere - 4.0 * PI).abs() < 1e-12);
 }
 
-/// The share scattered by more than an angle in a foil is n t σ, so it is proportional to the
+/// The fraction scattered by more than an angle in a foil is n t σ, so it is proportional to the
 /// thickness.
 #[test]
 fn a_foil_scatters_few_particles_backwards() {
@@ -260,7 +260,7 @@ fn the_counts_of_1913_are_read() {
 /// The counts for gold deviate by −15 % to +23 %, above the law at all small angles and below it at
 /// all others.
 #[test]
-fn gold_follows_the_law_within_its_band() {
+fn the_counts_for_gold_follow_the_law_within_a_band() {
     let angles = geiger_marsden().unwrap();
     let gold = Series::new(&angles, |angle| angle.gold).unwrap();
     let (low, high) = gold.band();
@@ -274,7 +274,7 @@ fn gold_follows_the_law_within_its_band() {
 }
 
 #[test]
-fn a_bad_table_is_refused_with_its_line() {
+fn a_bad_table_is_refused_with_the_line_number() {
     let head = "angle_deg,silver_count,gold_count\n";
     for (table, message) in [
         (
@@ -304,7 +304,7 @@ fn a_bad_table_is_refused_with_its_line() {
         ),
         (
             &format!("{head}10,1,1\n20,1,1\n"),
-            "3: angle_deg: expected less than in the line before",
+            "3: angle_deg: expected less than on the previous line",
         ),
     ] {
         let fault = read(table).unwrap_err();

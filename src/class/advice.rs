@@ -4,9 +4,9 @@ use super::ballot::Vote;
 use super::round::ClassRound;
 use crate::progress::Tally;
 
-/// What to do after a first vote, by the share of right votes (C. H. Crouch and E. Mazur, *Peer
-/// Instruction: Ten years of experience and results*, 2001): discussion helps when some have
-/// understood and others have not.
+/// What to do after the first vote, depending on the share of right votes (C. H. Crouch and E.
+/// Mazur, *Peer Instruction: Ten years of experience and results*, 2001): discussion helps when
+/// some have understood and others have not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Advice {
     /// Fewer than three in ten are right: too few to convince the others.
@@ -34,7 +34,7 @@ impl Advice {
     /// The text for the teacher, which does not reveal the right answer.
     pub const fn words(self) -> &'static str {
         match self {
-            Self::ExplainAgain => "Under 30 % are right: explain again, then vote again.",
+            Self::ExplainAgain => "Under 30 % are right: explain, then vote again.",
             Self::Talk => "30 to 80 % are right: discussion helps most now.",
             Self::GoOn => "More than 80 % are right: continue to the shot.",
         }

@@ -31,7 +31,7 @@ pub struct AskedQuestion {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 enum AskedForm {
-    /// By two rays; the side of the target, and its name.
+    /// By two rays; `side` is the target's side, and `target` its name.
     Rays { side: f64, target: String },
     /// By a number; `measure` is the name of its quantity in files.
     Number { measure: String },
@@ -55,14 +55,14 @@ enum AskedPicture {
         /// Whether the offset, the angle and the numbers are marked.
         shown: [bool; 3],
     },
-    /// Both angles in radians, both radii, and the striker's initial path: many masses and losses
-    /// fit these.
+    /// Both angles in radians, both radii, and the striker's initial path: many masses and energy
+    /// losses are consistent with them.
     After {
         angles: [f64; 2],
         radii: [f64; 2],
         along: [f64; 2],
     },
-    /// Two angles, and the closest approach head-on.
+    /// Two angles, and the closest approach in a head-on collision.
     Tracks {
         angles: [f64; 2],
         nearest: f64,

@@ -1,4 +1,4 @@
-//! The answers of one voter to a question, at each of its two votes.
+//! The answers of one voter to a question, in each of its two votes.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr};
@@ -21,7 +21,7 @@ impl Vote {
     pub const BOTH: [Self; 2] = [Self::First, Self::Second];
 }
 
-/// A vote: an answer, and how sure the voter is, if that is asked.
+/// A vote: an answer, and how sure the voter is, if the voter was asked.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Said {
@@ -39,7 +39,7 @@ impl From<Response> for Said {
 }
 
 impl Said {
-    /// The text in which a vote is stored and sent: "rays 60 still", "sure number 2.1".
+    /// The vote in the form in which it is stored and sent: "rays 60 still", "sure number 2.1".
     pub fn to_text(self) -> String {
         match self.sure {
             Some(sure) => format!("{} {}", sure.id(), self.response.to_text()),
@@ -75,8 +75,8 @@ impl TryFrom<String> for Said {
     }
 }
 
-/// The votes of a team, or of a pupil on a device, on a question: the first and the second, if they
-/// were given.
+/// The votes that a team, or a pupil on a device, gave on a question: the first and the second, if
+/// any.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ballot([Option<Said>; 2]);
 
@@ -96,8 +96,8 @@ impl Ballot {
         self.0[vote as usize]
     }
 
-    /// The team's answer at a vote. At the second vote it is the first answer, unless the team has
-    /// changed it.
+    /// The team's answer in a vote. In the second vote, that is the first answer unless the team
+    /// has changed it.
     pub fn said(&self, vote: Vote) -> Option<Response> {
         self.standing(vote).map(|said| said.response)
     }
@@ -122,7 +122,7 @@ impl Ballot {
     }
 }
 
-/// The confidence of voters who were not asked; it does not affect the credit of a vote.
+/// The confidence of voters who were not asked for it; it does not affect the credit of a vote.
 const UNSURE: Confidence = Confidence::ThinkSo;
 
 /// A vote as an answer without a stated confidence.

@@ -1,4 +1,4 @@
-//! The changes of a round: the lines of its journal.
+//! The changes to a round: the lines of its journal.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,7 +8,7 @@ use super::round::ClassRound;
 
 /// A change in a round. Questions, people and choices are counted from 0.
 ///
-/// The file of a round begins with the state when the whole file was last written. Later changes
+/// The file of a round begins with the state at the time of the last complete write. Later changes
 /// are appended, so each of 250 votes adds one line instead of rewriting the file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
@@ -35,7 +35,7 @@ pub enum ClassChange {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         counts: Option<Vec<u32>>,
     },
-    /// A participant joined, at the end of the list.
+    /// A participant joined and was added at the end of the list.
     Join {
         /// Their seat token, if they have a device.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -50,7 +50,7 @@ pub enum ClassChange {
         /// Their new name.
         name: String,
     },
-    /// A participant was removed with all votes and stays out; later ones move up.
+    /// A participant was removed with all their votes and stays out; later participants move up.
     Remove {
         /// The participant.
         person: usize,
@@ -60,7 +60,7 @@ pub enum ClassChange {
         /// The index among those who were removed.
         removed: usize,
     },
-    /// A participant's seat was freed, and they may join again; later ones move up.
+    /// A participant's seat was freed, and they may join again; later participants move up.
     Vacate {
         /// The participant.
         person: usize,

@@ -8,10 +8,10 @@ use super::protocol::HandedIn;
 /// The unique number of a connection.
 pub type ConnectionId = u64;
 
-/// The device of a participant, while this carrom serves the class.
+/// The device of a participant, while this program serves the class.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Device {
-    /// Its connection; `None` while it is disconnected.
+    /// The device's connection; `None` while the device is disconnected.
     pub(super) line: Option<ConnectionId>,
     /// The address of its current or last connection.
     pub(super) address: Option<IpAddr>,
@@ -19,7 +19,8 @@ pub(super) struct Device {
     pub(super) n: u64,
     /// The number of the last state sent on this connection.
     pub(super) rev: u64,
-    /// The question and vote of the last vote, if that vote did not fit its question.
+    /// The question that the last vote was for, and which vote it was, if it did not fit that
+    /// question.
     pub(super) misfit: Option<(usize, Vote)>,
     /// The result of the last hand-in.
     pub(super) handed: Option<HandedIn>,

@@ -27,7 +27,7 @@ pub struct ItemAnalysis {
     /// votes (R. R. Hake, 1998); `None` if all first votes were right, or nobody voted.
     pub gain: Option<f64>,
     /// How many votes changed from wrong to right, and from right to wrong; `None` if hands were
-    /// counted, which have no names.
+    /// counted, because those votes have no names.
     pub changed: Option<[usize; 2]>,
 }
 
@@ -103,7 +103,7 @@ fn changed(round: &ClassRound, question: usize) -> Option<[usize; 2]> {
     Some(changed)
 }
 
-/// The points of each team for a question, and for all others that were asked.
+/// The points of each team for a question, and for all other questions that were asked.
 fn points(round: &ClassRound, question: usize, asked: usize) -> Vec<(f64, f64)> {
     let of_team = |team| {
         let others = (0..asked).filter(|other| *other != question);

@@ -37,7 +37,7 @@ impl fmt::Display for JoinCode {
     }
 }
 
-/// The message for a text that is not a [`JoinCode`].
+/// The message for a string that is not a [`JoinCode`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("expected the six letters of a class, such as BCDFGH")]
 pub struct NoJoinCode;
@@ -45,7 +45,7 @@ pub struct NoJoinCode;
 impl FromStr for JoinCode {
     type Err = NoJoinCode;
 
-    /// Reads any case, with blanks or hyphens between the letters.
+    /// Accepts upper and lower case, and blanks or hyphens between the letters.
     fn from_str(text: &str) -> Result<Self, NoJoinCode> {
         let mut code = [0; Self::LENGTH];
         let mut letters = text.chars().filter(|it| !matches!(it, ' ' | '-'));
@@ -133,7 +133,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_code_is_read_as_people_write_it() {
+    fn a_code_is_read_with_blanks_hyphens_and_in_any_case() {
         let code = JoinCode::of(0);
         assert_eq!(code.to_string(), "BBBBBB");
         assert_eq!(" b-b bbBb ".parse(), Ok(code));
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn tokens_read_back_as_written_and_other_texts_are_refused() {
+    fn tokens_read_back_as_written_and_other_strings_are_refused() {
         let token = SeatToken::of(u128::MAX / 7);
         assert_eq!(token.to_string().parse(), Ok(token));
         assert_eq!(format!("{token:?}"), "SeatToken");

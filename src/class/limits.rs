@@ -30,7 +30,7 @@ const FIRST_WRONG_CODES: Allowance = Allowance {
     per_s: 1.0 / 1800.0,
 };
 /// The delay of the reply to the first wrong code from an address. The delay increases by the same
-/// time for every ten wrong codes.
+/// amount for every ten wrong codes.
 const WRONG_CODE_DELAY: Duration = Duration::from_secs(1);
 const DELAY_STEP: f64 = 10.0;
 /// The number of remembered addresses above which carrom looks for some that it can forget.
@@ -87,7 +87,7 @@ impl Bucket {
 #[derive(Debug, Clone)]
 struct Addresses {
     allowance: Allowance,
-    /// The allowances of the addresses that have used some.
+    /// The allowances of the addresses that have used part of theirs.
     known: BTreeMap<IpAddr, Bucket>,
     /// At this many addresses, those with a full allowance are forgotten.
     most: usize,
@@ -157,7 +157,7 @@ pub enum CodeVerdict {
 }
 
 impl GuardedCode {
-    /// A code that nobody has tried to guess.
+    /// A code that nobody has tried to guess yet.
     pub const fn new(code: JoinCode) -> Self {
         Self {
             code,
@@ -167,7 +167,7 @@ impl GuardedCode {
         }
     }
 
-    /// Whether the text is this code. A wrong one is not counted.
+    /// Whether the text is this code. A wrong code is not counted.
     pub fn is(&self, typed: &str) -> bool {
         typed.parse() == Ok(self.code)
     }
@@ -246,7 +246,7 @@ mod tests {
     /// Forty pupils behind one router join within a minute, and each of them first mistypes the
     /// code.
     #[test]
-    fn a_class_behind_one_router_can_mistype_and_still_join() {
+    fn pupils_behind_one_router_can_mistype_the_code_and_still_join() {
         let mut code = GuardedCode::new(JoinCode::of(7));
         let mut seats = NewSeats::default();
         let right = JoinCode::of(7).to_string().to_lowercase();
@@ -305,7 +305,7 @@ mod tests {
         assert!(seats.has_one(address(1), now));
         seats.take(address(1), now);
         assert!(!seats.has_one(address(1), now));
-        // An earlier time restores nothing.
+        // A time before the last one restores nothing.
         assert!(!seats.has_one(address(1), Duration::ZERO));
         now += Duration::from_secs(3600);
         for host in 0..=u32::from(u16::MAX) {
@@ -317,7 +317,7 @@ mod tests {
 
     /// A connection waits until the balance is 0 again.
     #[test]
-    fn a_used_up_allowance_returns_with_time() {
+    fn an_exhausted_allowance_is_restored_over_time() {
         let mut bucket = Bucket::full(Allowance {
             at_once: 2.0,
             per_s: 4.0,

@@ -24,7 +24,7 @@ pub enum NameTrouble {
     #[error("expected the names of 1 to {MOST_TEAMS} teams, found none")]
     None,
     /// The list has too many names: the number found, and the limit.
-    #[error("expected {1} names at most, found {0}")]
+    #[error("expected at most {1} names, found {0}")]
     TooMany(usize, usize),
     /// Two names differ only in case.
     #[error("expected names that differ, found \"{0}\" twice")]
@@ -67,7 +67,7 @@ pub(super) fn names_for<'a>(
     }
 }
 
-/// A name folded for a comparison without case.
+/// A name, case-folded for comparison.
 pub(super) fn folded(name: &str) -> String {
     name.to_lowercase()
 }
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_unusual_characters_are_shortened() {
+    fn names_with_unusual_characters_are_shortened() {
         let family = "👩‍👩‍👧‍👦".repeat(100);
         let zalgo = "Z\u{300}\u{301}\u{302}\u{303}".repeat(100);
         for name in [family, zalgo, "ﷺ".repeat(500)] {

@@ -1,5 +1,5 @@
-//! Files of the formats 1 to 5, as earlier versions wrote them: names in a list, votes in one table
-//! per question, and changes in a syntax of their own. They must always open, so this module never
+//! Files of formats 1 to 5, as earlier versions wrote them: names in a list, votes in one table per
+//! question, and changes in a syntax of their own. They must always open, so this module never
 //! changes.
 
 use super::ballot::{Said, Vote};
@@ -38,7 +38,7 @@ pub(super) fn read(fields: &Fields, round: &mut ClassRound) -> Option<()> {
                     votes.refuse_item::<()>(said, person, message);
                 }
             }
-            let expected = "how many were for each choice";
+            let expected = "the number of votes for each choice";
             let given: Option<Vec<u32>> = votes.or(counts, None, |name| {
                 votes.all_parsed(name, expected).map(Some)
             })?;
@@ -211,7 +211,7 @@ mod tests {
     use super::change;
 
     #[test]
-    fn only_texts_of_changes_are_read() {
+    fn only_valid_changes_are_read() {
         for text in [
             "vote 3 first 17 rays -0.5 still",
             "vote 3 second 17 sure choice 2",

@@ -11,7 +11,7 @@
 //!
 //! ```text
 //! > {"t":"join","v":1,"code":"BCDFGH","name":"Ada","seat":TOKEN?}
-//! > {"t":"vote","q":3,"vote":"first","said":"sure rays 60 still","n":17}   "" takes it back
+//! > {"t":"vote","q":3,"vote":"first","said":"sure rays 60 still","n":17}   "" withdraws it
 //! > {"t":"hand-in","n":1,"file":{…}}
 //! > {"t":"leave"}
 //! < {"t":"state","v":1,"rev":4,"seat":TOKEN,"name":"Ada","q":3,"of":10,"step":"first-vote","n":17,…}
@@ -40,7 +40,7 @@ pub const LARGEST_HAND_IN: usize = 1 << 20;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "t", rename_all = "kebab-case")]
 pub enum ClientMessage {
-    /// A request to join, which comes first.
+    /// A request to join, which must be the first message.
     Join {
         /// The device's version of the protocol.
         v: u32,
@@ -226,7 +226,7 @@ pub struct PupilState {
     /// The right answer, once it is revealed.
     #[serde(rename = "told", default, skip_serializing_if = "Option::is_none")]
     pub revealed: Option<RevealedTruth>,
-    /// The pupil's points so far and rank, once there are any.
+    /// The pupil's points so far and their rank, once there are any points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub score: Option<(f64, usize)>,
     /// The result of the last hand-in.
@@ -249,7 +249,7 @@ pub struct HandedIn {
 pub enum NotTaken {
     /// The file is not a hand-in, or has another version.
     Format,
-    /// This pupil has handed in too often, or the class too much.
+    /// This pupil has handed in too often, or the class has handed in too much.
     TooMany,
     /// The hand-in could not be written.
     NotWritten,
@@ -273,7 +273,7 @@ impl NotTaken {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PupilStep {
-    /// The class gathers, or has paused.
+    /// The class is gathering, or has paused.
     Lobby,
     /// The round is over.
     End,

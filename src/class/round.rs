@@ -16,7 +16,7 @@ use crate::quiz::{Answer, Clue, Code, Diagnosis, Grade, Misconception, Question,
 #[derive(Debug, Clone, PartialEq)]
 pub struct Participant {
     name: String,
-    /// The seat token; none for a team, or if no device was seen.
+    /// The seat token; `None` for a team, or if no device has connected.
     pub(super) seat: Option<SeatToken>,
     /// One ballot per question.
     ballots: Vec<Ballot>,
@@ -58,9 +58,9 @@ pub struct ClassRound {
     round: Arc<Round>,
     way: WayOfVoting,
     pub(super) participants: Vec<Participant>,
-    /// For each question the counts of both votes, one per choice; empty if nothing was counted.
+    /// For each question, the counts of both votes, one per choice; empty if nothing was counted.
     pub(super) tallies: Vec<[Vec<u32>; 2]>,
-    /// How pupils join on devices of their own, as long as they may return.
+    /// How pupils join on devices of their own; `None` once they can no longer return.
     pub(super) joining: Option<Joining>,
     place: ClassPlace,
     /// The name of the class; may be empty.
@@ -80,7 +80,7 @@ pub(super) struct Joining {
     pub(super) removed: Vec<Removed>,
 }
 
-/// A removed participant: the device, if it was seen, and the name.
+/// A removed participant: the seat token, if a device had connected, and the name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Removed {
     pub(super) seat: Option<SeatToken>,
@@ -145,7 +145,7 @@ impl ClassRound {
         &self.class
     }
 
-    /// Whether the class has this name, tidied.
+    /// Whether this is the name of the class, once tidied.
     pub fn is_of_class(&self, name: &str) -> bool {
         self.class == tidy(name)
     }
@@ -234,7 +234,7 @@ impl ClassRound {
     /// Adds a participant with a unique name. A seat token requires that joining is possible.
     pub(super) fn join(&mut self, name: &str, seat: Option<SeatToken>) -> Result<(), String> {
         if self.participants.len() >= self.way.most() {
-            return Err(format!("expected {} people at most", self.way.most()));
+            return Err(format!("expected at most {} people", self.way.most()));
         }
         if self.name_for(name).as_deref() != Some(name) {
             return Err(format!("expected a name that nobody has, found {name:?}"));
@@ -255,7 +255,7 @@ impl ClassRound {
         Ok(())
     }
 
-    /// Removes a participant with all votes; they stay out until they are let in again.
+    /// Removes a participant with all their votes; they stay out until they are let in again.
     pub(super) fn remove(&mut self, person: usize) -> Result<(), String> {
         let Participant { seat, name, .. } = self.participant(person)?.clone();
         self.vacate(person)?;
@@ -310,7 +310,7 @@ impl ClassRound {
         self.round.code()
     }
 
-    /// Its questions in order.
+    /// The questions in order.
     pub fn questions(&self) -> &[Question] {
         self.round.questions()
     }
@@ -391,7 +391,7 @@ impl ClassRound {
         given.count()
     }
 
-    /// The answers to a question at a vote, as [`Ballot::said`]: one per team, or one per counted
+    /// The answers to a question in a vote, as [`Ballot::said`]: one per team, or one per counted
     /// hand.
     pub fn said(&self, question: usize, vote: Vote) -> impl Iterator<Item = Response> {
         self.answers(question, vote).into_iter().map(|it| it.said)
@@ -426,7 +426,8 @@ impl ClassRound {
         })
     }
 
-    /// The evidence of the votes on a question for misconceptions, one per team that has voted.
+    /// The evidence for misconceptions in the votes on a question, one item per team that has
+    /// voted.
     pub fn clues(&self, question: usize, vote: Vote) -> Vec<Clue> {
         let Some(asked) = self.questions().get(question) else {
             return Vec::new();
@@ -435,7 +436,8 @@ impl ClassRound {
         answers.iter().map(|it| Clue::new(asked, it)).collect()
     }
 
-    /// The evidence of a team's votes for misconceptions, one per question on which it has voted.
+    /// The evidence for misconceptions in a team's votes, one item per question on which it has
+    /// voted.
     pub fn clues_of(&self, team: usize, vote: Vote) -> Vec<Clue> {
         let asked = self.questions().iter().enumerate();
         let said = asked.filter_map(|(i, asked)| Some((asked, self.ballot(i, team).answer(vote)?)));

@@ -17,7 +17,7 @@ use crate::files::{Fields, FileErrors, Source, is_blank_name};
 use crate::quiz::concepts::Library;
 use crate::quiz::{Code, CourseKind, Question};
 
-/// The format of new files: since the sixth, people and votes are changes in JSON. [`old_formats`]
+/// The format of new files: since format 6, people and votes are changes in JSON. [`old_formats`]
 /// reads earlier ones.
 const FORMAT: u32 = 6;
 
@@ -163,7 +163,7 @@ impl ClassRound {
         })
     }
 
-    /// The round of a file before anybody has joined.
+    /// The round in a file, before anybody has joined.
     fn begun_in(fields: &Fields, own: &Arc<Library>) -> Option<Self> {
         let code = fields.text_as("code", |code| match Code::parse(code) {
             Some(code) => code.with_own(own)?.same_for_all(),

@@ -76,7 +76,7 @@ struct Keeping {
     waiting: BTreeSet<ConnectionId>,
 }
 
-/// A request of a session.
+/// A request from a session.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SessionEffect {
     /// A request to the server of the class.
@@ -236,7 +236,7 @@ impl Session {
         }
     }
 
-    /// The phase for pupils.
+    /// The phase, as pupils see it.
     fn step(&self) -> PupilStep {
         match () {
             () if self.gathers => PupilStep::Lobby,

@@ -12,9 +12,9 @@ const MOST_CHOICES: usize = 4;
 
 impl ClassRound {
     /// The choices for a class without devices: those of the question if it has any; otherwise the
-    /// right answer and the answers of misconceptions, so that each choice *is* a belief. Their
-    /// order does not reveal the right one: rays, numbers and offsets are sorted. None if there is
-    /// no such question.
+    /// right answer and the answers that misconceptions lead to, so that each choice *is* a belief.
+    /// Their order does not reveal the right one: rays, numbers and offsets are sorted. None if
+    /// there is no such question.
     pub fn choices(&self, question: usize) -> Vec<Response> {
         let Some(asked) = self.questions().get(question) else {
             return Vec::new();
@@ -39,7 +39,7 @@ impl ClassRound {
         (!counts.is_empty()).then_some(counts)
     }
 
-    /// Sets the counts at a vote, replacing earlier ones; `None` withdraws them. Returns whether
+    /// Sets the counts for a vote, replacing earlier ones; `None` withdraws them. Returns whether
     /// they were accepted: there must be one count per choice, and at most [`MOST_PEOPLE`] votes in
     /// all.
     pub fn count(&mut self, question: usize, vote: Vote, counts: Option<&[u32]>) -> bool {
@@ -54,7 +54,7 @@ impl ClassRound {
             .is_some()
     }
 
-    /// The counted votes, one per hand; at the second vote, if nothing was counted again, those of
+    /// The counted votes, one per hand; for the second vote, if nothing was counted again, those of
     /// the first.
     pub(super) fn counted(&self, question: usize, vote: Vote) -> impl Iterator<Item = Response> {
         let counts = match (vote, self.tally(question, vote)) {

@@ -1,4 +1,4 @@
-//! `carrom completions`: the script with which a shell completes carrom's arguments.
+//! `carrom completions`: a script that lets a shell complete carrom's arguments.
 
 use clap::Command;
 use clap_complete::Shell;

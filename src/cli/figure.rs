@@ -1,4 +1,4 @@
-//! `carrom figure`: draws a figure of the lessons as a picture, without a terminal.
+//! `carrom figure`: draws a figure from the lessons as a picture, without a terminal.
 
 use std::path::PathBuf;
 
@@ -9,7 +9,7 @@ use crate::screens::KeptSettings;
 use crate::screens::learn::draw_figure;
 use crate::widgets::{Charset, Depth, Palette};
 
-/// Draw a figure of the lessons as an SVG picture
+/// Draw a figure from the lessons as an SVG picture
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Figures: lab, split, triangle, frames, curves, angles, energy, worked, solve, foil,\n\

@@ -113,7 +113,7 @@ fn documents(folder: &Path) -> Vec<Document> {
     let contents = format!("# Guides to carrom\n\n{links}");
     let page = |name: &str, text: &str| (folder.join(format!("{name}.html")), guide_page(text));
     let guides = GUIDES.iter().map(|guide| {
-        // In the source text, this link leaves the folder of the guides.
+        // In the Markdown source, this link points outside the folder of the guides.
         let text = guide.markdown.replace("../levels/README.md", "levels.md");
         page(guide.name, &text)
     });

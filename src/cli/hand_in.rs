@@ -42,7 +42,7 @@ pub(super) struct HandInArgs {
     force: bool,
 }
 
-/// Combine the files of a class in a gradebook
+/// Combine the files of a class into a gradebook
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:

@@ -78,7 +78,7 @@ Examples:
                                a round for a class, on a projector
   carrom class --host --class 10b
                                the same, with everyone on their own phone or laptop
-  carrom join 192.168.43.117   join such a class
+  carrom join 192.168.43.117   join that class
   carrom levels --levels mine  the levels, with your own from the folder mine
   carrom worksheet --seed 7 --count 12 --out sheets
                                a round on paper, with an answer key for the teacher
@@ -98,7 +98,7 @@ Examples:
   carrom concept check mine    check your own questions in words
   carrom class --concepts mine ask them in a class round
   carrom figure curves --svg curves.svg
-                               a figure of the lessons as a picture
+                               a figure from the lessons as a picture
   carrom new level our-level   start your own level (or chapter, or questions)
   carrom guide                 the guides for teachers, to read here or in a browser
   carrom page --levels mine --out our-class.html
@@ -159,7 +159,7 @@ enum OpenCommand {
     },
     /// Open a round for a class: teams at one keyboard, or everyone on their own device
     Class {
-        /// Let everyone vote on their own phone or laptop, in the local network
+        /// Let everyone vote on their own phone or laptop, on the local network
         #[arg(long)]
         host: bool,
         /// The port for their devices (default: the port of the round you continue, or the first
@@ -219,7 +219,7 @@ impl OpenCommand {
         }
     }
 
-    /// Whether it opens a screen rather than printing.
+    /// Whether the command opens a screen rather than printing.
     fn opens(&self) -> bool {
         match self {
             Self::Progress(args) => !args.prints(),
@@ -420,8 +420,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<ExitCode, Fa
     done.map(|()| ExitCode::SUCCESS)
 }
 
-/// Prints an error in the arguments, or help. It is coloured unless it quotes characters
-/// that would control the terminal.
+/// Prints an error in the arguments, or help. An error is coloured unless it quotes characters that
+/// would control the terminal.
 fn say(message: &clap::Error) -> io::Result<()> {
     let words = env::args_os().map(|word| word.to_string_lossy().into_owned());
     let odd: Vec<_> = words.filter(is_odd).collect();
@@ -492,7 +492,7 @@ fn open_within(arguments: &str, outer: &GlobalOptions) -> Result<(App, GlobalOpt
     Ok((app, options))
 }
 
-/// Writes a text, which may contain any characters, to standard output in the charset of the
+/// Writes a string, which may contain any characters, to standard output in the charset of the
 /// options.
 fn print_text(text: &str, options: &GlobalOptions) -> io::Result<()> {
     let mut text = escape_control_lines(&options.printed().text(text));

@@ -203,7 +203,7 @@ impl GlobalOptions {
         self.data_dir.as_deref()
     }
 
-    /// The data folder; `None` if none is given and the system knows no home folder.
+    /// The data folder; `None` if none is given and the system has no home folder.
     pub(super) fn data_dir(&self) -> Option<PathBuf> {
         self.data_dir.clone().or_else(|| {
             let system = etcetera::choose_base_strategy().ok()?;

@@ -55,7 +55,7 @@ pub(super) fn page(given: Option<&Path>) -> anyhow::Result<String> {
         (None, Some(page)) => return Ok(page.to_owned()),
         (None, None) => beside().ok_or_else(|| {
             anyhow!(
-                "this carrom contains no page. Put {NAME} beside it, or give its path with --page; \
+                "this program contains no page. Put {NAME} beside it, or give its path with --page; \
                  .ci/page in carrom's sources builds it"
             )
         })?,
@@ -74,7 +74,7 @@ fn with_files(page: &str, own: &[OwnFile]) -> anyhow::Result<String> {
         Some((before, after))
     });
     let (before, after) = parts.ok_or_else(|| anyhow!("this is not a page of carrom"))?;
-    // No text may close the element that holds it.
+    // No file may close the element that holds it.
     let json = serde_json::to_string(own)?.replace('<', "\\u003c");
     Ok(format!("{before}{begin}{json}{end}{after}"))
 }
@@ -128,7 +128,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn files_stay_inside_their_element_of_the_page() {
+    fn files_stay_inside_their_element_in_the_page() {
         let page = format!("a{}[]{}b", OWN[0], OWN[1]);
         let own = [("lessons/x.md".to_owned(), "</script><b>".to_owned())];
         let with = with_files(&page, &own).unwrap();

@@ -47,7 +47,7 @@ pub(super) fn run(
     }
     Ok(match terminal::run(app, store, host)? {
         Ending::Quit => ExitCode::SUCCESS,
-        // A shell reports the same status for a process that a signal ended.
+        // A shell reports the same status for a process that was ended by a signal.
         Ending::Signal(signal) => ExitCode::from(128 + signal as u8),
     })
 }

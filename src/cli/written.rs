@@ -24,8 +24,8 @@ pub(super) fn write_named(documents: &[Document], force: bool) -> Result<(), Fai
     Ok(print_names(documents)?)
 }
 
-/// Writes documents in or beside a file that the user has named. Its folder has to
-/// exist, so that a typing error does not create one.
+/// Writes documents in or beside a file that the user has named. Its folder has to exist, so that a
+/// typo does not create one.
 pub(super) fn write_beside(
     named: &Path,
     documents: &[Document],

@@ -5,15 +5,15 @@ use unicode_width::UnicodeWidthChar;
 
 use super::is_invisible;
 
-/// A table of comma-separated values as in RFC 4180: the heads, then the rows.
+/// A table of comma-separated values as in RFC 4180: the headings, then the rows.
 ///
-/// Heads and cells are made safe in the same way. Control characters, except line breaks and tabs,
-/// and marks that change the direction of text are left out. A text that a spreadsheet would read
-/// as a formula gets an apostrophe before it, which makes it plain text there; negative numbers
-/// stay unchanged.
+/// Headings and cells are made safe in the same way. Control characters, except line breaks and
+/// tabs, and marks that change the direction of text are left out. Text that a spreadsheet would
+/// read as a formula is preceded by an apostrophe, which makes it plain text; negative numbers stay
+/// unchanged.
 ///
 /// # Errors
-/// None in practice; the reason if a row cannot be written.
+/// The reason if a row cannot be written, which does not happen in practice.
 pub fn csv_table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String> {
     let mut table = csv::Writer::from_writer(Vec::new());
     let in_words = |error: csv::Error| error.to_string();
@@ -29,11 +29,11 @@ pub fn csv_table(heads: &[&str], rows: &[Vec<String>]) -> Result<String, String>
     String::from_utf8(bytes).map_err(|error| error.to_string())
 }
 
-/// A text that no spreadsheet reads as a formula and that cannot control a terminal.
+/// Text that no spreadsheet reads as a formula and that cannot control a terminal.
 ///
-/// A text that begins like a formula gets an apostrophe before it. So does the text after a line
-/// break, a tab or a semicolon, because spreadsheets in many languages expect semicolons between
-/// cells and begin a new cell there.
+/// Text that begins like a formula gets an apostrophe before it. So does text after a line break, a
+/// tab or a semicolon, because spreadsheets in many languages expect semicolons between cells and
+/// begin a new cell there.
 fn safe_cell(text: &str) -> String {
     let visible: String = { text.chars() }
         .filter(|letter| breaks_line(*letter) || !is_invisible(*letter))
@@ -82,7 +82,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn heads_and_cells_cannot_control_the_program_that_shows_the_table() {
+    fn headings_and_cells_cannot_control_the_program_that_shows_the_table() {
         let hostile = "\u{1b}=cmd|A1\0\u{9b}\u{202e}";
         let written = csv_table(&[hostile, "b"], &[vec![hostile.into(), "x\ny".into()]]);
         assert_eq!(written.unwrap(), "'=cmd|A1,b\n'=cmd|A1,\"x\ny\"\n");
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_stay_numbers_and_similar_texts_are_escaped() {
+    fn numbers_stay_numbers_and_similar_text_is_escaped() {
         for number in ["-6.1", "0", "12", "1e-5", "-1.5e3"] {
             assert_eq!(safe_cell(number), number);
         }

@@ -1,4 +1,4 @@
-//! Writes files atomically: a name has the old file or the new one, never part of one.
+//! Writes files atomically: a name always refers to the whole old file or the whole new one.
 
 use std::fs;
 use std::io::{self, ErrorKind, Write};
@@ -8,7 +8,7 @@ use std::path::Path;
 
 use tempfile::{Builder, TempPath};
 
-/// The prefix of the names of unfinished files.
+/// The prefix for the names of unfinished files.
 pub(crate) const UNFINISHED: &str = ".new-";
 
 /// A complete file under a temporary name, in the folder of its final name. It has been synced to
@@ -17,11 +17,11 @@ pub(crate) const UNFINISHED: &str = ".new-";
 pub(crate) struct UnplacedFile(TempPath);
 
 impl UnplacedFile {
-    /// Writes a text to a new file in `folder`, and syncs it to the disk. The umask decides who may
+    /// Writes text to a new file in `folder`, and syncs it to the disk. The umask decides who may
     /// read it.
     ///
     /// # Errors
-    /// If it cannot be written completely; then it is removed.
+    /// If the file cannot be written completely; it is then removed.
     pub(crate) fn write(folder: &Path, text: &str) -> io::Result<Self> {
         Self::write_with_mode(folder, text, 0o666)
     }
@@ -47,10 +47,11 @@ impl UnplacedFile {
         Ok(Self(file.into_temp_path()))
     }
 
-    /// Renames it over an existing file, whose permissions it keeps.
+    /// Moves the file to `path`; if a file exists there, replaces that file and keeps its
+    /// permissions.
     ///
     /// # Errors
-    /// If that fails, for example because a folder has the name.
+    /// If that fails, for example because a folder has that name.
     pub(crate) fn replace(self, path: &Path) -> io::Result<()> {
         if let Ok(old) = fs::metadata(path) {
             fs::set_permissions(&self.0, old.permissions())?;
@@ -59,7 +60,8 @@ impl UnplacedFile {
         Ok(())
     }
 
-    /// Renames it to an unused name; returns `false` if anything has that name, even a broken link.
+    /// Renames the file to an unused name; returns `false` if anything has that name, even a broken
+    /// link.
     ///
     /// # Errors
     /// If that cannot be done.

@@ -7,15 +7,16 @@ use unicode_segmentation::UnicodeSegmentation;
 use super::is_invisible;
 use super::letters::{hides, is_picture};
 
-/// The most errors that are reported for one file. A file of another kind could have any number.
+/// The most errors that are reported for one file. A file of another kind could cause any number of
+/// them.
 const MOST_TOLD: usize = 20;
 
-/// The most characters of one message.
+/// The most characters in one message.
 const LONGEST_MESSAGE: usize = 400;
 /// The words before the quoted part of a message.
 const FOUND: &str = ", found ";
 
-/// The most characters of a text from outside that a message quotes.
+/// The most characters that a message quotes from outside text.
 pub const LONGEST_QUOTE: usize = 200;
 
 /// An error in a file.
@@ -34,7 +35,7 @@ pub struct FileError {
 }
 
 impl FileError {
-    /// An error of a whole file.
+    /// An error that concerns a whole file.
     pub(crate) fn of_file(file: &str, message: impl Into<String>) -> Self {
         Self {
             file: file.into(),
@@ -123,7 +124,7 @@ impl fmt::Display for FileErrors {
 }
 
 /// A message of one or more lines that may quote anything, without control characters: everything
-/// printed outside the game's screen passes through this.
+/// printed outside the game's screen passes through this function.
 pub fn escape_control_lines(text: &str) -> String {
     let lines = text.lines().map(|line| escape_control(line, usize::MAX));
     lines.collect::<Vec<_>>().join("\n")
@@ -142,7 +143,7 @@ pub(crate) fn brief(message: &str) -> String {
     escape_control(&message, LONGEST_MESSAGE)
 }
 
-/// A text from outside in quotation marks, for a message: without control characters, and with at
+/// Text from outside in quotation marks, for a message: without control characters, and with at
 /// most [`LONGEST_QUOTE`] characters.
 pub fn quoted(text: &str) -> String {
     match text.char_indices().nth(LONGEST_QUOTE) {

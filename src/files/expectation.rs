@@ -19,7 +19,7 @@ fn wanted(expected: &str) -> &str {
         "a boolean" => "true or false",
         "a sequence" => "a list",
         "a map" => "a table",
-        "a string" => "a text in quotes",
+        "a string" => "text in quotes",
         other => other,
     }
 }

@@ -29,13 +29,13 @@ pub(crate) struct Fields<'a> {
     /// The position in the text at which the table begins.
     at: usize,
     table: &'a DeTable<'a>,
-    /// The fields it may have; `[]` if any names are allowed.
+    /// The fields that the table may have; `[]` if any names are allowed.
     known: Vec<&'static str>,
 }
 
 impl Source<'_> {
-    /// Reads TOML with `format` set to one of the `formats` that still open. `what` names the
-    /// document in messages, such as "a saved game"; `known` are its fields.
+    /// Reads TOML with `format` set to one of the `formats` that can still be read. `what` names
+    /// the document in messages, such as "a saved game"; `known` are its fields.
     ///
     /// # Errors
     /// All errors; for a file in a newer format, only that error.
@@ -63,7 +63,7 @@ impl Source<'_> {
         let mut broken = None;
         for error in errors {
             let at = error.span().map_or(0, |span| span.start);
-            // The first error causes most further errors on the same line.
+            // Most further errors on the same line are caused by the first one.
             let line = self.line_near(at).as_ptr();
             if broken.replace(line) == Some(line) {
                 continue;
@@ -75,7 +75,7 @@ impl Source<'_> {
         fields.known = known.into();
         let expected = format!("{what} with `format = {format}`");
         if !fields.has("format") && !fields.is_misspelt("format") {
-            // Without a format it is another kind of file, with other fields.
+            // A file without a format is of another kind, with other fields.
             return fields.refuse("format", format!("expected {expected}, found nothing"));
         }
         let fields = fields.only(known);
@@ -97,7 +97,7 @@ impl Source<'_> {
         let first_words = values.iter().filter_map(|it| it.split_whitespace().next());
         let mut words = first_words.map(|word| word.trim_end_matches([',', '}']));
         if let Some((word, number)) = words.find_map(|word| Some((word, with_a_point(word)?))) {
-            return format!("expected a number, found {word}; write {number} with a point");
+            return format!("expected a number, found {word}; write {number} with a decimal point");
         }
         if let Some(number) = values.iter().find_map(|value| without_a_unit(value)) {
             return format!("expected a number, found one with a unit; write {number} alone");
@@ -119,7 +119,7 @@ fn values(line: &str) -> Vec<&str> {
     }
 }
 
-/// A number that was written with a comma, with a point instead.
+/// A number that was written with a decimal comma, with a decimal point instead.
 fn with_a_point(text: &str) -> Option<String> {
     let number = text.replacen(',', ".", 1);
     let is_one = text.contains(',') && number.parse::<f64>().is_ok();
@@ -136,10 +136,10 @@ fn without_a_unit(value: &str) -> Option<&str> {
     (is_unit && number.parse::<f64>().is_ok()).then_some(number)
 }
 
-/// The message for a file of a newer format.
+/// The message about a file in a newer format.
 pub fn newer(found: impl std::fmt::Display, format: u32) -> String {
     format!(
-        "{found} is newer than the {format} this carrom reads; a newer carrom may open the file"
+        "{found} is newer than {format}, the latest this version reads; a newer version may open it"
     )
 }
 
@@ -187,20 +187,20 @@ impl<'a> Fields<'a> {
             .map(|(_, it)| it)
     }
 
-    /// Notes an error of a field, at its value, or at the table if the field is missing; always
+    /// Notes an error in a field, at its value, or at the table if the field is missing; always
     /// returns `None`, for the caller to return.
     pub(crate) fn refuse<T>(&self, name: &str, message: impl Into<String>) -> Option<T> {
         let at = self.table.get(name).map_or(self.at, |v| v.span().start);
         self.refuse_at(at, name, message)
     }
 
-    /// Notes an error of the table itself; always returns `None`.
+    /// Notes an error in the table itself; always returns `None`.
     pub(crate) fn refuse_table<T>(&self, message: impl Into<String>) -> Option<T> {
         self.source.note(Rank::Value, self.at, &self.path, message);
         None
     }
 
-    /// Notes an error of an item of a list, counted from 0; always returns `None`.
+    /// Notes an error in an item of a list, counted from 0; always returns `None`.
     pub(crate) fn refuse_item<T>(
         &self,
         name: &str,
@@ -260,7 +260,7 @@ impl<'a> Fields<'a> {
         debug_assert!(self.is_known(name), "{name} is not among the known fields");
         match self.table.get(name) {
             Some(value) => read(value).or_else(|| self.unlike(name, expected, value)),
-            // The message about the unknown field already suggests it.
+            // The message about the unknown field already suggests this field.
             None if self.is_misspelt(name) => None,
             None => self.refuse(name, format!("expected {expected}, found nothing")),
         }
@@ -286,7 +286,7 @@ impl<'a> Fields<'a> {
             _ => None,
         };
         if let Some(number) = number {
-            message += &format!("; write {number} with a point");
+            message += &format!("; write {number} with a decimal point");
         }
         self.refuse_at(at, name, message)
     }
@@ -316,7 +316,7 @@ impl<'a> Fields<'a> {
         self.table.keys().map(|key| key.get_ref().as_ref())
     }
 
-    /// The tables in this one, with their names, which may be any.
+    /// The tables in this one, with their names; any names are allowed.
     pub(crate) fn named_tables(&self, known: &[&'static str]) -> Option<Vec<(&'a str, Self)>> {
         let table = |name| Some((name, self.table(name, known)?));
         all(self.names().map(table).collect())
@@ -404,7 +404,7 @@ impl<'a> Fields<'a> {
         self.value(name, &expected, |value| text(value.get_ref(), most))
     }
 
-    /// A list of this many texts, without surrounding spaces.
+    /// A list of this many strings, without surrounding spaces.
     pub(crate) fn texts(
         &self,
         name: &str,
@@ -413,13 +413,13 @@ impl<'a> Fields<'a> {
     ) -> Option<Vec<String>> {
         let (least, items) = (count.start(), count.end());
         let expected =
-            format!("a list of {least} to {items} texts of 1 to {most} printable characters");
+            format!("a list of {least} to {items} strings of 1 to {most} printable characters");
         self.list(name, &expected, count, |value| {
             Some(text(value.get_ref(), most)?.trim().to_owned())
         })
     }
 
-    /// The result of `read` for a text, or its message as an error.
+    /// The result of `read` for a string, or its message as an error.
     pub(crate) fn text_as<T>(
         &self,
         name: &str,
@@ -432,9 +432,9 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A list of any texts.
+    /// A list of any strings.
     pub(crate) fn any_texts(&self, name: &str) -> Option<Vec<&'a str>> {
-        self.list(name, "a list of texts", 0..=usize::MAX, |value| {
+        self.list(name, "a list of strings", 0..=usize::MAX, |value| {
             value.get_ref().as_str()
         })
     }
@@ -458,8 +458,8 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// Passes the name and the value of every field to `set`, a number in decimal form, and notes
-    /// the errors that it returns.
+    /// Passes the name and the value of every field to `set`, with numbers in decimal form, and
+    /// notes the errors that `set` returns.
     pub(crate) fn each(&self, mut set: impl FnMut(&str, &str) -> Result<(), String>) -> Option<()> {
         let fields = self
             .table
@@ -590,8 +590,11 @@ mod tests {
     #[test]
     fn common_mistakes_get_a_hint_in_inline_tables_too() {
         for (line, hint) in [
-            ("hit = 35,0", "write 35.0 with a point"),
-            ("hit = { m = 5.5, a = 35,0 }", "write 35.0 with a point"),
+            ("hit = 35,0", "write 35.0 with a decimal point"),
+            (
+                "hit = { m = 5.5, a = 35,0 }",
+                "write 35.0 with a decimal point",
+            ),
             ("hit = 40 g", "write 40 alone"),
             ("hit = { m = 15 g, a = 35 }", "write 15 alone"),
             ("ask = “How far?”", "use straight quotes"),

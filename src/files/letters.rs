@@ -1,4 +1,4 @@
-//! Decides which characters in a text from outside are visible and which are unsafe.
+//! Decides which characters in text from outside are visible and which are unsafe.
 
 use unicode_segmentation::UnicodeSegmentation;
 use unicode_width::UnicodeWidthChar;
@@ -23,7 +23,7 @@ pub(super) fn hides(letter: char) -> bool {
 }
 
 /// Whether a cluster is one emoji made of several characters: a family, or the flag of a region,
-/// which is spelt in tags.
+/// which is encoded in tag characters.
 pub(super) fn is_picture(letter: &str) -> bool {
     const FLAG: char = '\u{1f3f4}';
     const LAST_TAG: char = '\u{e007f}';
@@ -42,7 +42,7 @@ pub(super) fn is_picture(letter: &str) -> bool {
     }
 }
 
-/// A text as one line, with one space between two words.
+/// Text on one line, with a single space between words.
 pub(crate) fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -105,7 +105,7 @@ pub fn tidy_name(name: &str) -> String {
     tidy
 }
 
-/// Like [`tidy_name`], but with at most this many letters. A letter may consist of a few
+/// Like [`tidy_name`], but with at most this many letters. A letter may consist of several
 /// characters.
 pub(crate) fn short_name(name: &str, letters: usize) -> String {
     const BYTES: usize = 8;
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn names_stay_and_invisible_characters_are_removed() {
+    fn names_are_kept_and_invisible_characters_are_removed() {
         for name in [
             "Ada",
             "Zoë Müller-Łukasiewicz",

@@ -6,7 +6,7 @@ use super::{FileError, LARGEST, List, list, read};
 
 /// A collection that is read from files. Invalid files are left out and reported.
 pub trait FileLibrary: Default {
-    /// The extension of its files.
+    /// The extension of the collection's files.
     const ENDING: &'static str;
     /// The most files that are read from one folder.
     const MOST_FILES: usize;
@@ -14,7 +14,7 @@ pub trait FileLibrary: Default {
     /// The built-in collection.
     fn embedded() -> Self;
 
-    /// The errors of the files so far.
+    /// The errors found in the files so far.
     fn problems_mut(&mut self) -> &mut Vec<FileError>;
 
     /// Adds the contents of a file.
@@ -28,7 +28,7 @@ pub trait FileLibrary: Default {
         }
     }
 
-    /// Adds the files of a folder, and returns the folders in it.
+    /// Adds the files of a folder, and returns its subfolders.
     fn add_files_of(&mut self, folder: &Path) -> Vec<PathBuf> {
         let list = list(folder, Self::ENDING, Self::MOST_FILES).unwrap_or_else(|fault| {
             self.problems_mut().push(fault);

@@ -1,4 +1,4 @@
-//! Lists the files in a folder, or in the program.
+//! Lists the files in a folder, or those built into the program.
 
 use std::fs;
 use std::io;
@@ -11,20 +11,20 @@ use super::FileError;
 /// The contents of a folder, sorted by name.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct List {
-    /// The folders in it.
+    /// The subfolders.
     pub folders: Vec<PathBuf>,
     /// The plain files with the requested extension. Pipes are not among them, because opening one
     /// would wait for a writer.
     pub files: Vec<PathBuf>,
-    /// Errors about other things with such names: pipes, devices, broken links.
+    /// Errors about anything else with this extension: pipes, devices, broken links.
     pub odd: Vec<FileError>,
 }
 
-/// The folders in a folder, and at most this many files with this extension (given without its
+/// The subfolders of a folder, and at most this many files with this extension (given without its
 /// dot).
 ///
 /// # Errors
-/// If the folder cannot be read, or there are more files.
+/// If the folder cannot be read, or contains more files.
 pub fn list(folder: &Path, ending: &str, most: usize) -> Result<List, FileError> {
     let fault = |message| FileError::of_file(&folder.display().to_string(), message);
     let paths = fs::read_dir(folder).and_then(|entries| {
@@ -66,7 +66,7 @@ pub(crate) fn not_a_file(path: &Path) -> FileError {
     let found = match fs::metadata(path) {
         Ok(about) if about.is_dir() => "a folder",
         Ok(_) => "something else",
-        Err(_) => "a link that leads nowhere",
+        Err(_) => "a broken link",
     };
     let message = format!("expected a file, found {found}");
     FileError::of_file(&path.display().to_string(), message)

@@ -12,7 +12,7 @@ pub(crate) struct NumberSpec {
 
 impl NumberSpec {
     /// A kind of number: `what` it is, such as "a mass", the text after it, such as " g", and its
-    /// bounds, which are both allowed.
+    /// bounds, both of which are allowed.
     pub(crate) const fn new(what: &'static str, unit: &'static str, from: f64, to: f64) -> Self {
         let bounds = Range { from, to };
         Self { what, unit, bounds }
@@ -51,7 +51,7 @@ impl Range {
         number.max(self.from).min(self.to)
     }
 
-    /// The number at this `share` of the range, from 0 to 1.
+    /// The number at the fraction `share` of the range, from 0 to 1.
     pub(crate) fn at(&self, share: f64) -> f64 {
         self.from + share * (self.to - self.from)
     }

@@ -1,4 +1,4 @@
-//! Writes documents to the given places, all of them or none.
+//! Writes documents to the given paths, all of them or none.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
@@ -33,12 +33,11 @@ pub enum Unwritten {
 
 /// Writes documents, and creates missing folders.
 ///
-/// All of them are written completely before any gets its final name, so that a full disk leaves
-/// the previous files and nothing else. Pipes and devices are written to directly; links are
-/// followed.
+/// All of them are written completely before any gets its final name, so a full disk leaves only
+/// the previous files. Pipes and devices are written to directly; links are followed.
 ///
 /// # Errors
-/// The first file that exists and must stay, or that cannot be written.
+/// The first file that exists and must be kept, or that cannot be written.
 pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> {
     let mut made = Folders::default();
     let mut drafts = Vec::new();
@@ -51,7 +50,7 @@ pub fn put(documents: &[Document], existing: Existing) -> Result<(), Unwritten> 
                 return Err(Unwritten::There(path.clone()));
             }
             PathState::There | PathState::Free => {
-                // The user means the target of a link.
+                // A user who names a link means its target.
                 let place = fs::canonicalize(path).unwrap_or_else(|_| path.clone());
                 let folder = folder(&place);
                 made.make(folder)?;
@@ -136,7 +135,7 @@ impl Folders {
 impl Drop for Folders {
     fn drop(&mut self) {
         for folder in self.0.iter().rev() {
-            // A folder that another program has filled stays.
+            // A folder is kept if another program has put files in it.
             let _ = fs::remove_dir(folder);
         }
     }

@@ -114,7 +114,7 @@ impl<'a> Source<'a> {
         None
     }
 
-    /// Forgets the errors so far.
+    /// Discards the errors found so far.
     pub(super) fn forget(&self) {
         self.errors.borrow_mut().clear();
     }
@@ -151,7 +151,7 @@ impl<'a> Source<'a> {
         match (FileErrors::of(self.name, errors), made) {
             (None, Some(made)) => Ok(made),
             (Some(errors), _) => Err(errors),
-            // This does not happen: without a result an error was noted.
+            // This cannot happen: if there is no result, an error has been noted.
             (None, None) => Err(FileError::of_file(self.name, "cannot be understood").into()),
         }
     }
@@ -161,7 +161,7 @@ impl<'a> Source<'a> {
         self.first_line + before.filter(|&&byte| byte == b'\n').count()
     }
 
-    /// The line around a byte.
+    /// The line that contains a byte.
     pub(super) fn line_near(&self, at: usize) -> &'a str {
         let before = self.text.get(..at).unwrap_or_default();
         let start = before.rfind('\n').map_or(0, |newline| newline + 1);
@@ -169,7 +169,7 @@ impl<'a> Source<'a> {
         line.lines().next().unwrap_or_default()
     }
 
-    /// The key set by the line around a byte; empty if there is none.
+    /// The key that is set on the line that contains a byte; empty if there is none.
     pub(super) fn key_near(&self, at: usize) -> &'a str {
         let key = self.line_near(at).split_once('=');
         let key = key.map_or("", |(key, _)| key.trim());

@@ -83,7 +83,7 @@ fn crossings(a: &Circle, b: &Circle) -> Option<[DVec2; 2]> {
     if distance_squared <= 0.0 {
         return None;
     }
-    // The share of the line of centres at which the common chord crosses it.
+    // The fraction of the line of centres at which the common chord crosses it.
     let share = 0.5 * (1.0 + (a.radius * a.radius - b.radius * b.radius) / distance_squared);
     let half_chord_squared = a.radius * a.radius / distance_squared - share * share;
     if half_chord_squared < 0.0 {

@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn law_14_nine_white_nine_black_and_the_queen_within_the_outer_circle() {
+    fn law_14_nine_white_coins_nine_black_coins_and_the_queen_lie_within_the_outer_circle() {
         let coins = pack(PieceSet::Tournament, Seat::South);
         assert_eq!(count(&coins, Piece::White), 9);
         assert_eq!(count(&coins, Piece::Black), 9);

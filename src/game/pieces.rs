@@ -31,7 +31,7 @@ pub(crate) const OUTER_CIRCLE_RADIUS: f64 = 0.085;
 /// unique result.
 pub(crate) const GAP: f64 = 0.0001;
 
-/// One of the four kinds of piece; "white" is its short name.
+/// One of the four kinds of piece; as text, a short name such as "white".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "lowercase")]
@@ -92,9 +92,9 @@ impl Colour {
 /// A coin or the queen on the board.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Coin {
-    /// What it is; never the striker.
+    /// The kind of piece; never the striker.
     pub piece: Piece,
-    /// Its centre in metres from the centre of the board.
+    /// The centre of the piece, in metres from the centre of the board.
     #[serde(rename = "at_m", with = "metres")]
     pub at: DVec2,
 }
@@ -129,15 +129,15 @@ pub(super) mod metres {
     }
 }
 
-/// The set of discs of a game.
+/// The set of discs used in a game.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PieceSet {
     /// Tournament weights: striker 15 g and 41.3 mm across, coins 5.5 g and 31.8 mm across.
     #[default]
     Tournament,
-    /// Tournament sizes with every piece 15 g, so that the paths of striker and coin are at a right
-    /// angle.
+    /// Tournament sizes with a mass of 15 g for every piece, so that the paths of striker and coin
+    /// are at a right angle.
     EqualMass,
 }
 

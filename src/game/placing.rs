@@ -21,19 +21,19 @@ pub(super) const SLACK: f64 = 1e-10;
 /// Why a position of the striker is not legal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum Misplaced {
-    /// It misses one of the base lines.
+    /// The striker misses one of the base lines.
     #[error("the striker must touch both of your base lines")]
     OffTheBaseLines,
-    /// It covers part of a base circle.
+    /// The striker covers part of a base circle.
     #[error("the striker must cover a base circle fully or not touch it")]
     CutsBaseCircle,
-    /// It would touch a coin.
+    /// The striker would touch a coin.
     #[error("the striker must not touch the {0}")]
     OnACoin(Piece),
-    /// It would be in the frame or beyond it.
+    /// The striker would be in the frame or beyond it.
     #[error("the striker must be inside the frame")]
     OutsideTheFrame,
-    /// It would fall straight into a pocket.
+    /// The striker would fall straight into a pocket.
     #[error("the striker must not be over a pocket")]
     OverAPocket,
 }
@@ -87,7 +87,7 @@ impl<'a> BaseLines<'a> {
     }
 
     /// The position `along` metres to the player's right of the middle, halfway between the base
-    /// lines. It may be illegal.
+    /// lines. The position may be illegal.
     pub fn at(&self, along: f64) -> DVec2 {
         self.seat.turn(DVec2::new(along, self.middle()))
     }
@@ -165,7 +165,7 @@ impl<'a> BaseLines<'a> {
         self.nearest_of(ends.into_iter().chain(self.barred().flatten()), at)
     }
 
-    /// The legal position among these that is nearest to `at`, in metres along.
+    /// The legal position among these that is nearest to `at`, in metres along the lines.
     pub(super) fn nearest_of(&self, places: impl Iterator<Item = f64>, at: DVec2) -> Option<DVec2> {
         let wanted = self.along(at);
         let apart = |along: &f64| (along - wanted).abs();
@@ -195,7 +195,7 @@ impl<'a> BaseLines<'a> {
         Self::base_circle_along() - BASE_CIRCLE_RADIUS - self.set.striker_radius()
     }
 
-    /// The intervals of the middle line that coins block, as distances along.
+    /// The intervals of the middle line that coins block, as distances along it.
     fn barred(&self) -> impl Iterator<Item = [f64; 2]> {
         let reach = self.set.striker_radius() + self.set.coin_radius() + GAP;
         let middle = self.middle();
@@ -334,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn every_candidate_is_legal_and_they_go_from_left_to_right() {
+    fn the_candidates_are_legal_and_ordered_from_left_to_right() {
         let coins = [black(DVec2::new(0.26, 0.05)), black(DVec2::new(0.25, -0.1))];
         let lines = BaseLines::new(SET, Seat::East, &coins);
         let places = lines.candidates(30);

@@ -197,7 +197,7 @@ impl BoardInPlay {
         rulings
     }
 
-    /// Pays earlier dues, as far as there are pocketed coins (51a).
+    /// Pays earlier dues, as far as the pocketed coins suffice (51a).
     fn pay_old_dues(&mut self, terms: &Terms) -> Vec<Ruling> {
         let mut rulings = Vec::new();
         for team in Team::BOTH {

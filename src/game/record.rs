@@ -11,7 +11,7 @@ use super::placing::Misplaced;
 use super::stroke::{Stroke, StrokeError};
 use super::table::{Game, GameSetup};
 use super::validity::GameError;
-use crate::physics::{self, Board, EngineError, Limits, Motion, Shot};
+use crate::physics::{self, EngineError, Limits, Motion, Shot};
 
 /// The agreed rules and every move since. Everything else follows from them.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Record {
     moves: Vec<Move>,
 }
 
-/// A move of a player.
+/// A move by a player.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, IntoStaticStr)]
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]
@@ -31,7 +31,7 @@ pub enum Move {
     NoPlace,
     /// Lays the pack for the next board.
     NextBoard,
-    /// Places the coins as given, in practice.
+    /// Places the coins as given, in a practice game.
     LayOut(Vec<Coin>),
 }
 
@@ -39,10 +39,10 @@ pub enum Move {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Strike {
-    /// Its position, in metres from the centre of the board.
+    /// The striker's position, in metres from the centre of the board.
     #[serde(rename = "place_m", with = "metres")]
     pub place: DVec2,
-    /// Its velocity in m/s.
+    /// The striker's velocity in m/s.
     #[serde(rename = "velocity_m_s", with = "metres")]
     pub velocity: DVec2,
     /// The player's call of the first impact.
@@ -51,8 +51,8 @@ pub struct Strike {
 }
 
 /// The predicted directions after the first impact, in degrees from the striker's direction, with
-/// the signs of physics: the striker's positive anticlockwise, the coin's positive clockwise.
-/// `None` means that the disc stays at rest.
+/// the sign convention of physics: the striker's positive anticlockwise, the coin's positive
+/// clockwise. `None` means that the disc stays at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Call {
@@ -70,13 +70,13 @@ pub enum MoveError {
     /// The striker must not be placed there.
     #[error(transparent)]
     Place(#[from] Misplaced),
-    /// The engine cannot play it.
+    /// The engine cannot play the stroke.
     #[error("this stroke cannot be played: {0}")]
     Engine(#[from] EngineError),
-    /// The laws do not allow such a stroke.
+    /// The laws do not allow the stroke.
     #[error(transparent)]
     Stroke(#[from] StrokeError),
-    /// The game does not allow it.
+    /// The game does not allow the move.
     #[error(transparent)]
     Game(#[from] GameError),
     /// There is a legal position for the striker.
@@ -124,12 +124,12 @@ impl Record {
             .count()
     }
 
-    /// Adds a move. It is checked when it is [made](Move::make).
+    /// Adds a move, which is checked when it is [made](Move::make).
     pub fn push(&mut self, made: Move) {
         self.moves.push(made);
     }
 
-    /// Takes the last move back.
+    /// Takes back the last move.
     pub fn pop(&mut self) -> Option<Move> {
         self.moves.pop()
     }
@@ -137,7 +137,7 @@ impl Record {
     /// Plays the whole record and returns the resulting game.
     ///
     /// # Errors
-    /// Its first fault.
+    /// The first fault in the record.
     pub fn replay(&self) -> Result<Game, RecordError> {
         self.play_through(|_, _, _, _| {})
     }
@@ -146,7 +146,7 @@ impl Record {
     /// was a stroke, and the referee's rulings.
     ///
     /// # Errors
-    /// Its first fault.
+    /// The first fault in the record.
     pub fn play_through(
         &self,
         mut each: impl FnMut(Game, &Move, Option<Shot>, Vec<Ruling>),
@@ -168,7 +168,7 @@ impl Move {
     /// Makes the move and returns the shot, if it was a stroke, and the referee's rulings.
     ///
     /// # Errors
-    /// Why it cannot be made; the game is then unchanged.
+    /// The reason why the move cannot be made; the game is then unchanged.
     pub fn make(&self, game: &mut Game) -> Result<(Option<Shot>, Vec<Ruling>), MoveError> {
         match self {
             Self::Strike(strike) => {
@@ -194,12 +194,12 @@ impl Strike {
     /// The shot of this stroke on the current board.
     ///
     /// # Errors
-    /// If the striker must not be placed there or the engine cannot play it.
+    /// If the striker must not be placed there or the engine cannot play the stroke.
     pub fn shot(&self, game: &Game) -> Result<Shot, MoveError> {
         game.check_place(self.place)?;
         let (discs, motions) = game.discs(Motion::new(self.place, self.velocity));
         Ok(physics::play(
-            &Board::default(),
+            &game.board(),
             &discs,
             &motions,
             Limits::default(),

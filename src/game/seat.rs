@@ -23,7 +23,7 @@ pub enum Seat {
 }
 
 impl Seat {
-    /// The four seats, each the right-hand neighbour of the one before.
+    /// The four seats, each the right-hand neighbour of the previous one.
     pub const ALL: [Self; 4] = [Self::South, Self::East, Self::North, Self::West];
 
     /// The neighbour to the right.
@@ -114,7 +114,7 @@ pub enum Hands {
     /// Singles: South against North.
     #[default]
     Two,
-    /// Doubles: partners sit opposite, South and North against East and West.
+    /// Doubles: partners sit opposite each other, South and North against East and West.
     Four,
 }
 

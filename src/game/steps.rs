@@ -14,9 +14,9 @@ use crate::physics::units::deg_from_rad;
 pub(crate) const PLACE_STEP: f64 = 0.002;
 /// Rounding error of a step, in metres.
 const SLACK: f64 = 1e-9;
-/// Steps of the direction in a degree.
+/// Steps of direction per degree.
 pub(crate) const STEPS_PER_DEGREE: f64 = 10.0;
-/// Steps of the speed in 1 m/s.
+/// Steps of speed per m/s.
 pub(crate) const STEPS_PER_SPEED: f64 = 10.0;
 
 /// The stroke with direction and speed rounded to the nearest steps, as seen from `seat`, with a

@@ -30,7 +30,7 @@ pub enum StrokeError {
         piece: Piece,
         /// How many were on the board before the stroke.
         before: u8,
-        /// How many are on the board after it or were pocketed.
+        /// How many are on the board after the stroke or were pocketed.
         after: u8,
     },
     /// The striker was pocketed more than once, or is on the board as a coin.
@@ -43,7 +43,7 @@ pub enum StrokeError {
     #[error("a coin cannot come to rest off the board")]
     OffTheBoard,
     /// The shot was not played with the discs of this board.
-    #[error("the shot has {found} discs, and this board {expected}")]
+    #[error("the shot has {found} discs, but this board has {expected}")]
     OtherDiscs {
         /// The coins on the board and the striker.
         expected: usize,

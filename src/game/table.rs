@@ -1,7 +1,7 @@
 //! A whole game at the table: boards one after another, and the score.
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
+use serde::{Serialize, Serializer};
 use strum::IntoStaticStr;
 
 use super::laws::{self, BoardWon, Law, Rules, Ruling, RulingEffect, Verdict};
@@ -13,11 +13,10 @@ use super::score::Score;
 use super::seat::{Hands, Seat, Team};
 use super::stroke::{Stroke, StrokeError};
 use super::validity::{GameError, check_coins};
-use crate::physics::{Disc, Motion};
+use crate::physics::{Board, Disc, Motion};
 
-/// The agreement before the first break.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// The settings that are agreed before the first break.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GameSetup {
     /// The rules.
     pub rules: Rules,
@@ -25,25 +24,32 @@ pub struct GameSetup {
     pub hands: Hands,
     /// The pieces.
     pub set: PieceSet,
+    /// Coefficient of restitution of two discs, 0 to 1.
+    pub restitution: f64,
     /// The player who won the toss and breaks first (13, 15).
     pub first_breaker: Seat,
     /// Seed of the small irregularities of each pack; `None` for a pack that is
     /// exact and the same every time.
-    #[serde(default, with = "seed_bits", skip_serializing_if = "Option::is_none")]
+    #[serde(serialize_with = "signed", skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
 }
 
-/// A seed, stored as the signed number with the same bits, because TOML has no unsigned numbers.
-mod seed_bits {
-    use serde::{Deserialize, Deserializer, Serialize, Serializer};
-
-    pub(super) fn serialize<S: Serializer>(seed: &Option<u64>, to: S) -> Result<S::Ok, S::Error> {
-        seed.map(u64::cast_signed).serialize(to)
+impl Default for GameSetup {
+    fn default() -> Self {
+        Self {
+            rules: Rules::default(),
+            hands: Hands::default(),
+            set: PieceSet::default(),
+            restitution: Board::default().restitution,
+            first_breaker: Seat::default(),
+            seed: None,
+        }
     }
+}
 
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Option<u64>, D::Error> {
-        Ok(Option::<i64>::deserialize(from)?.map(i64::cast_unsigned))
-    }
+/// Writes a seed as the signed number with the same bits, because TOML has no unsigned numbers.
+fn signed<S: Serializer>(seed: &Option<u64>, to: S) -> Result<S::Ok, S::Error> {
+    seed.map(u64::cast_signed).serialize(to)
 }
 
 /// The state of a game.
@@ -89,9 +95,17 @@ impl Game {
         }
     }
 
-    /// The agreement before the first break.
+    /// The settings that are agreed before the first break.
     pub fn setup(&self) -> &GameSetup {
         &self.setup
+    }
+
+    /// The surface that the discs slide on.
+    pub(crate) fn board(&self) -> Board {
+        Board {
+            restitution: self.setup.restitution,
+            ..Board::default()
+        }
     }
 
     /// The board in play.
@@ -124,7 +138,7 @@ impl Game {
         self.score_before().boards.saturating_add(1)
     }
 
-    /// The score, this board included once it has ended.
+    /// The score, including this board once it has ended.
     pub fn score(&self) -> Score {
         match &self.play.won {
             Some(won) => Score::after(self.setup.rules, self.finished.iter().chain([won])),
@@ -153,11 +167,11 @@ impl Game {
         BaseLines::new(self.setup.set, self.seat(), self.coins())
     }
 
-    /// Whether the striker may be placed at `at` for the next stroke: within the base lines, or in
-    /// practice anywhere free.
+    /// Whether the striker may be placed at `at` for the next stroke: within the base lines or, in
+    /// a practice game, at any free position.
     ///
     /// # Errors
-    /// The reason, if it must not be placed there.
+    /// The reason, if the striker must not be placed there.
     pub(crate) fn check_place(&self, at: DVec2) -> Result<(), Misplaced> {
         match self.setup.rules {
             Rules::Practice => check_anywhere(self.setup.set, self.coins(), at),
@@ -225,10 +239,10 @@ impl Game {
         Ok(())
     }
 
-    /// Places `coins` on the board as given, in practice.
+    /// Places `coins` on the board as given, in a practice game.
     ///
     /// # Errors
-    /// If this is not practice, or the coins cannot be at these positions; the game is then
+    /// If this is not a practice game, or the coins cannot be at these positions; the game is then
     /// unchanged.
     pub(crate) fn lay_out(&mut self, coins: Vec<Coin>) -> Result<(), GameError> {
         if self.setup.rules != Rules::Practice {

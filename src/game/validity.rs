@@ -15,8 +15,8 @@ pub enum GameError {
     /// The match is over.
     #[error("the match is over; start a new one")]
     MatchOver,
-    /// Coins may be placed freely only in practice.
-    #[error("coins may be placed freely only in practice")]
+    /// Coins may be placed freely only in a practice game.
+    #[error("coins may be placed freely only in a practice game")]
     NotInPractice,
     /// There are more coins than a set holds.
     #[error("there are {found} pieces of this kind ({piece}) on the board, and a set has {most}")]

@@ -9,13 +9,13 @@ use crate::quiz::Misconception;
 pub struct BeliefCount {
     /// The misconception.
     pub misconception: Misconception,
-    /// How many pupils hold it, by the evidence of all their answers.
+    /// How many pupils hold the misconception, by the evidence of all their answers.
     pub pupils: usize,
-    /// How many answers fit it.
+    /// How many answers fit the misconception.
     pub answers: usize,
 }
 
-/// The misconceptions that any answer fits, those that the most pupils hold first.
+/// The misconceptions that at least one answer fits, the most widely held first.
 pub fn beliefs(results: &ClassResults<'_>) -> Vec<BeliefCount> {
     let pupils = &results.pupils;
     let of = |misconception: Misconception| {

@@ -41,7 +41,7 @@ struct HandInFile<A> {
     /// The codes of the rounds, for human readers of the file.
     #[serde(default)]
     codes: Vec<String>,
-    /// The sum of 0 to 10 points for the accuracy of each answer, for human readers of the file.
+    /// The sum of the points for accuracy, 0 to 10 per answer, for human readers of the file.
     #[serde(default)]
     points: f64,
     answers: Vec<A>,
@@ -52,8 +52,8 @@ impl HandIn {
     pub(crate) const LARGEST_FILE: usize = 1 << 24;
 
     /// A pupil's hand-in. Names are tidied; a name without a visible letter becomes empty. Answers
-    /// that a teacher's carrom would refuse, for example after damage, are left out, because it
-    /// would refuse the whole file.
+    /// that a teacher's carrom would refuse, for example after damage, are left out, because
+    /// otherwise it would refuse the whole file.
     pub fn new(name: &str, class: &str, attempts: Vec<Attempt>) -> Self {
         let mut known = KnownTopics::default();
         let sound = attempts.into_iter();
@@ -90,7 +90,7 @@ impl HandIn {
     /// The text of the file.
     ///
     /// # Errors
-    /// None in practice; the reason if it cannot be written.
+    /// The reason if the text cannot be written, which does not happen in practice.
     pub fn text(&self) -> Result<String, String> {
         let text = serde_json::to_string_pretty(&self.written());
         text.map(|text| text + "\n")
@@ -127,13 +127,13 @@ impl HandIn {
     /// Reads such a file.
     ///
     /// # Errors
-    /// The reason: it is not a complete hand-in, is from a newer carrom, has no name, or has an
-    /// impossible answer.
+    /// The reason: the file is not a complete hand-in, is from a newer carrom, has no name, or has
+    /// an impossible answer.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         if bytes.len() > Self::LARGEST_FILE {
             return Err("it is too large for a hand-in".into());
         }
-        // Some editors and mail programs put a byte order mark before a text.
+        // Some editors and mail programs put a byte order mark before the text.
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         // The kind of file and its format are checked first, whatever else is wrong.
         let value = serde_json::from_slice(bytes)
@@ -182,7 +182,7 @@ type KnownTopics = HashMap<(Family, String), bool>;
 /// here.
 ///
 /// # Errors
-/// What is impossible about it.
+/// What is impossible about the answer.
 fn checked(mut attempt: Attempt, known: &mut KnownTopics) -> Result<Attempt, String> {
     if let Some(fault) = attempt.fault() {
         return Err(fault.into());
@@ -243,7 +243,7 @@ fn is_topic_of(topic: &str, family: Family, known: &mut KnownTopics) -> bool {
     *known.entry((family, topic.to_owned())).or_insert_with(asks)
 }
 
-/// Shortens serde's message about a file, which may quote all of it.
+/// Shortens serde's message about a file, because it may quote the whole file.
 fn short(error: &serde_json::Error) -> String {
     let message = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());

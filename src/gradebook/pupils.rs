@@ -1,4 +1,4 @@
-//! The pupils who have handed in; each pupil and each answer occurs once.
+//! The pupils who have handed in answers; each pupil and each answer occurs once.
 
 use std::collections::HashSet;
 
@@ -15,15 +15,15 @@ pub struct Pupil {
     pub name: String,
     /// The class, as the pupil wrote it.
     pub class: String,
-    /// All answers, in order of time.
+    /// All answers, in chronological order.
     pub attempts: Vec<Attempt>,
     /// The name without the number that distinguishes two pupils.
     own_name: String,
 }
 
 impl Pupil {
-    /// Whether the hand-in is from this pupil: it has the same name, the same class (or one of them
-    /// names none), and an answer in common (or one of them has none).
+    /// Whether the hand-in is from this pupil: both have the same name, the same class (or one of
+    /// them names no class), and an answer in common (or one of them has no answers).
     fn is(&self, other: &HandIn) -> bool {
         let shares = || {
             let handed_in: HashSet<_> = other.attempts.iter().map(identity).collect();

@@ -7,7 +7,7 @@ use crate::numbers::fixed;
 /// One row per pupil: the total results, and those in each round and on each topic.
 ///
 /// # Errors
-/// None in practice; the reason if a row cannot be written.
+/// The reason if a row cannot be written, which does not happen in practice.
 pub fn pupils_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let (rounds, topics) = (results.rounds(), results.topics());
     let mut heads: Vec<String> = [
@@ -66,7 +66,7 @@ fn figure(x: Option<f64>, decimals: usize) -> String {
 /// One row per question: the results of all who answered it.
 ///
 /// # Errors
-/// None in practice; the reason if a row cannot be written.
+/// The reason if a row cannot be written, which does not happen in practice.
 pub fn items_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let class = results.book.classes();
     let columns: [(&str, CellOf<ItemStatistics>); 10] = [
@@ -104,7 +104,7 @@ fn table<T>(columns: &[(&str, CellOf<T>)], rows: &[T]) -> Result<String, String>
 /// One row per misconception: how many pupils hold it.
 ///
 /// # Errors
-/// None in practice; the reason if a row cannot be written.
+/// The reason if a row cannot be written, which does not happen in practice.
 pub fn beliefs_csv(results: &ClassResults<'_>) -> Result<String, String> {
     let class = results.book.classes();
     let columns: [(&str, CellOf<BeliefCount>); 5] = [

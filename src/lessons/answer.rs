@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::GivenAnswer;
 use crate::quiz::{Rays, Response};
 
-/// The share of the credit that an answer after a hint earns.
+/// The fraction of the credit that an answer after a hint earns.
 pub(crate) const AFTER_HINT: f64 = 0.5;
 
 /// A stored answer: angles in degrees, a choice counted from 1.
@@ -34,7 +34,7 @@ pub(crate) fn tries_of_json(value: &Value) -> Option<(Response, Option<Response>
     Some((answer_of_json(value)?, first))
 }
 
-/// An answer as [`answer_json`] writes it; `None` if it is not one.
+/// An answer as [`answer_json`] writes it; `None` for anything else.
 pub(crate) fn answer_of_json(value: &Value) -> Option<Response> {
     if let Some(number) = value.get("number") {
         let number = number.as_f64().filter(|it| it.is_finite());

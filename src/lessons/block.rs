@@ -26,7 +26,7 @@ pub enum Inline {
     Live(Quantity),
 }
 
-/// The emphasis of a text.
+/// The emphasis of text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tone {
     /// No emphasis.
@@ -39,7 +39,7 @@ pub enum Tone {
     Key,
 }
 
-/// Reads the blocks of some lines.
+/// Reads the blocks of text in some lines.
 pub(super) fn read(
     source: &Source,
     lines: &[SourceLine],

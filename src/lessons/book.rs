@@ -27,14 +27,14 @@ pub enum Forget {
 pub struct Book {
     /// `None` for the built-in chapters alone, which are read only when they are needed.
     library: Option<Arc<ChapterLibrary>>,
-    /// The line of the contents that was last selected.
+    /// The line of the table of contents that was last selected.
     pub at: usize,
     /// The bookmarks by chapter id; `None` until the stored ones are known.
     marks: Option<BTreeMap<String, Bookmark>>,
 }
 
 impl Book {
-    /// A book that has more chapters than the built-in ones.
+    /// A book with the chapters of this library.
     pub fn new(library: ChapterLibrary) -> Self {
         Self {
             library: Some(Arc::new(library)),
@@ -90,7 +90,7 @@ impl Book {
         self.marks = None;
     }
 
-    /// The bookmark in a chapter, if it was ever opened.
+    /// The bookmark in a chapter, if the chapter was ever opened.
     pub fn mark(&self, id: &str) -> Option<&Bookmark> {
         self.marks.as_ref()?.get(id)
     }
@@ -119,8 +119,8 @@ impl Book {
         }
     }
 
-    /// Where to continue reading: the last chapter that was opened and is not done, with the
-    /// page where it was left; otherwise the next one that is not done, with no page if it was
+    /// Where to continue reading: the last chapter that was opened and is not done, with the page
+    /// where reading stopped; otherwise the next chapter that is not done, with no page if it was
     /// never opened. `None` if nothing was opened or everything is done.
     pub(crate) fn reading_on(&self) -> Option<(usize, Option<usize>)> {
         let chapters = &self.library().chapters;
@@ -154,7 +154,7 @@ impl Book {
         format!("{} of {}", done.count(), chapters.len())
     }
 
-    /// The chapters of which every page has been seen.
+    /// The chapters whose pages have all been seen.
     pub fn read_through(&self) -> impl Iterator<Item = &Chapter> {
         let seen = |chapter: &&Chapter| {
             let mark = self.mark(&chapter.id);

@@ -7,9 +7,9 @@ use crate::quiz::Response;
 
 /// How far a chapter has been read.
 ///
-/// It identifies pages by their titles and answers by their questions. So it still fits a chapter
-/// that has changed since: missing pages are ignored, and an answer to a different question is
-/// not shown.
+/// A bookmark identifies pages by their titles and answers by their questions, so it still fits a
+/// chapter that has changed since: missing pages are ignored, and an answer to a different question
+/// is not shown.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Bookmark {
     /// The title of the current page; `None` for the first page.
@@ -25,9 +25,9 @@ pub struct Bookmark {
 pub struct GivenAnswer {
     /// The question: [`Checkpoint::written`](super::Checkpoint::written).
     pub asked: String,
-    /// The answer, after a hint the second one.
+    /// The answer; after a hint, the second answer.
     pub answer: Response,
-    /// Whether it was right.
+    /// Whether the answer was right.
     pub right: bool,
     /// The first, wrong answer, if a hint followed it.
     pub first: Option<Response>,
@@ -129,7 +129,7 @@ impl Bookmark {
         }
     }
 
-    /// Adds later entries: their place and angle, if any, replace the earlier ones. A page remains
+    /// Adds later entries: their page and angle, if any, replace the earlier ones. A page remains
     /// seen, and keeps its answer until it is answered again.
     pub(crate) fn merge(&mut self, later: Self) {
         self.place = later.place.or_else(|| self.place.take());

@@ -4,7 +4,7 @@ use super::header::{self, Shots};
 use super::{ChapterPage, SourceLine};
 use crate::files::{self, FileError, FileErrors, Source, all};
 
-/// The largest number of pages of a chapter.
+/// The largest number of pages in a chapter.
 const MOST_PAGES: usize = 60;
 
 /// A chapter of Learn.
@@ -20,7 +20,7 @@ pub struct Chapter {
     pub about: String,
     /// The pages, at least one; no two have the same title.
     pub pages: Vec<ChapterPage>,
-    /// The file it was read from, for messages.
+    /// The file from which the chapter was read, for messages.
     pub file: String,
 }
 

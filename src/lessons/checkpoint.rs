@@ -19,8 +19,8 @@ pub struct Checkpoint {
     pub asked: CheckpointKind,
     /// The question.
     pub question: Vec<TextBlock>,
-    /// The hint after a wrong answer, which does not reveal the right one; the feedback on a wrong
-    /// choice can serve as the hint.
+    /// The hint after a wrong answer, which does not reveal the right answer; the feedback on a
+    /// wrong choice can serve as the hint.
     pub hint: Vec<TextBlock>,
     /// The text after the answer.
     pub after: Vec<TextBlock>,
@@ -46,7 +46,7 @@ pub enum CheckpointKind {
     Choice(Vec<CheckpointChoice>),
 }
 
-/// The number that is right.
+/// The correct number.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Expected {
     /// A quantity of a shot.
@@ -92,9 +92,9 @@ impl Expected {
 pub struct CheckpointChoice {
     /// The text of the option.
     pub text: Vec<Inline>,
-    /// The feedback for a student who chose it.
+    /// The feedback for a student who chose this option.
     pub why: Vec<Inline>,
-    /// Whether it is right.
+    /// Whether the option is right.
     pub right: bool,
 }
 
@@ -250,7 +250,7 @@ fn number(words: &mut Words, meaning: &Meaning) -> Result<CheckpointKind, String
     })
 }
 
-/// The quantity with this name, of a named shot, of the page's figure, or without a shot.
+/// The quantity with this name: of a named shot, of the page's figure, or independent of any shot.
 fn named(words: &mut Words, meaning: &Meaning) -> Result<Expected, String> {
     let name = words.first().unwrap_or_default();
     if let Some(constant) = words.constant(&name)? {

@@ -26,7 +26,7 @@ pub enum FigureKind {
     Curves,
     /// θ₁ against θ₂.
     Angles,
-    /// The shares of the energy against α.
+    /// The shares of the energy plotted against α.
     Energy,
     /// The worked solution.
     Worked {
@@ -60,9 +60,9 @@ pub struct Figure {
     pub kind: FigureKind,
     /// The shot that the figure shows.
     pub shot: CollisionSpec,
-    /// The shot that it shows once the page's question is answered, usually the same one.
+    /// The shot that the figure shows once the page's question is answered, usually the same shot.
     pub after: CollisionSpec,
-    /// Whether it uses the impact angle that the student set last in the chapter.
+    /// Whether the figure uses the impact angle that the student set last in the chapter.
     pub own: bool,
 }
 
@@ -124,7 +124,7 @@ impl Figure {
         })
     }
 
-    /// Reads a figure as the command line names it; the only shot is the worked one.
+    /// Reads a figure as the command line names it; the only shot available is the worked one.
     ///
     /// # Errors
     /// A message that states what was expected.

@@ -57,7 +57,7 @@ impl Shots {
         let known: Vec<_> = self.0.keys().map(String::as_str).collect();
         match known.as_slice() {
             [] => format!(
-                "expected fields such as alpha_deg=45, as no shot has a name here, found {name}"
+                "expected fields such as alpha_deg=45, because no shot has a name here, found {name}"
             ),
             known => format!(
                 "expected a shot of the header ({}), found {name}",
@@ -98,7 +98,7 @@ pub(super) fn read(source: &Source) -> Option<Header> {
     header
 }
 
-/// A text in one line.
+/// Text on one line.
 fn line(fields: &Fields, name: &str, most: usize) -> Option<String> {
     fields.text(name, most).map(one_line)
 }

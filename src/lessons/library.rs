@@ -47,7 +47,7 @@ impl ChapterLibrary {
         match self.chapters.iter().find(|known| known.id == chapter.id) {
             None => self.chapters.push(chapter),
             Some(known) => {
-                let message = format!("expected an id of its own; {} has it already", known.file);
+                let message = format!("expected a unique id; {} already has it", known.file);
                 self.problems.push(FileError::of_file(file, message));
             }
         }

@@ -50,7 +50,7 @@ impl ChapterPage {
         };
         let text = text?;
         if text.is_empty() && checkpoint.is_none() {
-            return source.refuse(line, "expected a text or a checkpoint on the page");
+            return source.refuse(line, "expected text or a checkpoint on the page");
         }
         Some(Self {
             title: title.into(),

@@ -38,7 +38,7 @@ fn chapters() -> BTreeMap<String, String> {
     files.map(chapter).collect()
 }
 
-/// Reads a table with lines `words | ids`: for each id the words of which a page must contain one.
+/// Reads a table with lines `words | ids`: a page for an id must contain at least one of its words.
 fn words_by_id(table: &'static str) -> BTreeMap<&'static str, Vec<&'static str>> {
     let mut all = BTreeMap::new();
     for line in table.lines().map(str::trim).filter(|line| !line.is_empty()) {
@@ -103,8 +103,8 @@ const OF_MISCONCEPTIONS: &str = "
     2 alpha, 2α, 2 theta_2 | double-angle-forgotten
 ";
 
-/// A page that treats what questions about a topic ask for contains one of these phrases, in the
-/// same format.
+/// A page about what the questions on a topic ask for contains one of these phrases, in the same
+/// format.
 const OF_TOPICS: &str = "
     angle, deflect, direction, leaves, rebound | equal-masses equal-masses-by-offset equal-masses-lossy
     angle, deflect, direction, leaves, rebound | heavier-striker heavier-striker-by-offset from-the-picture
@@ -137,7 +137,7 @@ const OF_TOPICS: &str = "
     momentum, impulse | momentum
 ";
 
-/// All cases that questions can show: a misconception, a topic, and what is asked about it.
+/// All cases that questions can show: a misconception, a topic, and what is asked about the topic.
 fn cases() -> BTreeSet<(&'static str, Topic, Option<String>)> {
     let mut cases = BTreeSet::new();
     let all = Family::ALL
@@ -221,7 +221,7 @@ fn names_chapter(cell: &str, chapter: usize) -> bool {
     }
 }
 
-/// The words of a line, without the indices of symbols.
+/// The words of a line, without the subscripts of symbols.
 fn words(line: &str) -> impl Iterator<Item = &str> {
     let ends = |c: char| !c.is_alphabetic() || "ₙₜₓᵧ".contains(c);
     line.split(ends).filter(|word| !word.is_empty())
@@ -235,7 +235,7 @@ fn in_formula(formula: &Formula) -> Vec<String> {
     symbols.map(String::from).collect()
 }
 
-/// The symbols of a text: those of its formulas, and every word with a Greek letter.
+/// The symbols in a text: those in its formulas, and every word with a Greek letter.
 fn in_text(text: &[Inline]) -> Vec<String> {
     let of_piece = |piece: &Inline| match piece {
         Inline::Formula(formula) => in_formula(formula),

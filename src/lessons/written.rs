@@ -1,4 +1,4 @@
-//! A figure written in a text, and its comparison with the engine's value.
+//! A figure written in text, and its comparison with the engine's value.
 
 use super::formula::superscript;
 
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn a_text_that_is_not_a_figure_is_refused() {
+    fn text_that_is_not_a_figure_is_refused() {
         for text in [
             "", "abc", "nan", "inf", "1e999", "sqrt", "sqrt -2", "2 sqrt x", "1 2", "--1",
         ] {

@@ -33,8 +33,9 @@ impl Trial {
     }
 }
 
-/// The share, 0 to 1, of winning aims among `tries` aims spread evenly over all possible settings.
-/// It measures how easily the level is won by chance. A shot that cannot be played counts as lost.
+/// The fraction, 0 to 1, of winning aims among `tries` aims spread evenly over all possible
+/// settings. This fraction measures how easily the level is won by chance. A shot that cannot be
+/// played counts as lost.
 ///
 /// The aims are the points of an additive recurrence with the powers of the root of
 /// x^(d+1) = x + 1 (M. Roberts' R sequence), which fills d dimensions evenly and is always

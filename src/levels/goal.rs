@@ -27,14 +27,14 @@ pub enum Goal {
     Untouched {
         /// The disc.
         disc: usize,
-        /// The disc that must not hit it; `None` means that no disc may.
+        /// The disc that must not hit this disc; `None` means that no disc may.
         by: Option<usize>,
     },
     /// A disc is hit by another.
     Hit {
         /// The disc that is hit.
         disc: usize,
-        /// The disc that hits it.
+        /// The other disc, which hits this disc.
         by: usize,
         /// The least number of cushions that `by` hits first.
         least: usize,
@@ -88,7 +88,7 @@ pub enum HitMeasure {
     Turn(usize),
     /// The angle between the velocities of the two discs, in radians.
     Separation,
-    /// The share of body 1's energy that a disc has afterwards, 0 to 1.
+    /// The fraction of body 1's energy that a disc has afterwards, 0 to 1.
     Energy(usize),
 }
 
@@ -223,7 +223,7 @@ impl Goal {
         })
     }
 
-    /// The circle to draw on the board, and the disc that it is for.
+    /// The circle to draw on the board, and the disc whose goal it is.
     pub(crate) fn circle(&self) -> Option<(GoalCircle, usize)> {
         match self {
             Self::Rest { disc, circle } | Self::Pass { disc, circle } => Some((*circle, *disc)),
@@ -281,7 +281,7 @@ impl Goal {
                         format!("Leave {name} with at most {most} m/s right after the first hit.")
                     }
                     HitMeasure::Speed(_) => {
-                        format!("Give {name} {between} right after the first hit.")
+                        format!("Give {name} a speed of {between} right after the first hit.")
                     }
                     HitMeasure::Turn(_) => {
                         format!("Send {name} off at {between} from the line of the shot.")

@@ -1,5 +1,5 @@
-//! Reports in words whether a shot meets the goals of a level, or what happened instead. It uses
-//! only the record of the shot.
+//! Reports in words whether a shot meets the goals of a level, or what happened instead. Only the
+//! record of the shot is used.
 
 use glam::DVec2;
 
@@ -220,7 +220,7 @@ impl Missing {
 /// The first collision of two discs.
 struct FirstImpact {
     discs: [usize; 2],
-    /// The index in `discs` of the one that was shot; the other is at rest.
+    /// The index in `discs` of the disc that was shot; the other is at rest.
     moving: usize,
     before: DVec2,
     afters: [DVec2; 2],
@@ -295,7 +295,7 @@ fn pocketed(discs: &[usize], shot: &Shot, scene: &Scene) -> Finding {
     found(met, format!("pocketed: {}{wrong}", names.join(", then ")))
 }
 
-/// The events before the first collision of two discs; `None` if there is none.
+/// The events before the first collision of these two discs; `None` if there is none.
 fn before_meeting(one: usize, other: usize, shot: &Shot) -> Option<&[Event]> {
     let meets = |event: &Event| event.kind.partner(one) == Some(other);
     let at = shot.events().iter().position(meets)?;

@@ -11,7 +11,7 @@ use crate::physics::units::{g_from_kg, kg_from_g, m_from_mm, mm_from_m};
 /// The format that this program reads and writes.
 pub(crate) const FORMAT: u32 = 1;
 
-/// The largest number of goals of a level.
+/// The largest number of goals in a level.
 const MOST_GOALS: usize = 8;
 
 /// The tables and fields of a level file.
@@ -36,7 +36,7 @@ pub struct Level {
     pub id: String,
     /// The title shown to players.
     pub title: String,
-    /// Hints, each more direct than the one before.
+    /// Hints, each more direct than the previous one.
     pub hints: Vec<String>,
     /// The explanation after the shot: paragraphs separated by empty lines.
     pub explanation: String,
@@ -48,7 +48,7 @@ pub struct Level {
     pub scene: Scene,
     /// The dials that the player may change.
     pub adjust: Adjust,
-    /// The goals; all of them must be met.
+    /// The goals, all of which must be met.
     pub goals: Vec<Goal>,
     /// An aim that wins.
     pub solution: LevelAim,
@@ -64,7 +64,7 @@ impl Level {
         Self::read_beside(name, bytes, &[])
     }
 
-    /// Reads a level whose id must differ from those of others.
+    /// Reads a level whose id must differ from the ids of other levels.
     pub(super) fn read_beside(
         name: &str,
         bytes: &[u8],
@@ -91,7 +91,7 @@ impl Level {
         let about = about?;
         let id = about.id("id").and_then(|id| {
             if others.iter().any(|other| other.id == id) {
-                let message = format!("expected an id of its own, found \"{id}\" twice");
+                let message = format!("expected a unique id, found \"{id}\" twice");
                 return about.refuse("id", message);
             }
             Some(id)

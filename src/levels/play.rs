@@ -7,8 +7,8 @@ use crate::physics::{Engine, EngineError, Limits, Shot};
 /// come to rest.
 const WATCHED: f64 = 60.0;
 
-/// The work budget of a shot, counted in tests of a pair of discs (see [`Limits::work`]). It limits
-/// how long a player waits; no built-in level comes near it.
+/// The work budget of a shot, counted in tests of a pair of discs (see [`Limits::work`]). The
+/// budget limits how long a player waits; no built-in level comes near it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Patience {
     /// A few seconds: for a shot that is the whole task.
@@ -41,7 +41,7 @@ impl Scene {
         Ok(shot)
     }
 
-    /// Plays the shot until the smallest budget is used up, which is after its first contact.
+    /// Plays the shot until the smallest budget is used up, which is after the first contact.
     pub(crate) fn play_for_a_moment(&self) -> Shot {
         let mut shot = Shot::default();
         // On an error the record contains the shot up to then.

@@ -10,10 +10,10 @@ use crate::physics::direction::direction;
 use crate::physics::units::{kg_from_g, m_from_mm, mm_from_m};
 use crate::physics::{Board, Disc, Motion};
 
-/// The largest number of discs of a scene.
+/// The largest number of discs in a scene.
 pub(crate) const MOST_DISCS: usize = 256;
 
-/// How far discs may overlap each other or the frame, in metres. As in the engine, it allows for
+/// How far discs may overlap each other or the frame, in metres. As in the engine, this allows for
 /// the rounding error of discs that are meant to touch.
 const SLACK: f64 = 1e-10;
 
@@ -93,7 +93,7 @@ impl Scene {
         self.pieces.iter().map(|piece| piece.disc).collect()
     }
 
-    /// The initial motion of each disc: all at rest except the one that is shot.
+    /// The initial motion of each disc: all at rest except the disc that is shot.
     pub fn motions(&self) -> Vec<Motion> {
         let mut motions: Vec<_> = self
             .pieces

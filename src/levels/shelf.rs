@@ -7,7 +7,7 @@ use super::level::Level;
 use super::library::{LevelLibrary, Pack};
 use super::stars::{MOST_STARS, Starred, Win};
 
-/// All levels, numbered from 0 through all packs, with the best result in each.
+/// All levels, numbered from 0 across all packs, with the best result in each.
 #[derive(Debug, Clone, Default)]
 pub struct Shelf {
     /// `None` for the built-in levels alone, which are read only when they are needed.
@@ -19,7 +19,7 @@ pub struct Shelf {
 }
 
 impl Shelf {
-    /// A shelf that has more levels than the built-in ones, none of them won yet.
+    /// A shelf with the levels of this library, none of them won yet.
     pub fn new(library: LevelLibrary) -> Self {
         Self {
             library: Some(Arc::new(library)),
@@ -60,7 +60,7 @@ impl Shelf {
         packs.map(|pack| pack.levels.len()).sum()
     }
 
-    /// The most stars won in a level; 0 if it was never won.
+    /// The most stars won in a level; 0 if the level was never won.
     pub fn stars(&self, number: usize) -> u8 {
         let key = |(pack, level): (&Pack, &Level)| (pack.name.clone(), level.id.clone());
         let stars = self
@@ -90,7 +90,7 @@ impl Shelf {
         self.best.clear();
     }
 
-    /// Records stars that were won earlier; returns whether they are more than were known.
+    /// Records stars that were won earlier; returns whether there are more than the known ones.
     pub(crate) fn recall(&mut self, starred: &Starred) -> bool {
         let key = (starred.pack.clone(), starred.level.clone());
         let best = self.best.entry(key).or_default();

@@ -61,7 +61,7 @@ mod tests {
                 said_right,
             };
             let hinted = Win { hints: 12, ..win };
-            // A hint costs the star for few shots and no other.
+            // A hint costs the star for few shots but no other.
             assert_eq!(hinted.stars(), win.stars() - u8::from(shots <= FEW_SHOTS));
             win.stars()
         };

@@ -1,5 +1,5 @@
-//! A class on pupils' own devices: the requests of a pupil's carrom to its connection to the host,
-//! and the events that arrive.
+//! A class on pupils' own devices: the requests that a pupil's carrom sends to its connection to
+//! the host, and the events that arrive.
 
 /// A request from a pupil's carrom to its connection.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! Requests of the app to the shell that drives it.
+//! Requests from the app to the shell that drives it.
 
 use super::{HostCall, JoinCall, StoreCall};
 
@@ -16,10 +16,9 @@ pub enum Effect {
     /// On a pupil's side, connect to such a class, and return what arrives as an
     /// [`Input::Joined`](super::Input::Joined).
     Join(JoinCall),
-    /// Write a text to a file of this name for the player (in a terminal, in the folder where
-    /// carrom was started), and return its path as an
-    /// [`Input::Exported`](super::Input::Exported). (A [`StoreRequest`](super::StoreRequest)
-    /// exports to the data folder instead.)
+    /// Write text to a file of this name for the player (in a terminal, in the folder where carrom
+    /// was started), and return its path as an [`Input::Exported`](super::Input::Exported). (A
+    /// [`StoreRequest`](super::StoreRequest) exports to the data folder instead.)
     Export {
         /// Letters, digits, hyphens and an extension.
         name: String,

@@ -16,8 +16,8 @@ pub enum Input {
     Paste(String),
     /// The screen now has this many columns and rows.
     Resize(u16, u16),
-    /// The [`Effect::Keep`](super::Effect::Keep) of this ticket takes a long time; its result will
-    /// follow.
+    /// The [`Effect::Keep`](super::Effect::Keep) with this ticket takes a long time; its result
+    /// will follow.
     Saving(u64),
     /// The result of an [`Effect::Keep`](super::Effect::Keep).
     Kept(Box<StoreAnswer>),
@@ -83,17 +83,17 @@ impl Mouse {
         (self.column, self.row)
     }
 
-    /// Whether the button went down just now in an area.
+    /// Whether the button has just gone down in an area.
     pub fn presses(&self, area: Rect) -> bool {
         self.kind == MouseKind::Down && area.contains(self.cell().into())
     }
 
-    /// Whether the button is down, just now or for some time.
+    /// Whether the button is down, whether just pressed or held.
     pub(crate) fn is_held(&self) -> bool {
         matches!(self.kind, MouseKind::Down | MouseKind::Drag)
     }
 
-    /// A step of the wheel, if it turned: 1 away from the hand, −1 towards it.
+    /// A step of the wheel, if it turned: 1 away from the user, −1 towards the user.
     pub const fn wheel(&self) -> Option<i8> {
         match self.kind {
             MouseKind::ScrollUp => Some(1),
@@ -112,9 +112,9 @@ pub enum MouseKind {
     Drag,
     /// The button went up.
     Up,
-    /// The wheel turned away from the hand.
+    /// The wheel turned away from the user.
     ScrollUp,
-    /// The wheel turned towards the hand.
+    /// The wheel turned towards the user.
     ScrollDown,
 }
 

@@ -141,13 +141,13 @@ pub struct History {
 /// A saved game or class round.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kept<T> {
-    /// Its name.
+    /// The name of the item.
     pub name: String,
-    /// How long ago it was saved; `None` if the time is unknown.
+    /// How long ago the item was saved; `None` if the time is unknown.
     pub(crate) age: Option<Duration>,
-    /// The day on which it was saved; `None` if it is unknown.
+    /// The day on which the item was saved; `None` if the day is unknown.
     pub day: Option<Date>,
-    /// Its contents, or the reason why it cannot be read.
+    /// The contents, or the reason why they cannot be read.
     pub content: Result<Box<T>, String>,
 }
 

@@ -4,13 +4,13 @@ use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::files::is_invisible;
 
-/// The most zero-width characters on one letter. A flag made of tags has six.
+/// The maximum number of zero-width characters on one letter. A flag made of tags has six.
 const MOST_UPON: usize = 6;
 
-/// `text` as one line of at most `columns` columns (a wide letter has two), truncated with an
+/// `text` as one line of at most `columns` columns (a wide letter takes up two), truncated with an
 /// ellipsis if it is longer.
 ///
-/// Line breaks, tabs and runs of spaces become one space. Control characters are left out, and so
+/// Line breaks, tabs and runs of spaces become one space. Control characters are removed, and so
 /// are marks that change the direction of the following text; right-to-left letters stay and are
 /// displayed correctly. Too many marks on one letter are removed.
 pub fn clean(text: &str, columns: usize) -> String {

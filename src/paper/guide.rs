@@ -7,8 +7,8 @@ use super::{Paper, html_page};
 
 const STYLE: &str = include_str!("guide.css");
 
-/// A built-in guide as an HTML document. A link to another guide (`class.md`) leads to its page
-/// beside this one (`class.html`); any other link becomes plain text.
+/// A built-in guide as an HTML document. A link to another guide (`class.md`) leads to that guide's
+/// page in the same folder (`class.html`); any other link becomes plain text.
 pub(crate) fn guide_page(markdown: &str) -> String {
     let events: Vec<_> = Parser::new_ext(markdown, Options::ENABLE_TABLES).collect();
     let mut body = String::new();

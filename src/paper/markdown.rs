@@ -8,7 +8,8 @@ use crate::files::percent_encoded;
 /// [`clean`](super::clean()); line breaks become spaces.
 ///
 /// Pictures are files beside the document. GitHub, GitLab and most editors do not show pictures
-/// inside a document (as data URIs or inline SVG) for safety, but all of them show SVG files.
+/// inside a document (as data URIs or inline SVG) for security reasons, but all of them show SVG
+/// files.
 #[derive(Debug, Clone, Default)]
 pub struct Markdown {
     text: String,
@@ -56,7 +57,7 @@ impl Markdown {
         self.block(&items.join("\n"))
     }
 
-    /// A table with a row of heads. Each row should have as many cells as there are heads.
+    /// A table with a header row. Each row should have as many cells as the header.
     pub fn table<T: AsRef<str>>(
         &mut self,
         heads: &[&str],
@@ -75,7 +76,7 @@ impl Markdown {
     }
 
     /// A picture in the file `place`, a path relative to the document's folder with `/` as the
-    /// separator; `words` describe it.
+    /// separator; `words` describes it.
     pub fn picture(&mut self, words: &str, place: &str) -> &mut Self {
         self.block(&format!(
             "![{}]({})",
@@ -219,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn lists_and_tables_keep_their_shape() {
+    fn lists_and_tables_keep_their_structure() {
         let mut document = Markdown::new();
         document.list(NASTY);
         let (texts, tags) = read(document.text());
@@ -232,7 +233,7 @@ mod tests {
         assert_eq!(texts[2..], NASTY.map(|text| [text, text]).concat());
         let cells = tags.iter().filter(|tag| *tag == "TableCell").count();
         assert_eq!(cells, texts.len());
-        // The tags of a table, its head, and one row per text.
+        // The tags of a table, its header, and one row per text.
         assert_eq!(tags.len(), cells + 2 + NASTY.len(), "{tags:?}");
     }
 

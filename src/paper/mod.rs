@@ -1,9 +1,9 @@
 //! Documents to print or hand in.
 //!
-//! A document is written as HTML by [`html_page()`] (self-contained, A4, nothing is loaded and
-//! nothing runs) or as [`Markdown`] with its pictures in files beside it. Pictures are those of the
-//! screen, drawn as vectors: an `Svg` each. They work in black and white too: every mark with a
-//! meaning has a name, a dash pattern or a width in addition to its colour.
+//! A document is written as HTML by [`html_page()`] (self-contained, in A4; nothing is loaded and
+//! nothing runs) or as [`Markdown`] with its pictures in files beside it. The pictures on the
+//! screen are drawn as vectors, each as an `Svg`. They work in black and white too: every mark with
+//! a meaning has a name, a dash pattern or a width in addition to its colour.
 //!
 //! Text from outside is safe everywhere: HTML is written with [`maud::html!`], which escapes its
 //! input, and [`Markdown`] and pictures do the same. [`clean()`] removes what escaping cannot fix:
@@ -47,7 +47,7 @@ const LOOK: Look = Look {
 /// The scale of pictures: letters are 10.5 CSS pixels (8 points) high.
 const SCALE: f64 = 0.75;
 
-/// A picture for paper. `words` are its text alternative.
+/// A picture for paper. `words` is its text alternative.
 fn svg(words: &str, picture: &Picture) -> Svg {
     Svg::new(words, picture, &LOOK, SCALE)
 }

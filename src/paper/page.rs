@@ -7,7 +7,7 @@ use super::clean;
 
 /// The common style of all documents.
 const STYLE: &str = include_str!("page.css");
-/// The most columns in a title; windows and file names do not show more.
+/// The maximum number of columns in a title; windows and file names do not show more.
 const TITLE: usize = 120;
 /// With this policy nothing is loaded and nothing runs, even if the escaping fails.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
@@ -37,11 +37,11 @@ impl Paper {
 
 /// An HTML document with these sheets of paper.
 ///
-/// It is self-contained: it includes the style and the pictures. On a screen the sheets are below
-/// one another; in print each begins on a new page. `h1` to `h3`, `p`, `table`, `figure` and `svg`
-/// are styled, and `.dim` is secondary text. The additional `style` is inserted unchanged; it can
-/// use the colours `--text`, `--dim`, `--faint`, `--wash` and `--accent`. The title is shown by the
-/// window, and is the suggested file name when the document is printed to a file.
+/// It is self-contained: it includes the style and the pictures. On a screen the sheets follow one
+/// below the other; in print each begins on a new page. `h1` to `h3`, `p`, `table`, `figure` and
+/// `svg` are styled, and `.dim` is secondary text. The additional `style` is inserted unchanged; it
+/// can use the colours `--text`, `--dim`, `--faint`, `--wash` and `--accent`. The window shows the
+/// title, which is also the suggested file name when the document is printed to a file.
 pub fn html_page(
     title: &str,
     style: &str,

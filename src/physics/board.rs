@@ -18,9 +18,9 @@ pub struct Board {
     pub pocket_diameter: f64,
     /// Coefficient of sliding friction between disc and board, at least 0.
     pub friction: f64,
-    /// Restitution of disc on disc, 0 to 1.
+    /// Coefficient of restitution between discs, 0 to 1.
     pub restitution: f64,
-    /// Restitution of disc on cushion, 0 to 1.
+    /// Coefficient of restitution between disc and cushion, 0 to 1.
     pub cushion_restitution: f64,
 }
 

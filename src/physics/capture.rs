@@ -1,8 +1,8 @@
 //! Perfectly inelastic collisions: two discs that stick where they touch and move on as one body.
 //!
-//! This is not e = 0. Smooth discs with e = 0 ("slip") keep their different tangential velocities;
-//! discs that stick move on as one body with their centre of mass and, after an off-centre contact,
-//! rotate about it.
+//! This is not the same as e = 0. Smooth discs with e = 0 ("slip") keep their different tangential
+//! velocities; discs that stick move on as one body with their centre of mass and, after an
+//! off-centre contact, rotate about it.
 
 use super::Disc;
 use super::impact::reduced_mass;
@@ -63,7 +63,7 @@ mod tests {
     /// Two equal discs of 10 g and 10 mm, offset 10 mm, 3 m/s, by hand: μ = 5 g, I = 500 + 500 + 5
     /// · 400 = 3000 g mm² = 3·10⁻⁶ kg·m², so ω = 0.005 · 0.01 · 3 / (3·10⁻⁶) = 50 rad/s.
     #[test]
-    fn a_case_by_hand() {
+    fn the_rotation_agrees_with_a_calculation_by_hand() {
         let disc = Disc::from_g_mm(10.0, 10.0);
         let pair = capture(disc, disc, 0.010, 3.0);
         assert!((moment_of_inertia(disc, disc) - 3.0e-6).abs() < 1e-18);

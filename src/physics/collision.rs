@@ -36,13 +36,13 @@ pub struct Collision {
     /// Velocity of the target before the collision, in m/s.
     pub u2: DVec2,
     /// Impact parameter b in metres: how far the target's centre is to the right of the line along
-    /// which the striker moves relative to it.
+    /// which the striker moves relative to the target.
     pub offset: f64,
     /// The rounding error of [`offset`](Self::offset), in metres, if it comes from an impact angle
     /// within a degree of a graze: b is the sum of the two. There cos α depends on digits of b that
     /// `offset` alone cannot represent. Otherwise 0.
     pub offset_rest: f64,
-    /// Coefficient of restitution e, 0 to 1; without effect on discs that stick.
+    /// Coefficient of restitution e, 0 to 1; it has no effect on discs that stick.
     pub restitution: f64,
     /// Whether the discs slip past each other or stick.
     pub bond: Bond,
@@ -51,11 +51,11 @@ pub struct Collision {
 /// How the two discs met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Meeting {
-    /// They pass without touching, or never approach each other.
+    /// The discs pass without touching, or never approach each other.
     Miss,
-    /// They touch at |b| = r₁ + r₂ and exchange nothing.
+    /// The discs touch at |b| = r₁ + r₂ and exchange nothing.
     Graze,
-    /// They collide.
+    /// The discs collide.
     Hit,
 }
 
@@ -99,7 +99,7 @@ pub struct CollisionOutcome {
 }
 
 impl CollisionOutcome {
-    /// Whether the discs touched, if only grazing.
+    /// Whether the discs touched, even if they only grazed each other.
     pub fn hit(&self) -> bool {
         self.meeting != Meeting::Miss
     }
@@ -107,7 +107,7 @@ impl CollisionOutcome {
 
 impl Collision {
     /// A smooth, perfectly elastic collision at impact angle `alpha` radians with a target at rest.
-    /// For any other collision set the fields that differ; the angle does not depend on the
+    /// For any other collision, set the fields that differ; the angle does not depend on the
     /// velocities, the masses or the restitution.
     pub fn at_angle(striker: Disc, target: Disc, u1: DVec2, alpha: f64) -> Self {
         Self::at_offset(striker, target, u1, 0.0).with_alpha(alpha)
@@ -251,9 +251,9 @@ impl Collision {
         self.u1 * (m1 / (m1 + m2)) + self.u2 * (m2 / (m1 + m2))
     }
 
-    /// Velocities of the two centres right after the contact, in m/s. For discs that slip they are
-    /// v₁ and v₂. A pair that sticks rotates about its centre of mass with ω, so each centre has V
-    /// + ω × r, where r is its position relative to the centre of mass.
+    /// Velocities of the two centres right after the contact, in m/s. For discs that slip, these
+    /// are v₁ and v₂. A pair that sticks rotates about its centre of mass with ω, so each centre
+    /// has V + ω × r, where r is its position relative to the centre of mass.
     pub(crate) fn centres_after(&self) -> [DVec2; 2] {
         let outcome = self.outcome();
         let (centre1, centre2) = self.placed_at_contact();
@@ -307,8 +307,8 @@ impl Collision {
         }
     }
 
-    /// sin α = b / (r₁ + r₂), or `None` beyond ±1. Within rounding of ±1 it is ±1, because b and
-    /// the radii rarely agree to the last bit.
+    /// sin α = b / (r₁ + r₂), or `None` beyond ±1. A value within rounding error of ±1 counts as
+    /// ±1, because b and the radii rarely agree to the last bit.
     fn sine(&self) -> Option<f64> {
         let sine = self.offset / self.contact_distance();
         let beyond = sine.abs() - 1.0;
@@ -352,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_pieces_at_30_degrees() {
+    fn equal_pieces_at_30_degrees_leave_at_right_angles() {
         let after = carrom(30.0).outcome();
         assert_eq!(after.meeting, Meeting::Hit);
         close(after.v1.length(), 2.0);
@@ -365,7 +365,7 @@ mod tests {
     }
 
     #[test]
-    fn marbles_of_20_and_40_grams() {
+    fn marbles_of_20_and_40_grams_leave_with_the_velocities_calculated_by_hand() {
         let after = Collision::at_angle(
             Disc::from_g_mm(20.0, 8.0),
             Disc::from_g_mm(40.0, 10.0),
@@ -403,7 +403,7 @@ mod tests {
     }
 
     #[test]
-    fn head_on_between_equals_leaves_the_striker_without_direction() {
+    fn a_head_on_hit_between_equals_leaves_the_striker_without_direction() {
         for direction in 0..100 {
             let u1 = 4.0 * DVec2::from_angle(f64::from(direction));
             let after = Collision { u1, ..carrom(0.0) }.outcome();
@@ -415,7 +415,7 @@ mod tests {
     }
 
     #[test]
-    fn head_on_a_light_striker_comes_straight_back() {
+    fn a_light_striker_rebounds_straight_back_from_a_head_on_hit() {
         let after = Collision {
             striker: Disc::from_g_mm(5.5, 15.9),
             ..carrom(0.0)
@@ -497,7 +497,7 @@ mod tests {
     }
 
     #[test]
-    fn slip_without_restitution_is_not_sticking() {
+    fn slip_without_restitution_is_not_the_same_as_sticking() {
         let slip = Collision {
             restitution: 0.0,
             ..carrom(30.0)
@@ -574,7 +574,7 @@ mod tests {
 
     /// By hand: two discs of 15 g and 15 mm, b = 15 mm, 4 m/s. μ = 7.5 g and I = 1687.5 + 1687.5 +
     /// 7.5 · 900 = 10125 g mm², so ω = 7.5 · 15 · 4000 / 10125 = 44.4 rad/s, and each centre, 15 mm
-    /// from the centre of mass, moves round it at 2/3 m/s.
+    /// from the centre of mass, moves around it at 2/3 m/s.
     #[test]
     fn the_centres_of_a_pair_that_sticks_rotate_about_their_centre_of_mass() {
         let piece = Disc::from_g_mm(15.0, 15.0);
@@ -594,7 +594,7 @@ mod tests {
     }
 
     #[test]
-    fn the_velocities_after_carry_all_momentum_and_agree_with_the_record() {
+    fn the_velocities_after_the_contact_carry_all_momentum_and_agree_with_the_record() {
         for (bond, offset) in [
             (Bond::Slip, 0.012),
             (Bond::Stick, 0.012),

@@ -1,8 +1,8 @@
 //! The unit vector at an angle, bit for bit the same on every machine.
 //!
 //! Math libraries round sines differently, and after many collisions on a board a difference in the
-//! last bit gives a different result. So sines are computed here from their series with twice the
-//! digits and then rounded once.
+//! last bit gives a different result. So sines are computed here from their series to twice the
+//! precision and then rounded once.
 
 use glam::DVec2;
 
@@ -10,9 +10,10 @@ use glam::DVec2;
 #[derive(Clone, Copy)]
 struct Twofold(f64, f64);
 
-/// π/2 with twice the digits.
+/// π/2 to twice the precision.
 const QUARTER: Twofold = Twofold(std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
-/// Terms of a series; up to an eighth of a turn the next term is below the last digit.
+/// The number of terms of a series; for angles up to an eighth of a turn the next term is below the
+/// last digit.
 const TERMS: u32 = 14;
 
 impl Twofold {
@@ -35,7 +36,7 @@ impl Twofold {
         Self(quotient, 0.0).with(left / number)
     }
 
-    /// The sum with a small number.
+    /// The sum of this and a small number.
     fn with(self, small: f64) -> Self {
         let sum = self.0 + small;
         Self(sum, small - (sum - self.0))
@@ -75,7 +76,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_agrees_with_the_library_except_for_the_last_bit() {
+    fn unit_vectors_agree_with_the_library_except_for_the_last_bit() {
         for step in -20_000..20_000 {
             let angle = f64::from(step) * 7.313e-4;
             let (sine, cosine) = angle.sin_cos();

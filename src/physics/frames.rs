@@ -44,7 +44,7 @@ impl Frame {
 }
 
 /// Scattering angle Θ in radians of both discs in the centre-of-mass frame, in
-/// (−π, π], positive anticlockwise, for smooth discs of restitution `restitution`.
+/// (−π, π], positive anticlockwise, for smooth discs with this coefficient of restitution.
 ///
 /// Θ = atan2((1+e) sin α cos α, 1 − (1+e) cos²α), which at e = 1 is 180° − 2α.
 /// `None` if both stop (head-on at e = 0).
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn the_scattering_angle_at_any_restitution() {
+    fn the_closed_form_gives_the_scattering_angle_at_any_restitution() {
         for e in [0.0, 0.3, 0.9] {
             let lab = Collision {
                 restitution: e,

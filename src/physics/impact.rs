@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_masses_head_on_stop_the_striker_exactly_in_any_direction() {
+    fn a_head_on_hit_between_equal_masses_stops_the_striker_exactly_in_any_direction() {
         for step in 0..1000 {
             let u1 = 4.0 * DVec2::from_angle(f64::from(step) * 0.37);
             let after = Contact {

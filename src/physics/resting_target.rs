@@ -15,7 +15,7 @@
 //! = 1 the same holds with Newton's law of restitution along n, as in W. Goldsmith, *Impact*
 //! (1960), chapter 2.
 //!
-//! Angles are in radians, speeds are shares of u, energies are shares of ½m₁u². `None` means
+//! Angles are in radians, speeds are in units of u, and energies in units of ½m₁u². `None` means
 //! undefined: a body at rest has no direction.
 
 use std::f64::consts::FRAC_PI_2;
@@ -24,7 +24,7 @@ use super::Collision;
 use super::impact::reduced_mass;
 
 /// How far past its limit a sine or cosine may be by rounding alone. The error of an angle computed
-/// from such a number is no more than the rounding of the input.
+/// from such a number is no more than the rounding error of the input.
 const ROUNDING: f64 = 1e-12;
 
 /// A striker, a smooth target at rest, and their coefficient of restitution.
@@ -56,18 +56,18 @@ pub enum LargestDeflection {
     Turned {
         /// The largest θ₁, atan(k / (2√(1−k))); at e = 1 that is asin(m₂/m₁).
         theta1: f64,
-        /// The impact angle that gives it, atan √(1−k).
+        /// The impact angle that gives the largest θ₁, atan √(1−k).
         alpha: f64,
     },
     /// k = 1: θ₁ = 90° − α comes arbitrarily close to 90°, but at α = 0 the striker stops and has
     /// no direction.
     NearlyRight,
-    /// k > 1: head-on it comes straight back, θ₁ = 180°.
+    /// k > 1: in a head-on collision the striker comes straight back, θ₁ = 180°.
     Reversed,
 }
 
 impl From<&Collision> for RestingTarget {
-    /// The masses and the restitution of a collision; its velocities are not used.
+    /// The masses and the coefficient of restitution of a collision, without its velocities.
     fn from(collision: &Collision) -> Self {
         Self {
             m1: collision.striker.mass,
@@ -211,7 +211,7 @@ fn sin_cos(alpha: f64) -> (f64, f64) {
     (sin, if graze >= 0.0 { 0.0 } else { cos })
 }
 
-/// Whether a share of the striker's speed is more than rounding noise.
+/// Whether a fraction of the striker's speed is more than rounding noise.
 fn moves(share: f64) -> bool {
     share > 4.0 * f64::EPSILON
 }
@@ -292,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn separation_is_the_sum_of_the_angles() {
+    fn the_separation_is_the_sum_of_the_angles() {
         for p in pairs() {
             for alpha in alphas() {
                 let sum = p.theta1(alpha).unwrap() + p.theta2(alpha).unwrap();
@@ -333,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn the_largest_deflection_of_a_heavy_striker() {
+    fn a_heavy_striker_has_a_largest_deflection_below_90_degrees() {
         let LargestDeflection::Turned { theta1, alpha } = pair(15.0, 5.5, 1.0).largest_deflection()
         else {
             panic!("15 g on 5.5 g has a largest deflection");
@@ -356,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn the_largest_deflection_of_light_and_equal_strikers() {
+    fn a_light_striker_can_be_reversed_and_an_equal_one_nearly_turned_by_90_degrees() {
         let light = pair(5.5, 15.0, 1.0);
         assert_eq!(light.largest_deflection(), LargestDeflection::Reversed);
         assert_eq!(light.theta1(0.0), Some(PI));

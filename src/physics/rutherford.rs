@@ -40,9 +40,9 @@ pub const RADIUM_C_ENERGY: f64 = 7.69 * MEV;
 /// Atoms in a cubic metre of gold.
 pub const GOLD_DENSITY: f64 = 5.9e28;
 
-/// The share of α-particles of radium C that Geiger and Marsden counted at 45° behind 2.1·10⁻⁵ cm
-/// of gold on a screen of 1 mm² at 1 cm, known to 20 % (Phil. Mag. 25 (1913) 604): the only count
-/// whose absolute scale is known.
+/// The fraction of α-particles of radium C that Geiger and Marsden counted at 45° behind 2.1·10⁻⁵
+/// cm of gold on a screen of 1 mm² at 1 cm, known to 20 % (Phil. Mag. 25 (1913) 604): the only
+/// count whose absolute scale is known.
 pub const MEASURED_SHARE: f64 = 3.7e-7;
 
 /// A charged projectile and a fixed charge of the same sign.
@@ -97,9 +97,8 @@ impl Rutherford {
         self.impact_parameter(angle).map(|b| PI * b * b)
     }
 
-    /// The share of a beam that a foil of `atoms_per_area` atoms/m² scatters at Θ
-    /// into a small solid angle of `solid_angle` steradians, each particle scattered
-    /// at most once.
+    /// The fraction of a beam that a foil of `atoms_per_area` atoms/m² scatters at Θ into a small
+    /// solid angle of `solid_angle` steradians, each particle scattered at most once.
     pub(crate) fn share_into(
         &self,
         angle: f64,
@@ -137,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn the_constant() {
+    fn the_coulomb_constant_has_its_known_value() {
         close(COULOMB_ENERGY_LENGTH / (MEV * FM), 1.43996, 5e-6);
     }
 
@@ -150,10 +149,9 @@ mod tests {
         close(potential, RADIUM_C_ENERGY, 1e-14);
     }
 
-    /// Geiger and Marsden's absolute count at 45°: gold of 2.1·10⁻⁵ cm, a screen of 1 mm²
-    /// at 1 cm.
+    /// Geiger and Marsden's absolute count at 45°: 2.1·10⁻⁵ cm of gold, a screen of 1 mm² at 1 cm.
     #[test]
-    fn the_absolute_count_at_45_degrees_agrees() {
+    fn the_absolute_count_at_45_degrees_agrees_with_the_measurement() {
         let share = Rutherford::radium_c_on_gold()
             .share_into(PI / 4.0, 1e-6 / 1e-4, GOLD_DENSITY * 2.1e-7)
             .unwrap();
@@ -162,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn impact_parameter_and_angle_are_inverse() {
+    fn impact_parameter_and_angle_are_inverse_functions() {
         let gold = Rutherford::radium_c_on_gold();
         for deg in 1..=180 {
             let angle = f64::from(deg).to_radians();
@@ -209,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_defined_straight_on() {
+    fn nothing_is_defined_without_deflection() {
         let gold = Rutherford::radium_c_on_gold();
         for angle in [0.0, -1.0, 4.0, f64::NAN] {
             assert_eq!(gold.impact_parameter(angle), None);

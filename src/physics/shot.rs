@@ -23,15 +23,15 @@ pub struct Event {
 #[strum(serialize_all = "snake_case")]
 pub enum EventKind {
     /// Two discs collided. Contacts at the same instant are listed one after another; each starts
-    /// from the velocities that the one before it left.
+    /// from the velocities after the previous contact.
     Impact {
         /// The two discs.
         discs: [usize; 2],
         /// The line of impact: the unit vector from the first centre to the second.
         normal: DVec2,
-        /// Their velocities before the contact, in the order of `discs`.
+        /// The velocities before the contact, in the order of `discs`.
         before: [DVec2; 2],
-        /// Their velocities after the contact.
+        /// The velocities after the contact, in the same order.
         after: [DVec2; 2],
     },
     /// A disc hit the frame.
@@ -40,9 +40,9 @@ pub enum EventKind {
         disc: usize,
         /// The unit vector into the cushion.
         normal: DVec2,
-        /// Its velocity before the event.
+        /// The disc's velocity before the event.
         before: DVec2,
-        /// Its velocity after the event.
+        /// The disc's velocity after the event.
         after: DVec2,
     },
     /// A disc fell into a pocket.
@@ -70,7 +70,7 @@ impl EventKind {
         }
     }
 
-    /// The other disc of an impact in which this one takes part.
+    /// The other disc of an impact in which this disc takes part.
     pub(crate) fn partner(&self, disc: usize) -> Option<usize> {
         match self.discs() {
             (a, Some(b)) if a == disc => Some(b),
@@ -84,12 +84,12 @@ impl EventKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
 #[strum(serialize_all = "snake_case")]
 pub enum DiscState {
-    /// It moves.
+    /// The disc is moving.
     Moving,
-    /// It is at rest on the board.
+    /// The disc is at rest on the board.
     #[strum(serialize = "rest")]
     Resting,
-    /// It has fallen into a pocket; its position is where it fell.
+    /// The disc has fallen into a pocket; its position is where it fell.
     Pocketed,
 }
 
@@ -100,16 +100,16 @@ pub struct Sample {
     pub position: DVec2,
     /// Velocity in m/s; zero unless moving.
     pub velocity: DVec2,
-    /// What it is doing.
+    /// What the disc is doing.
     pub state: DiscState,
 }
 
 /// A straight part of a disc's path, from one event of this disc to its next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
-    /// When it begins, in seconds since the start of the shot.
+    /// When the leg begins, in seconds since the start of the shot.
     pub start: f64,
-    /// When it ends.
+    /// When the leg ends.
     pub end: f64,
     /// Centre at the start, in metres.
     pub from: DVec2,
@@ -124,7 +124,7 @@ struct LegStart {
     time: f64,
     /// The motion from then on.
     motion: Motion,
-    /// Whether it fell into a pocket then.
+    /// Whether the disc fell into a pocket then.
     pocketed: bool,
 }
 
@@ -182,7 +182,7 @@ impl Shot {
         self.duration = duration;
     }
 
-    /// The board it was played on.
+    /// The board on which the shot was played.
     pub fn board(&self) -> &Board {
         &self.board
     }
@@ -192,8 +192,8 @@ impl Shot {
         &self.discs
     }
 
-    /// Seconds until everything is at rest. Without friction it is the horizon, or the time of the
-    /// last event if the horizon is infinite.
+    /// Seconds until everything is at rest. Without friction, this is the horizon, or the time of
+    /// the last event if the horizon is infinite.
     pub(crate) fn duration(&self) -> f64 {
         self.duration
     }

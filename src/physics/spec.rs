@@ -54,9 +54,9 @@ pub enum ImpactPoint {
 /// The range of one number of a [`CollisionSpec`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FieldRange {
-    /// Its name in files.
+    /// The field's name in files.
     pub name: &'static str,
-    /// What it is, and its unit: "a mass in g".
+    /// What the number is, and its unit: "a mass in g".
     pub what: &'static str,
     /// The least allowed value.
     pub least: f64,
@@ -92,7 +92,7 @@ impl FieldRange {
 }
 
 impl Default for CollisionSpec {
-    /// The worked shot: 15 g on 15 g at 4 m/s and 30°, smooth and without loss.
+    /// The worked shot: 15 g on 15 g at 4 m/s and 30°, smooth and without energy loss.
     fn default() -> Self {
         Self {
             m1_g: 15.0,
@@ -111,7 +111,7 @@ impl Default for CollisionSpec {
 }
 
 impl CollisionSpec {
-    /// The largest offset as a share of r₁ + r₂: beyond 1 the discs miss each other, so slightly
+    /// The largest offset as a multiple of r₁ + r₂: beyond 1 the discs miss each other, so slightly
     /// more is enough.
     pub(crate) const WIDEST: f64 = 1.25;
 

@@ -5,7 +5,7 @@ use super::{Bond, CollisionSpec, FieldRange, ImpactPoint};
 /// The direction of the striker, which files do not contain.
 const AIM: FieldRange = FieldRange::new("aim", "a direction in degrees", -180.0, 180.0);
 
-/// The name in files of each short name.
+/// The field name in files for each short name.
 const SHORT: [(&str, &str); 11] = [
     ("m1", "m1_g"),
     ("m2", "m2_g"),

@@ -10,7 +10,7 @@ const LATELY: usize = 10;
 /// the topic with the worst recent results.
 pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     if attempts.is_empty() {
-        return "Play a round of the quiz: ten hits, and no answer is wasted.".into();
+        return "Play a round of the quiz: ten hits, and you learn from every answer.".into();
     }
     let held = beliefs(attempts)
         .into_iter()
@@ -30,7 +30,7 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
                 review.topic_name()
             )),
             _ => format!(
-                "Due for review: {}. Play a round of the quiz to repeat it.",
+                "Due for review: {}. Play a round of the quiz to practise it.",
                 review.topic_name()
             ),
         };
@@ -38,7 +38,7 @@ pub fn advice(attempts: &[Attempt], calendar: &Calendar) -> String {
     let lately = &attempts[attempts.len().saturating_sub(LATELY)..];
     if let Some(missed) = lately.iter().rev().find(|it| it.is_surely_wrong()) {
         let topic = format!(
-            "You were sure, but wrong, in this topic: {}",
+            "You were sure, but wrong, on this topic: {}",
             missed.topic_name()
         );
         return ended(topic) + " Try a similar question again, and read the explanation slowly.";
@@ -90,7 +90,7 @@ mod tests {
             time_s: Some(1000),
             ..attempt("equal-masses", 9.0)
         };
-        assert!(says(Some(sure), None).contains("in this topic: equal masses"));
+        assert!(says(Some(sure), None).contains("on this topic: equal masses"));
         assert!(says(None, Some(1000)).contains("Due for review: equal masses"));
         let held = |number: u32| Attempt {
             question: figures(json!({ "number": number, "by_chance": 0.01 })),

@@ -21,9 +21,9 @@ pub(crate) fn figures_text(figures: &Figures) -> String {
     serde_json::to_string(figures).unwrap_or_default()
 }
 
-/// One answer, with everything known about it. It is not specific to the quiz: anything that asks
-/// questions can record answers. This serialization is used in a pupil's hand-in, whose file names
-/// the player once.
+/// One answer, with everything known about it. An attempt is not specific to the quiz: anything
+/// that asks questions can record answers. This serialization is used in a pupil's hand-in, whose
+/// file names the player once.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Attempt {
     /// The time in seconds since the start of 1970 (UTC), set by the store; `None` before that, or
@@ -39,7 +39,7 @@ pub struct Attempt {
     pub topic: String,
     /// The seed of the round; 0 if there is none.
     pub seed: u64,
-    /// Its number in the round, or the page of the chapter, from 1.
+    /// The question's number in the round, or the page of the chapter, from 1.
     pub number: u32,
     /// The figures of the question. Those of the quiz include the code of the `round`, the
     /// `misconceptions` that an answer could have shown, by their names in files, and the chance
@@ -54,12 +54,12 @@ pub struct Attempt {
     pub error_deg: Option<f64>,
     /// Credit from 0 to 1.
     pub credit: f64,
-    /// Whether it counts as right.
+    /// Whether the answer counts as right.
     pub right: bool,
     /// How sure the player was; `None` if that was not asked.
     #[serde(default)]
     pub confidence: Option<Confidence>,
-    /// The misconception it fits, by its name in files.
+    /// The misconception that the answer fits, by its name in files.
     #[serde(default)]
     pub misconception: Option<String>,
 }
@@ -104,7 +104,7 @@ impl Attempt {
         topic_name(&self.family, &self.topic)
     }
 
-    /// A description of its error; `None` if it is a possible answer to some question.
+    /// The reason why the answer is impossible; `None` if it is a possible answer to some question.
     ///
     /// Anyone can change files and databases. All code that counts, shows or hands in answers
     /// relies on this check: numbers are finite and in range, and the answer is of the same kind as
@@ -137,8 +137,9 @@ impl Attempt {
         answer.is_empty() || (is_like_truth && is_in_range)
     }
 
-    /// Its evidence for misconceptions. Unknown ones are left out. If the misconceptions that an
-    /// answer could have shown were not stored, only the one that it did show is known.
+    /// The evidence for misconceptions in this answer. Unknown ones are left out. If the
+    /// misconceptions that an answer could have shown were not stored, only the one that it did
+    /// show is known.
     pub(super) fn clue(&self) -> Clue {
         let noted = self.question.get(MISCONCEPTIONS).and_then(Value::as_array);
         let noted = noted.map_or(&[][..], Vec::as_slice);
@@ -154,12 +155,12 @@ impl Attempt {
         }
     }
 
-    /// The misconception it fits, if this carrom knows it.
+    /// The misconception that the answer fits, if this version of carrom knows it.
     pub fn shows(&self) -> Option<Misconception> {
         Misconception::with_id(self.misconception.as_deref()?)
     }
 
-    /// The round in which it was given: its code, or the title of a chapter.
+    /// The round in which the answer was given: its code, or the title of a chapter.
     pub fn round(&self) -> String {
         if self.family == LESSON {
             return format!("chapter: {}", self.topic);
@@ -169,7 +170,7 @@ impl Attempt {
         noted.map_or_else(|| self.seed.to_string(), str::to_owned)
     }
 
-    /// The points for its accuracy, 0 to [`Grade::MOST`], without the confidence.
+    /// The points for accuracy, 0 to [`Grade::MOST`], without the confidence.
     pub fn points(&self) -> f64 {
         Grade::MOST * self.credit
     }
@@ -181,8 +182,8 @@ impl Attempt {
     }
 
     /// The chance that a guess fits a misconception, if it was not stored: an upper bound from the
-    /// answer. Choices were three or more, and at least as many as the stored misconceptions plus
-    /// the right one.
+    /// answer. There were at least three choices, and at least as many as the stored misconceptions
+    /// plus the right one.
     fn by_chance_at_most(&self, misconceptions: usize) -> f64 {
         match self.truth.contains_key("choice") {
             true => 1.0 / (misconceptions + 1).max(3) as f64,
@@ -222,7 +223,7 @@ pub(crate) const ROUND: &str = "round";
 /// The key of the misconceptions that an answer could have shown.
 const MISCONCEPTIONS: &str = "misconceptions";
 
-/// The key of the chance that a guess fits one of them.
+/// The key of the chance that a guess fits one of these misconceptions.
 const BY_CHANCE: &str = "by_chance";
 
 /// The chance that a guess fits a number or one ray, as in questions.
@@ -280,7 +281,7 @@ mod tests {
         }
         for answer in [
             "{\"choice\":99}",
-            // These are of another kind than the right answer.
+            // These are not of the same kind as the right answer.
             "{\"choice\":\"B\"}",
             "{\"theta1_deg\":200.0,\"theta2_deg\":0.0}",
             "{\"theta1_deg\":null}",
@@ -344,7 +345,7 @@ mod tests {
             ..HIT.truth()
         };
         let still = noted(rays, Confidence::Guess);
-        // The striker has no angle error, but the answer for it is still wrong.
+        // The striker has no angle error, but the answer for the striker is still wrong.
         assert!(rays.apart(&HIT.truth(), Ray::Striker).is_none());
         assert!(still.error_deg.unwrap() < 1e-9 && !still.right);
     }

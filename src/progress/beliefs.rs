@@ -4,7 +4,7 @@ use super::Attempt;
 use crate::quiz::{Clue, Evidence, Misconception};
 
 /// A misconception that the answers show, with the evidence from the first half of all attempts and
-/// from the second half, which has one more if the number is odd.
+/// from the second half, which has one more attempt if their number is odd.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeldBelief {
     /// The misconception.
@@ -18,21 +18,21 @@ pub struct HeldBelief {
 /// How a misconception develops.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Trend {
-    /// It did not show in the first half.
+    /// The misconception did not show in the first half.
     New,
-    /// It still shows in the second half.
+    /// The misconception still shows in the second half.
     Held,
-    /// In the second half the answers are evidence against it.
+    /// In the second half the answers are evidence against the misconception.
     Fading,
-    /// In the second half the evidence against it is as strong as the evidence required to name a
-    /// misconception.
+    /// In the second half the evidence against the misconception is as strong as the evidence
+    /// required to name a misconception.
     Gone,
-    /// No question in the second half could show it.
+    /// No question in the second half could show the misconception.
     NotMet,
 }
 
 impl Trend {
-    /// Its name, as shown.
+    /// The name of the trend, as shown.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::New => "new",
@@ -43,14 +43,14 @@ impl Trend {
         }
     }
 
-    /// Whether the player improves.
+    /// Whether the player has improved.
     pub(crate) const fn is_good(self) -> bool {
         matches!(self, Self::Fading | Self::Gone)
     }
 }
 
 impl HeldBelief {
-    /// How it develops.
+    /// How the misconception develops.
     pub(crate) fn trend(&self) -> Trend {
         let Self { before, since, .. } = self;
         if since.asked == 0 {
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn unknown_misconceptions_are_left_out_and_old_answers_with_one_are_used() {
+    fn unknown_misconceptions_are_left_out_and_old_answers_that_name_one_are_used() {
         assert!(trend(&[(&["unheard-of"], true), (&["unheard-of"], true)]).is_empty());
         let old = |number: u32| Attempt {
             question: figures(json!({ "number": number })),

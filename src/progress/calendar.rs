@@ -4,7 +4,7 @@ use jiff::Timestamp;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
 
-/// The time, and the day of any time in the player's calendar.
+/// The current time, and the player's time zone, which gives the day of any time.
 ///
 /// The caller supplies the time; this module reads no clock.
 #[derive(Debug, Clone, PartialEq, Eq)]

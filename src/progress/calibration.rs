@@ -26,8 +26,8 @@ impl Calibrated {
         }
     }
 
-    /// How far the share of right answers is outside the range of this confidence: above 0 if it is
-    /// higher, below if lower, 0 if it fits or if there are too few answers.
+    /// How far the share of right answers is outside the range of this confidence: above 0 if the
+    /// share is higher, below 0 if it is lower, 0 if it fits or if there are too few answers.
     pub(crate) fn beyond(&self) -> f64 {
         let (from, to) = Self::honest(self.confidence);
         match self.tally.share_right() {
@@ -72,8 +72,8 @@ pub(crate) fn calibration_over_time(attempts: &[Attempt], reach: usize) -> [Vec<
     })
 }
 
-/// A comment of one or two sentences on the confidence that is furthest outside its range; of two
-/// equally far, the surer one.
+/// A comment of one or two sentences on the confidence that is furthest outside its range; if two
+/// are equally far, on the surer one.
 pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
     let gap = |it: &&Calibrated| it.beyond().abs();
     let widest = calibration
@@ -87,7 +87,7 @@ pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
         }
         (_, beyond) if beyond < 0.0 => {
             "\"Think so\" is right less than half the time. Calling it a guess costs nothing, \
-             and it is where learning starts."
+             and that is where learning starts."
         }
         (_, beyond) if beyond > 0.0 => {
             "You know more than you think: you are right more often than you \
@@ -96,7 +96,7 @@ pub fn calibration_words(calibration: &[Calibrated; 3]) -> &'static str {
         _ if calibration.iter().any(|it| it.tally.attempts >= ENOUGH) => {
             "You judge your knowledge well. That is a skill in itself."
         }
-        _ => "After a few more answers, this shows how well you judge your knowledge.",
+        _ => "After a few more answers, you will see how well you judge your knowledge.",
     }
 }
 

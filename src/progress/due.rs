@@ -46,13 +46,13 @@ impl Due {
 }
 
 impl Review {
-    /// Whether the quiz or the chapter still has questions about it. A topic of a teacher's own
-    /// questions may have none.
+    /// Whether the quiz or the chapter still has questions about the topic. A topic of a teacher's
+    /// own questions may have none.
     pub(crate) fn comes_back(&self) -> bool {
         self.family == LESSON || self.is_of_quiz()
     }
 
-    /// Whether the quiz has questions about it.
+    /// Whether the quiz has questions about the topic.
     fn is_of_quiz(&self) -> bool {
         Family::with_id(&self.family).is_some()
             && !Topic::with_id(self.topic.clone()).families().is_empty()
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn missed_and_rested_topics_are_due() {
+    fn topics_are_due_after_a_wrong_answer_or_when_their_interval_is_over() {
         let known = attempt("rutherford-1", true, 0);
         let missed = attempt("from-angle-1", false, 0);
         let rested = attempt("from-offset-1", true, 2);
@@ -125,7 +125,7 @@ mod tests {
         };
         assert_eq!(due(&[lesson]), Due::default());
         let forgotten = Attempt {
-            topic: "what an older carrom asked".into(),
+            topic: "a topic of an older version of carrom".into(),
             ..missed
         };
         assert_eq!(due(&[forgotten]), Due::default());

@@ -57,7 +57,7 @@ fn in_words(attempt: &Attempt) -> [String; IN_WORDS.len()] {
 /// The attempts as a [table](csv_table), one per row.
 ///
 /// # Errors
-/// None in practice; the reason if a row cannot be written.
+/// The reason if a row cannot be written, which does not happen in practice.
 pub fn csv(attempts: &[Attempt]) -> Result<String, String> {
     let cell = |column: &str, value: Value| match (column, value) {
         ("answer" | "truth", Value::Object(said)) => figures_text(&tidied(&said)),
@@ -107,7 +107,7 @@ pub fn utc(time_s: i64) -> Option<String> {
 /// The attempts and a summary as the text of one JSON object.
 ///
 /// # Errors
-/// None in practice; the reason if something cannot be written.
+/// The reason if something cannot be written, which does not happen in practice.
 pub fn json(attempts: &[Attempt], calendar: &Calendar) -> Result<String, String> {
     let all = All {
         summary: summary(attempts, calendar),

@@ -5,12 +5,12 @@
 //! whether the player has understood the idea and not only the kind of question. A review asks once
 //! about each topic that is due.
 //!
-//! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. It is due that many days
-//! after the day on which it reached its step. Days are those of the player's calendar: a topic
-//! answered last evening is due this morning.
+//! Each topic climbs a ladder of intervals: 1, 2, 4, 8, 16 and 32 days. The topic is due that many
+//! days after the day on which it reached its step. Days are those of the player's calendar: a
+//! topic answered last evening is due this morning.
 //!
 //! - Wrong, or right by a guess: off the ladder, and due at once.
-//! - Right from off the ladder: on its first step.
+//! - Right while off the ladder: onto the first step.
 //! - Right when it is due: one step up, until the last; or more, if it has rested longer than
 //!   planned: after n days, the next interval is the largest power of two that is at most n.
 //! - Right before it is due: nothing changes, because ten right answers on one day show no more
@@ -34,15 +34,16 @@ const LAST: u32 = 5;
 /// A topic and its next review.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Review {
-    /// The family of the last question about it.
+    /// The family of the last question about the topic.
     pub family: String,
     /// The topic, as in [`Attempt::topic`].
     pub topic: String,
-    /// Its step on the ladder, from 0: it rests for 2ⁿ days. `None` off the ladder.
+    /// The topic's step n on the ladder, from 0: the topic rests for 2ⁿ days. `None` off the
+    /// ladder.
     pub step: Option<u32>,
-    /// The first day on which it is due.
+    /// The first day on which the topic is due.
     pub due: Date,
-    /// The time at which it reached its step, in seconds since the start of 1970.
+    /// The time at which the topic reached its step, in seconds since the start of 1970.
     since_s: i64,
 }
 
@@ -52,7 +53,7 @@ impl Review {
         topic_name(&self.family, &self.topic)
     }
 
-    /// When it is due relative to `today`, in short: "now", "in 2 days".
+    /// When the topic is due relative to `today`, in short: "now", "in 2 days".
     pub fn when(&self, today: Date) -> String {
         // The difference between two dates in days always fits.
         match usize::try_from((self.due - today).get_days()) {
@@ -61,14 +62,14 @@ impl Review {
         }
     }
 
-    /// The number of days from reaching its step to this day.
+    /// The number of days from the day on which the topic reached its step to this day.
     fn days_to(&self, day: Date) -> u32 {
         let rest = self.step.map_or(0, |step| 1_i32 << step);
         let days = (day - self.due).get_days() + rest;
         u32::try_from(days).unwrap_or(0)
     }
 
-    /// Whether it is due on this day.
+    /// Whether the topic is due on this day.
     pub(crate) fn is_due(&self, today: Date) -> bool {
         self.due <= today
     }
@@ -92,7 +93,7 @@ pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> 
                 let rested = review.days_to(day).max(1).ilog2();
                 Some((step + 1).max(rested).min(LAST))
             }
-            // It is not due yet, so nothing changes.
+            // The topic is not due yet, so nothing changes.
             Some(_) => continue,
             None => Some(0),
         };
@@ -129,7 +130,7 @@ mod tests {
         }
     }
 
-    /// The step and the day on which the one topic of these attempts is due.
+    /// The step and the due day of the only topic in these attempts.
     fn due(attempts: &[(i64, bool)]) -> (Option<u32>, i64) {
         let attempts: Vec<_> = attempts.iter().map(|it| on_day(it.0, it.1)).collect();
         let calendar = Calendar::utc(Some(START_S));
@@ -146,7 +147,7 @@ mod tests {
         assert_eq!(due(&[(0, true)]), (Some(0), 1));
         assert_eq!(due(&[(0, true), (1, true)]), (Some(1), 3));
         assert_eq!(due(&[(0, true), (1, true), (3, true)]), (Some(2), 7));
-        // 8 days are three steps; 7 are two, and 60 would be five.
+        // After 8 days the topic climbs three steps, after 7 only two, and after 60 five.
         assert_eq!(due(&[(0, true), (8, true)]), (Some(3), 16));
         assert_eq!(due(&[(0, true), (7, true)]), (Some(2), 11));
         assert_eq!(due(&[(0, true), (60, true)]), (Some(5), 92));

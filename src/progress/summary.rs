@@ -31,7 +31,7 @@ impl<'a> Summary<'a> {
     }
 
     /// The points of the round: the sum of its questions' points, each rounded to a tenth as shown.
-    /// It may be negative; otherwise a wrong "sure" would cost nothing at 0 points, and honest
+    /// The sum may be negative; otherwise a wrong "sure" would cost nothing at 0 points, and honest
     /// answers would not be worthwhile.
     pub fn points(&self) -> f64 {
         // Adding 0 turns −0, the sum of no points, into 0.
@@ -152,7 +152,7 @@ impl<'a> Summary<'a> {
         let numbers: Vec<String> = numbers.map(|(number, _)| number.to_string()).collect();
         let (last, others) = numbers.split_last().map_or(("", &[][..]), |(a, b)| (a, b));
         let (found, somebody) = match misconception.origin() {
-            Origin::Slip => ("It seems that this slip often happens to you", "makes it"),
+            Origin::Slip => ("It seems that you often make this slip", "makes it"),
             _ => ("It seems that you believe this", "believes it"),
         };
         vec![
@@ -170,7 +170,7 @@ impl<'a> Summary<'a> {
     fn nothing_found(&self) -> Vec<String> {
         let (right, asked) = (self.right(), self.attempts.len());
         if asked == 0 {
-            return vec!["There are no answers yet, so there is no finding.".into()];
+            return vec!["There are no answers yet, so there is nothing to report.".into()];
         }
         let suspected = self.suspected();
         let why = if 5 * right >= 4 * asked {
@@ -206,7 +206,8 @@ impl<'a> Summary<'a> {
     pub fn checked(&self, misconception: Misconception) -> String {
         let name = misconception.name();
         let is_it = |it: Misconception| {
-            // The code of a misconception that was later split into several tests for all of them.
+            // If a misconception was later split into several, its code still tests for all of
+            // them.
             it == misconception || it.in_codes() == Some(misconception)
         };
         let shown = |it: &&Attempt| it.shows().is_some_and(is_it);
@@ -219,7 +220,7 @@ impl<'a> Summary<'a> {
         }
     }
 
-    /// The page to read next: the one that explains the strongest misconception, or else the one
+    /// The page to read next: the page that explains the strongest misconception, or else the page
     /// that teaches the first missed topic. Topics with a "sure" but wrong answer come first.
     /// `None` if nothing was missed.
     pub(crate) fn passage(&self) -> Option<Passage> {
@@ -252,8 +253,8 @@ impl<'a> Summary<'a> {
     }
 }
 
-/// A log-likelihood ratio as "about 600 times", rounded to one digit. It exceeds the threshold for
-/// naming a misconception.
+/// A log-likelihood ratio as "about 600 times", rounded to one digit. The ratio exceeds the
+/// threshold for naming a misconception.
 fn times_as(weight: f64) -> String {
     let odds = weight.exp();
     if odds >= 1e6 {

@@ -160,7 +160,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn shares_and_means() {
+    fn shares_and_means_follow_from_the_counts() {
         let all = [attempt("a", 2.0), attempt("a", 10.0), attempt("a", 0.0)];
         let tally = Tally::of(&all);
         assert_eq!((tally.attempts, tally.right), (3, 2));

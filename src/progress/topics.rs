@@ -10,11 +10,11 @@ pub(crate) const LATELY: usize = 5;
 /// A topic, and the attempts at it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TopicStanding {
-    /// Its name: "equal masses, by offset".
+    /// The topic's name: "equal masses, by offset".
     pub name: String,
-    /// All attempts at it.
+    /// All attempts at the topic.
     pub all: Tally,
-    /// The last [`LATELY`] of them.
+    /// The last [`LATELY`] attempts.
     pub(crate) lately: Tally,
 }
 
@@ -23,16 +23,16 @@ pub struct TopicStanding {
 pub(crate) enum Mastery {
     /// Not answered yet.
     New,
-    /// Less than half of them were right.
+    /// Less than half of the answers were right.
     NotYet,
-    /// At least half of them were right.
+    /// At least half of the answers were right.
     Growing,
     /// There are [`LATELY`] answers, and at least four of five were right.
     Solid,
 }
 
 impl Mastery {
-    /// Its name, as shown.
+    /// The name of the state, as shown.
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::New => "new",
@@ -42,7 +42,7 @@ impl Mastery {
         }
     }
 
-    /// Its mark in a list.
+    /// The mark of the state in a list.
     pub(crate) const fn mark(self) -> char {
         match self {
             Self::New => ' ',
@@ -82,7 +82,7 @@ impl TopicStanding {
         }
     }
 
-    /// How well it is known.
+    /// How well the topic is known.
     pub(crate) fn mastery(&self) -> Mastery {
         let Tally {
             attempts, right, ..

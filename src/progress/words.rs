@@ -1,6 +1,6 @@
 //! Numbers as text.
 
-/// A share as a percentage; "-" if there is none.
+/// A fraction as a percentage; "-" if there is none.
 pub(crate) fn percent(share: Option<f64>) -> String {
     share.map_or("-".into(), |share| format!("{:.0} %", 100.0 * share))
 }

@@ -21,7 +21,7 @@ use crate::widgets::{PictureSizes, Room};
 pub struct Context {
     /// The appearance and behaviour of the app.
     pub settings: Settings,
-    /// The area of the current screen: all except the title line and the line of keys.
+    /// The area of the current screen: the whole window except the title line and the line of keys.
     pub body: Rect,
     /// The size of pictures, if it does not follow from the area.
     pub pictures: Option<PictureSizes>,
@@ -150,7 +150,7 @@ impl Context {
         self.ask(StoreRequest::Record(Box::new(attempt)));
     }
 
-    /// Requests that a text be written to a file with this name.
+    /// Requests that this text be written to a file with this name.
     pub fn export(&mut self, name: String, content: String) {
         self.asked.push(Effect::Export { name, content });
     }
@@ -160,7 +160,7 @@ impl Context {
         self.asked.push(Effect::Host(call));
     }
 
-    /// Sends a request to the connection to a class's host.
+    /// Sends a request to the connection with a class's host.
     pub fn join(&mut self, call: JoinCall) {
         self.asked.push(Effect::Join(call));
     }
@@ -170,7 +170,8 @@ impl Context {
         self.reported = Some(words);
     }
 
-    /// Notifies the player where an export was saved, or why it failed; `what` is its name.
+    /// Notifies the player where an export was saved, or why exporting it failed; `what` is the
+    /// name of the export.
     pub fn notify_of_export(&mut self, what: &str, exported: &Result<String, String>) {
         self.notify(match exported {
             Ok(place) => format!("The {what} is in {place}"),

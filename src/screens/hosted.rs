@@ -16,7 +16,7 @@ use crate::widgets::{
     Item, Lines, Look, PAGE_ROWS, Role, SplitLayout, Words, areas, scroll_keys, sheet, text,
 };
 
-/// Actions of keys on every screen that does not use them otherwise.
+/// The key actions on every screen that does not use these keys otherwise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum SharedAction {
@@ -68,7 +68,7 @@ enum Pressed<A> {
 pub trait AnyScreen {
     /// See [`Screen::title`].
     fn title(&self) -> String;
-    /// See [`Screen::place`].
+    /// See [`Screen::route`].
     fn route(&self, cx: &Context) -> Route;
     /// See [`Screen::status`].
     fn status(&self, cx: &Context) -> String;
@@ -79,7 +79,7 @@ pub trait AnyScreen {
     fn about(&self, cx: &Context) -> Vec<&'static str>;
     /// Handles a key press.
     fn press(&mut self, key: Key, cx: &mut Context) -> Next;
-    /// Handles the player's yes to a confirmation.
+    /// Handles a confirmation to which the player has said yes.
     fn confirmed(&mut self, cx: &mut Context) -> Next;
     /// See [`Screen::input`].
     fn input(&mut self, input: &Input, cx: &mut Context) -> Next;
@@ -99,7 +99,7 @@ pub trait AnyScreen {
     fn draw(&self, buf: &mut Buffer, cx: &Context);
 }
 
-/// Fewest rows of an inset in which the two discs of a collision are round.
+/// The smallest number of rows in which an inset can show the two discs of a collision as round.
 const INSET_ROWS: u16 = 6;
 
 /// A screen, the action that awaits confirmation, and the scroll positions of its panels.
@@ -117,13 +117,14 @@ struct Scrolled {
     /// The panel's title and subject.
     of: (String, usize),
     rows: u16,
-    /// The row of the item that was chosen then: once another is chosen, the panel follows that.
+    /// The row of the item that was chosen when the player scrolled: once another item is chosen,
+    /// the panel follows it.
     chosen: Option<u16>,
 }
 
 /// A view after layout, with its panels scrolled.
 struct ShownView<'p, A> {
-    /// Below the tabs.
+    /// The area below the tabs.
     area: Rect,
     small_heading: bool,
     layout: SplitLayout,
@@ -312,7 +313,7 @@ impl<S: Screen> Hosted<S> {
                 let (_, at) = targets.find(|(cells, _)| cells.contains(cell.into()))?;
                 panel.action(at)
             });
-            // The wheel moves the mark of a list, and the list scrolls with it; a list may stand
+            // The wheel moves the mark of a list, and the list scrolls with it; a list may be shown
             // beside pages.
             let is_followed = |it: &Shown| {
                 let placed = &it.placed;

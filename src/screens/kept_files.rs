@@ -8,7 +8,7 @@ use crate::widgets::input::{KeyTable, ListAction, ListView};
 use crate::widgets::panel::Panel;
 use crate::widgets::{Outcome, Role, text};
 
-/// Actions of keys on a list of saved files.
+/// The key actions on a list of saved files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum KeptAction {

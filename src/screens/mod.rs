@@ -40,8 +40,8 @@ use crate::widgets::input::KeyTable;
 /// A screen of the app: it handles input, advances with time and draws itself.
 ///
 /// A screen is pure: it reads no clock and touches no file. One table defines what its keys do; the
-/// bottom line, the help page and key presses follow from it. Keys that are not in it belong to the
-/// app.
+/// bottom line, the help page and key presses follow from it. Keys that are not in the table belong
+/// to the app.
 pub trait Screen {
     /// The actions of the keys.
     type Action: Copy + PartialEq;
@@ -105,10 +105,10 @@ pub trait Screen {
     /// Called when the screen is on top again, after another screen was left.
     fn resumed(&mut self, _cx: &mut Context) {}
 
-    /// Advances the time; called only while [`Screen::wake`] needs time.
+    /// Advances the time; called only while [`Screen::wake`] returns a delay.
     fn advance(&mut self, _passed: Duration, _cx: &mut Context) {}
 
-    /// The delay until the screen next needs time; `None` while nothing moves.
+    /// The time until the screen must next be advanced; `None` while nothing moves.
     fn wake(&self, _cx: &Context) -> Option<Duration> {
         None
     }
@@ -119,7 +119,7 @@ pub trait Screen {
     }
 }
 
-/// The consequence of an input or of the passing time.
+/// The consequence of an input or of time passing.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Next {
     /// The input was not used here; the app may use it.
@@ -141,7 +141,7 @@ pub enum Next {
 }
 
 impl Next {
-    /// The consequence of an input, by whether it was used.
+    /// The consequence of an input, depending on whether it was used.
     pub(crate) fn after(used: bool) -> Self {
         if used { Self::Stay } else { Self::Ignored }
     }
@@ -159,11 +159,11 @@ impl Next {
 /// The confirmation of an action that cannot be undone.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Confirmation {
-    /// The question, and what a yes leads to.
+    /// The question, and the consequence of saying yes.
     pub text: String,
-    /// The label of yes.
+    /// The label for yes.
     pub yes: &'static str,
-    /// The label of no.
+    /// The label for no.
     pub no: &'static str,
 }
 

@@ -33,7 +33,7 @@ impl Recall {
         }
     }
 
-    /// A message that the record is being loaded, or why it cannot be.
+    /// A message that says that the record is being loaded, or why it cannot be loaded.
     pub(super) fn unknown(&self) -> Option<(String, Role)> {
         match self {
             Self::Asked(_) => Some(("Loading …".into(), Role::Dim)),

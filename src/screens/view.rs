@@ -22,7 +22,7 @@ pub struct View<'s, A> {
     pub(super) first: Part<'s, A>,
     /// The panel beside it.
     pub(super) second: Panel<A>,
-    /// A small picture below the second part, in cells, if that leaves enough of them.
+    /// A small picture below the second part, made of cells, if that part leaves enough of them.
     pub(super) inset: Option<(&'static str, DrawPicture<'s>)>,
     /// A panel that is always visible below both, as high as its text.
     pub(super) foot: Option<Panel<A>>,
@@ -34,7 +34,7 @@ pub struct View<'s, A> {
 
 /// The layout of the two parts of a view.
 pub(super) enum Layout<'s> {
-    /// Given by this function.
+    /// The layout that this function returns.
     At(Box<dyn Fn(Room) -> SplitLayout + 's>),
     /// The text in letters that the back row can read, and the picture in the remaining room.
     ForTheBackRow(Beside),
@@ -121,7 +121,7 @@ impl<'s, A> View<'s, A> {
     }
 
     /// This view with a small picture under a title below the panel, if the panel leaves enough
-    /// cells. A browser, whose pictures are not made of cells, does not need it.
+    /// cells. A browser, whose pictures are not made of cells, does not need the small picture.
     pub(super) fn with_inset(
         self,
         title: &'static str,
@@ -253,7 +253,7 @@ pub(super) const WIDEST: u16 = 100;
 
 /// A view after layout.
 pub(super) struct PlacedView<'v, A> {
-    /// Below the tabs.
+    /// The area below the tabs.
     pub(super) area: Rect,
     pub(super) small_heading: bool,
     pub(super) layout: SplitLayout,

@@ -19,7 +19,7 @@ use crate::messages::{JoinCall, JoinNews};
 
 /// How long the host may take to accept a connection.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// The silence after which the host counts as lost; it sends something every 20 seconds.
+/// The length of silence after which the host counts as lost; it sends something every 20 seconds.
 const GONE: Duration = Duration::from_secs(65);
 /// The most bytes in one message from the host.
 const LARGEST_STATE: usize = 1 << 20;

@@ -167,8 +167,8 @@ impl Headless {
         AppHolder::pass(self, time);
     }
 
-    /// Advances time until nothing moves any more, but by at most `limit`. Returns whether
-    /// everything has stopped.
+    /// Advances time until nothing moves, but by no more than `limit`. Returns whether everything
+    /// has stopped.
     pub fn settle(&mut self, limit: Duration) -> bool {
         self.pass(limit);
         self.quit || self.app.wake().is_none()
@@ -177,7 +177,8 @@ impl Headless {
     /// Draws the screen and returns its cells.
     pub fn buffer(&mut self) -> &Buffer {
         let Ok(()) = self.terminal.autoresize();
-        // The whole screen is drawn each time, because no terminal needs only the changes.
+        // The whole screen is drawn each time, because there is no terminal that needs only the
+        // changes.
         self.terminal.current_buffer_mut().reset();
         self.app.draw(&mut self.terminal.get_frame());
         self.terminal.current_buffer_mut()
@@ -235,7 +236,7 @@ mod tests {
     use crate::widgets::input::KeyTable;
     use crate::widgets::{Charset, Depth};
 
-    /// Counts its inputs, and moves for one second after a space.
+    /// Records its inputs, and moves for one second after a space is typed.
     #[derive(Default)]
     struct Counter {
         typed: String,

@@ -12,7 +12,7 @@ use crate::files::{self, FileError, UNFINISHED, UnplacedFile, fsync_dir};
 /// The lock file for writing to a folder.
 const LOCK: &str = ".lock";
 
-/// Texts as files in a folder, which is created when the first is written.
+/// Texts as files in a folder, which is created when the first text is written.
 pub(super) struct Disk {
     folder: PathBuf,
     /// The suffix of the files' names.
@@ -59,7 +59,7 @@ impl Disk {
         FolderLock::alone(&self.folder, LOCK)
     }
 
-    /// Removes the temporary files of carroms that were killed while they wrote. The caller must
+    /// Removes the temporary files of processes that were killed while writing. The caller must
     /// hold the lock.
     fn clear_up(&self) {
         let entries = fs::read_dir(&self.folder).into_iter().flatten();
@@ -170,8 +170,8 @@ impl TextStore for Disk {
                 .write_all(added.as_bytes())
                 .and_then(|()| file.sync_data());
             if written.is_err() {
-                // Remove the partial text, or the file would no longer match what this store knows.
-                // This works on a full disk too.
+                // Remove the partial text; otherwise the file would no longer match what this store
+                // knows. This works on a full disk too.
                 let _ = file.set_len(old.len() as u64);
             }
             written.map(|()| true)

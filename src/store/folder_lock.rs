@@ -1,4 +1,4 @@
-//! A lock on a folder that several carroms use.
+//! A lock on a folder that several copies of carrom use.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind};
@@ -6,7 +6,7 @@ use std::path::Path;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How long to wait for other carroms that use the same folder.
+/// How long to wait for other copies of carrom that use the same folder.
 const PATIENCE: Duration = Duration::from_secs(3);
 
 /// A lock that is held until it is dropped or the process ends.
@@ -28,7 +28,7 @@ impl FolderLock {
         Self::take(folder, lock, File::try_lock_shared)
     }
 
-    /// Whether the lock was really acquired, so that no other carrom interferes.
+    /// Whether the lock was really acquired, so that no other copy of carrom interferes.
     pub(super) fn is_certain(&self) -> bool {
         self.locked
     }
@@ -53,11 +53,11 @@ impl FolderLock {
                     thread::sleep(Duration::from_millis(5));
                 }
                 Err(TryLockError::WouldBlock) => {
-                    let why = "another carrom has been busy there for too long";
+                    let why = "another copy of carrom has been busy there for too long";
                     return Err(io::Error::new(ErrorKind::TimedOut, why));
                 }
                 // Some network folders do not support locks. Without a lock, work in the folder is
-                // safe unless two carroms do it at the same instant.
+                // safe unless two copies of carrom do it at the same instant.
                 Err(TryLockError::Error(_)) => break false,
             }
         };

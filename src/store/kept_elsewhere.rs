@@ -25,8 +25,8 @@ impl Store {
         store
     }
 
-    /// Replaces all files by these, because another carrom has changed them. Open games and rounds
-    /// stay open.
+    /// Replaces all files with these, because another copy of carrom has changed them. Open games
+    /// and rounds stay open.
     pub fn renew(&mut self, files: &[FileBytes]) {
         self.games.renew(texts("games", files));
         self.classes.renew(texts("classes", files));

@@ -23,7 +23,7 @@ impl Memory {
         }
     }
 
-    /// The same store with those of these files that have its folder and suffix; the latest last.
+    /// The same store with those files that are in its folder and have its suffix; the latest last.
     pub(super) fn holding(mut self, files: &[(String, Vec<u8>)]) -> Self {
         let own = files.iter().filter_map(|(path, bytes)| {
             let name = path.strip_prefix(self.folder)?.strip_prefix('/')?;

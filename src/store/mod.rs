@@ -1,8 +1,8 @@
 //! Stored data. Saved games, class rounds, exports and hand-ins have one file each; answers, levels
 //! won and bookmarks are in a database.
 //!
-//! Several carroms may keep their games in one folder, any of them may be killed at any moment, and
-//! any file may be damaged or not be carrom's. So:
+//! Several copies of carrom may keep their games in one folder, any of them may be killed at any
+//! moment, and any file may be damaged or not be carrom's. So:
 //!
 //! - a file is written under a temporary name, synced to the disk and then renamed, so that
 //!   there is always either the old file or the new one;
@@ -77,7 +77,7 @@ pub struct Store {
     progress: Database,
     /// Files that are kept but not used: damaged databases.
     aside: Vec<FileBytes>,
-    /// The pending notice about them.
+    /// The notice that the next answer will carry, such as one about a damaged database.
     notice: Option<String>,
     /// The file of the settings; `None` if they are not stored.
     settings: Option<PathBuf>,
@@ -363,7 +363,7 @@ impl Store {
         Ok(())
     }
 
-    /// Tries for the last time to write the pending requests.
+    /// Tries one last time to write the pending requests.
     ///
     /// # Errors
     /// How much is lost, and why.
@@ -389,7 +389,7 @@ impl Store {
         }))
     }
 
-    /// The calendar for the ages of files; `None` if the store does not use the computer's clock.
+    /// The calendar for the ages of files; `None` unless the store uses the computer's clock.
     fn ages(&self) -> Option<Calendar> {
         (self.clock == Clock::Computer).then(|| self.calendar())
     }

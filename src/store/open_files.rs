@@ -52,7 +52,7 @@ impl<T> OpenFiles<T> {
         self.read = Box::new(read);
     }
 
-    /// Replaces all texts, because another carrom has changed them. Open items stay open.
+    /// Replaces all texts, because another copy of carrom has changed them. Open items stay open.
     pub(super) fn renew(&mut self, texts: Box<dyn TextStore>) {
         self.texts = texts;
     }
@@ -84,8 +84,8 @@ impl<T> OpenFiles<T> {
         let place = self.texts.place(&name);
         if let Some(before) = self.open.insert(ticket, OpenFile { name, text }) {
             self.notice = Some(format!(
-                "{} is no longer as it was saved here; another carrom may have it open. \
-                 From now on this is saved in {place}.",
+                "{} is no longer as it was saved here; another copy of carrom may have it \
+                 open. From now on this is saved in {place}.",
                 self.texts.place(&before.name),
             ));
         }

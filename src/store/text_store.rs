@@ -37,7 +37,7 @@ pub(super) fn number(name: &str) -> Option<u64> {
     name.rsplit_once('-')?.1.parse().ok()
 }
 
-/// A number that is larger than those in all names of this kind.
+/// A number that is larger than that in any name of this kind.
 pub(super) fn free_number<'a>(names: impl IntoIterator<Item = &'a str>, kind: &str) -> u64 {
     let of_kind = |name: &&str| {
         let number = name.strip_prefix(kind);

@@ -35,7 +35,7 @@ pub(crate) fn square(area: Rect) -> Rect {
     }
 }
 
-/// The view of a whole board on a [`square`] area. A surface without a frame has the scale of a
+/// The view of a whole board in a [`square`] area. A surface without a frame has the scale of a
 /// tournament board.
 pub(crate) fn view(area: Rect, board: &Board) -> View {
     let half = DVec2::splat(side(board) / 2.0);
@@ -125,7 +125,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_board_is_square_on_every_area() {
+    fn the_board_is_square_in_every_area() {
         for (width, height) in [(80, 22), (44, 20), (30, 38), (5, 5), (1, 1), (0, 0)] {
             let area = square(Rect::new(3, 1, width, height));
             assert!(area.width <= width && area.height <= height);

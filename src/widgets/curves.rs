@@ -1,4 +1,4 @@
-//! Plots of the outcome against the impact angle, with a point to drag and its collision below.
+//! Plots of the outcome against the impact angle, with a draggable point and its collision below.
 
 use glam::DVec2;
 use ratatui::layout::{Margin, Rect};
@@ -90,7 +90,7 @@ fn empty(kind: FigureKind, pair: &RestingTarget, area: Rect, look: &Look) -> Plo
     }
 }
 
-/// The curves of a kind of figure, with the point of a collision with a disc at rest, and that
+/// The curves of one kind of figure, with the point for a collision with a disc at rest, and that
 /// collision below.
 pub(crate) fn curves_and_hit(
     kind: FigureKind,
@@ -152,7 +152,7 @@ fn curves(plot: &mut Plot, look: &Look, curves: &[Curve], pair: &RestingTarget, 
         }
     }
     for curve in curves {
-        // The name is where this curve is high and the other is not.
+        // The name is placed where this curve is high and the other is not.
         let name_at = |deg: f64| Some(DVec2::new(deg, (curve.at)(pair, rad_from_deg(deg))?));
         let ends = [8.0, 82.0].into_iter().filter_map(name_at);
         if let Some(at) = ends.max_by(|a, b| a.y.total_cmp(&b.y)) {

@@ -20,8 +20,8 @@ fn answer(player: &str, time_s: i64, number: usize, question: &Question, right: 
     }
 }
 
-/// The hand-in of pupil `index`, who has answered the first `count` questions, of which the first
-/// `right` correctly.
+/// The hand-in of pupil `index`, who has answered the first `count` questions, the first `right` of
+/// them correctly.
 pub(crate) fn hand_in(index: i64, name: &str, count: usize, right: usize) -> HandIn {
     let round = Round::of(Code::parse("mixed-7").unwrap());
     let asked = round.questions().iter().enumerate().take(count);

@@ -1,5 +1,5 @@
-//! The teacher of a class on its own devices, without a terminal: the app, and the server that it
-//! starts.
+//! The teacher of a class whose pupils use their own devices, without a terminal: the app, and the
+//! server that it starts.
 
 use std::fs;
 use std::sync::mpsc::{self, Receiver, Sender};
@@ -40,7 +40,7 @@ impl Teacher {
         Self::with_round(folder, page, "from-angle2-7")
     }
 
-    /// Starts the round of this code and waits in the lobby.
+    /// Starts the round with this code and waits in the lobby.
     pub(crate) fn with_round(folder: &Folder, page: &str, round: &str) -> Self {
         let code = carrom::quiz::Code::parse(round);
         let page = Arc::new(ServedPage::new(page).unwrap());

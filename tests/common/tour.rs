@@ -62,7 +62,7 @@ const TO_THE_END: &str = "<Enter><Enter><Enter><End><Enter><Enter><End><Enter><E
 /// Predicts both paths correctly three times, then opens the live picture.
 const THREE_RIGHT: &str = "<Enter>60<Enter>30<Enter><Escape><Enter>60<Enter>30<Enter><Escape><Enter>60<Enter>30<Enter><Escape>v";
 
-/// A moment of every phase of every screen.
+/// A moment in every phase of every screen.
 pub(crate) const TOUR: &[TourStop] = &[
     moment("home", "home", ""),
     moment("contents of Learn", "learn", ""),

@@ -4,7 +4,7 @@ use carrom::physics::{Bond, Collision, Disc, Frame, RestingTarget, units};
 use glam::DVec2;
 use proptest::prelude::*;
 
-/// Masses from a milligram to a kilogram, evenly over the powers of ten.
+/// Masses from a milligram to a kilogram, distributed evenly over the powers of ten.
 fn mass_g() -> impl Strategy<Value = f64> {
     (-3.0..3.0_f64).prop_map(|power| 10.0_f64.powf(power))
 }

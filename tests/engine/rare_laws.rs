@@ -1,5 +1,5 @@
-//! Laws that rarely apply, each reached in a whole game of a file in `tests/saves/laws`, which
-//! `carrom replay FILE` shows.
+//! Laws that rarely apply, each reached in a whole game. The games are files in `tests/saves/laws`,
+//! and `carrom replay FILE` shows them.
 
 use carrom::game::{BoardWon, Game, RulingEffect, SavedGame, Team};
 
@@ -23,7 +23,7 @@ fn end_of(name: &str, bytes: &[u8]) -> (Game, Game, Vec<String>, BoardWon) {
 }
 
 #[test]
-fn from_22_points_on_the_queen_brings_none() {
+fn the_queen_brings_no_points_from_22_points_on() {
     let file = include_bytes!("../saves/laws/queen-at-22.toml");
     let (before, after, laws, won) = end_of("queen-at-22.toml", file);
     assert!(before.score().points[won.winner] >= 22);

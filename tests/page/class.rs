@@ -118,9 +118,9 @@ fn files(folder: &Path) -> Vec<HandIn> {
     bytes.filter_map(|it| HandIn::read(&it).ok()).collect()
 }
 
-/// Thirty-two files of a class. Four come from pages, of which three send them to the host and one
-/// saves a file; the others come from programs. Two files are damaged, two are handed in twice, and
-/// two pupils are called Ada.
+/// Thirty-two files of a class. Four come from pages: three send theirs to the host and one saves a
+/// file; the others come from programs. Two files are damaged, two are handed in twice, and two
+/// pupils are called Ada.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn handed_in_files_are_merged_into_one_gradebook() {

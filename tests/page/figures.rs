@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use crate::browser::{Browser, TIME_FRAMES, page, press, wait_until_ready};
 use crate::chromium::Chromium;
 
-/// Opens the page anew on a computer that is slower by this factor.
+/// Reopens the page on a simulated computer that is slower by this factor.
 fn open(chromium: &mut Chromium, page: &str, slower: f64) {
     chromium.open("about:blank");
     chromium.debug("Emulation.setCPUThrottlingRate", &json!({ "rate": slower }));
@@ -27,8 +27,8 @@ fn median(mut numbers: Vec<f64>) -> f64 {
     numbers[numbers.len() / 2]
 }
 
-/// After this many milliseconds without a frame everything is at rest, and no more frames are
-/// expected.
+/// After this many milliseconds without a frame, everything is considered to be at rest, and no
+/// more frames are expected.
 const REST: f64 = 250.0;
 
 /// The milliseconds between consecutive frames, until everything is at rest.

@@ -54,7 +54,7 @@ fn back_and_forward_return_to_the_same_screens() {
     browser.run("history.forward()", &[]);
     expect_hash(&mut browser, "#lab=b:15.5&player=Ana");
     expect_title(&mut browser, "lab");
-    // The program's own key goes back in the history too.
+    // The program's own key for going back also goes back in the history.
     press(&mut browser, &["Escape"]);
     expect_title(&mut browser, "home");
     expect(&mut browser, "return String(history.state.index)", "0");
@@ -86,7 +86,7 @@ fn back_and_forward_return_to_the_same_screens() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_reload_comes_back_to_the_same_question() {
+fn a_reload_returns_to_the_same_question() {
     let mut browser = opened("quiz=quick-7");
     let status = "return document.getElementById('status').textContent.split(' · ')[0]";
     expect(&mut browser, status, "question 1 of 5");

@@ -104,7 +104,7 @@ fn two_tabs_never_overwrite_each_other() {
 /// The tabs are closed while they save an answer.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn no_answer_reported_as_saved_is_lost_with_a_closed_tab() {
+fn no_answer_reported_as_saved_is_lost_when_a_tab_is_closed() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     let first = chromium.window();
     let mut told = 0;
@@ -165,7 +165,7 @@ fn a_browser_that_saves_nothing_is_reported_once() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_full_browser_is_reported_once_and_answers_are_saved_when_there_is_room() {
+fn full_browser_storage_is_reported_once_and_answers_are_saved_when_there_is_room() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     chromium.open(&format!("{page}#quiz=separation-3"));
     wait_until_ready(&mut chromium);
@@ -197,7 +197,7 @@ const HOLD: &str = "
       again();
     };";
 
-/// Whether a frame was drawn more than 450 ms after the given time, later than those that a key
+/// Whether a frame was drawn more than 450 ms after the given time, later than any frame that a key
 /// press causes.
 const DRAWN_LATE: &str = "return window.frameTimes.some((time) => time - arguments[0] > 450)";
 
@@ -270,7 +270,7 @@ fn drop_named(chromium: &mut Chromium, name: &str, bytes: &[u8]) {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn an_opened_file_appears_in_its_lists_at_once() {
+fn an_opened_file_is_listed_at_once() {
     let (page, mut chromium) = (page(), Chromium::start((1000, 700), false));
     chromium.open(&format!("{page}#quiz"));
     wait_until_ready(&mut chromium);
@@ -338,7 +338,7 @@ fn crafted(bytes: &[u8], sql: &str) -> Vec<u8> {
     fs::read(&path).unwrap()
 }
 
-/// The databases are crafted to keep a page busy for ever or to change saved data.
+/// The databases are crafted to keep a page busy forever or to change saved data.
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
 fn a_crafted_database_is_refused_before_it_is_queried() {
@@ -493,7 +493,7 @@ const ASKS: &str = "
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn a_temporary_browser_fault_is_reported_once_retried_seldom_and_loses_nothing() {
+fn a_temporary_browser_fault_is_reported_once_and_loses_nothing_as_saving_is_retried() {
     let (mut chromium, page) = in_a_faulty_browser("quiz=separation-3");
     assert_eq!(chromium.run(ASKS, &[]), json!(false));
     chromium.run("window.faulty = true", &[]);
@@ -557,7 +557,7 @@ fn a_database_that_the_browser_closes_is_opened_again() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn plain_lines_report_once_that_nothing_can_be_saved_and_save_it_later() {
+fn plain_mode_reports_once_that_nothing_can_be_saved_and_saves_it_later() {
     let (mut chromium, page) = in_a_faulty_browser("plain&quiz=separation-3");
     chromium.run("window.faulty = true", &[]);
     let say = "

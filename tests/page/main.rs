@@ -32,7 +32,7 @@ mod keys;
 #[path = "../common/teacher.rs"]
 mod teacher;
 
-/// Without a page nothing is tested, so no test must be reported as passed.
+/// Without a page nothing is tested, so no test may be reported as passed.
 #[test]
 fn no_test_of_the_page_passes_without_a_page() {
     let list = |which: &[&str]| {

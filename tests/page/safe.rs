@@ -23,7 +23,7 @@ fn no_network_request_is_sent() {
         wait_until_ready(&mut chromium);
         press(&mut chromium, &["Enter", " ", "Enter", "e"]);
         thread::sleep(Duration::from_millis(300));
-        // Requests of the page to itself do not use the network.
+        // Requests from the page to itself do not use the network.
         let mut asked = chromium.requests();
         asked.retain(|it| !it.starts_with("data:") && !it.starts_with("blob:"));
         assert_eq!(asked, std::slice::from_ref(&page), "{place}");

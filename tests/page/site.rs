@@ -1,4 +1,4 @@
-//! The site for a static server: installed on the first visit, it opens without a network
+//! The site for a static server: it is installed on the first visit and opens without a network
 //! afterwards.
 
 use std::io::{BufRead, BufReader, Write};
@@ -12,7 +12,7 @@ use std::{env, fs, thread};
 use crate::browser::{Browser, SCREEN, press, wait_until_ready};
 use crate::chromium::Chromium;
 
-/// A static server for a folder, which no longer responds once it is down.
+/// A static server for a folder, which no longer responds once `down` is set.
 fn serve(folder: PathBuf) -> (u16, Arc<AtomicBool>) {
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let port = listener.local_addr().unwrap().port();

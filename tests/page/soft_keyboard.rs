@@ -1,5 +1,5 @@
-//! The keyboard on a phone's screen, tested with real taps and with text input as from such a
-//! keyboard. It composes words and may change them, its keys have no names, and it stays open only
+//! The keyboard on a phone's screen, tested with real taps and with the kind of text input that it
+//! sends. It composes words and may change them, its keys have no names, and it stays open only
 //! while a field has the focus.
 
 use std::fs;
@@ -22,7 +22,7 @@ const SLOW_FRAMES: &str = "
     window.requestAnimationFrame = (draw) => setTimeout(() => request(draw), 500);";
 
 impl Phone {
-    /// Taps the field of this name; fails unless the keyboard then stays open for the field.
+    /// Taps the field with this name; fails unless the keyboard then stays open for the field.
     fn open_keyboard(&mut self, name: &str) {
         self.tap_field(name);
         // A browser sends mouse events after the touch events.
@@ -171,7 +171,7 @@ fn a_word_that_is_still_being_composed_is_sent_with_the_form() {
 
 #[test]
 #[ignore = "needs the page: .ci/page builds it, and CARROM_TEST_PAGE names it"]
-fn fast_typing_arrives_once() {
+fn quickly_typed_letters_arrive_exactly_once() {
     let (_folder, teacher, mut phone) = at_the_door("page-soft-slow");
     phone.open_keyboard("code");
     phone.insert(&teacher.code);

@@ -63,7 +63,7 @@ fn tapes() -> Vec<PathBuf> {
     tapes
 }
 
-/// A tape with this charset and size, which takes a picture before each of its checks.
+/// A tape with this charset and size, which takes a screenshot before each of its checks.
 fn tape(path: &Path, charset: &str, size: &str) -> Tape {
     let text = fs::read_to_string(path).unwrap();
     let mut lines: Vec<String> = Vec::new();
@@ -198,10 +198,10 @@ fn commands(tape: &Tape) -> Vec<Value> {
                 commands.push(json!({ "do": "pass", "ms": time.as_secs_f64() * 1e3 }));
             }
             Instruction::Screenshot(_) => commands.push(json!({ "do": "paint" })),
-            // The picture taken just before is compared.
+            // The screenshot taken just before is compared.
             Instruction::Expect(_) | Instruction::Refuse(_) => {}
             Instruction::At(_) | Instruction::Reach(..) => {
-                unreachable!("a tape of several devices is not played in a page")
+                unreachable!("a tape with several devices cannot be played in a page")
             }
         }
     }

@@ -32,7 +32,7 @@ impl Phone {
         phone
     }
 
-    /// Opens the page anew at a route.
+    /// Reopens the page at a route.
     pub(crate) fn go_to(&mut self, page: &str, fragment: &str) {
         self.0.open("about:blank");
         self.0.open(&format!("{page}#{fragment}"));
@@ -177,7 +177,7 @@ impl Phone {
         true
     }
 
-    /// Taps the field of this number and types there.
+    /// Taps the field with this number and types there.
     pub(crate) fn type_into(&mut self, number: usize, text: &str) {
         let script = "return [...over.querySelectorAll('.field input')].filter(seen)[words]";
         let place = self.middle(script, &number.to_string()).expect("a field");
@@ -187,7 +187,7 @@ impl Phone {
         self.wait();
     }
 
-    /// Taps the field of this name.
+    /// Taps the field with this name.
     pub(crate) fn tap_field(&mut self, name: &str) {
         let script = "
             const all = [...over.querySelectorAll('.field input')].filter(seen);
@@ -196,7 +196,7 @@ impl Phone {
         self.tap(place);
     }
 
-    /// The point in the window at these shares of the picture's width and height.
+    /// The point in the window at these fractions of the picture's width and height.
     pub(crate) fn place(&mut self, [across, down]: [f64; 2]) -> [f64; 2] {
         let script = "
             const canvas = document.querySelector('#screen canvas');
@@ -208,7 +208,7 @@ impl Phone {
         [left + across * width, top + down * height]
     }
 
-    /// Drags over the picture; the points are given as shares of its width and height.
+    /// Drags over the picture; the points are given as fractions of its width and height.
     pub(crate) fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
         let [from, to] = [from, to].map(|it| self.place(it));
         self.touch("touchStart", &[from]);

@@ -254,7 +254,7 @@ impl Visit {
         self.look("lab-shown");
     }
 
-    /// The value in the field of this name.
+    /// The value in the field with this name.
     fn field(&mut self, name: &str) -> Value {
         let script = "
             const all = [...document.querySelectorAll('.field input')];

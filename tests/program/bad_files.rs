@@ -58,7 +58,7 @@ impl BadFiles {
     }
 
     /// Runs a command with each file or folder. It must print the expected message and exit with
-    /// status 2. `printed` gets its standard output, and whether the argument is a file.
+    /// status 2. `printed` is given the standard output, and whether the argument is a file.
     pub(crate) fn each(&self, command: [&str; 2], printed: impl Fn(&str, bool, &[u8])) {
         for name in self.names() {
             let file = format!("{name}.{}", self.ending);
@@ -85,7 +85,7 @@ pub(crate) fn files(errors: &[FileError]) -> usize {
     files.len()
 }
 
-/// A valid file from a folder, with a part of it replaced by a `piece`.
+/// A valid file from a folder, with a part of it replaced with a `piece`.
 pub(crate) fn mutated(
     folder: &str,
     piece: impl Strategy<Value = String>,

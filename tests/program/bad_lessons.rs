@@ -1,5 +1,5 @@
-//! Files that are not chapters. Each causes only its message, with file and line, and exit status
-//! 2; the other chapters still open.
+//! Files that are not chapters. Each causes only its own message, with file and line, and exit
+//! status 2; the other chapters still open.
 //!
 //! `tests/bad-lessons/NAME.expected` is the message for `NAME.md`.
 
@@ -23,7 +23,7 @@ fn every_invalid_chapter_causes_its_message() {
 }
 
 #[test]
-fn the_other_chapters_open_beside_invalid_files() {
+fn the_other_chapters_open_despite_invalid_files() {
     let mut library = ChapterLibrary::embedded();
     let own = library.chapters.len();
     library.add_dir(&BAD.path());

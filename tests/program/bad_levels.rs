@@ -64,10 +64,10 @@ fn a_missing_file_is_named() {
 }
 
 #[test]
-fn the_other_files_of_a_folder_open_beside_an_invalid_one() {
+fn the_other_files_in_a_folder_open_despite_an_invalid_one() {
     let mut library = LevelLibrary::default();
     library.add_dir(&BAD.path());
-    // The folder with two levels of the same id gives one level and one error.
+    // The folder with two levels that have the same id gives one level and one error.
     assert_eq!(library.packs.len(), 1);
     assert_eq!(library.packs[0].name, "duplicate-id");
     assert_eq!(library.packs[0].levels.len(), 1);

@@ -45,7 +45,7 @@ fn attempts(folder: &Path) -> usize {
 }
 
 #[test]
-fn a_chapter_opens_the_next_time_where_it_was_left() {
+fn a_chapter_reopens_where_it_was_left() {
     let folder = Folder::new("bookmarks-place");
     let mut game = open(folder.path(), "Ada", Some(2));
     shows(&mut game, "page 1 of 5");
@@ -74,7 +74,7 @@ fn a_chapter_opens_the_next_time_where_it_was_left() {
 }
 
 #[test]
-fn a_chapter_read_to_its_end_begins_at_its_first_page() {
+fn a_finished_chapter_opens_at_its_first_page() {
     let folder = Folder::new("bookmarks-end");
     let mut game = open(folder.path(), "Ada", Some(2));
     game.press("nnnnn");
@@ -169,7 +169,7 @@ const HEADER: &str = "+++\nformat = 1\ntitle = \"Mine\"\nabout = \"A\"\n+++\n";
 const ASKED: &str =
     ":::choice\nWhich one?\n- [ ] This.\n  Said to this.\n- [x] That.\n  Said to that.\n:::\n\n";
 
-/// Opens a chapter of the player's own with these pages, at its bookmark.
+/// Opens the player's own chapter with these pages, at its bookmark.
 fn own(folder: &Path, pages: &str) -> Headless {
     let file = folder.join("77-mine.md");
     fs::write(&file, format!("{HEADER}{pages}")).unwrap();
@@ -218,12 +218,12 @@ fn a_chapter_that_has_changed_still_opens() {
         let mut game = own(folder.path(), &pages);
         shows(&mut game, page);
         assert_eq!(game.screen().contains("Said to that."), answered, "{pages}");
-        // It can be read to the end, and is then done.
+        // The chapter can be read to the end, and is then done.
         game.press(&"b".repeat(5));
         for _ in 0..5 {
             game.press("1<Enter>n");
         }
-        // This may go back to the first screen, which asks for confirmation before it quits.
+        // This may lead back to the first screen, which asks for confirmation before quitting.
         game.press("<Escape><Escape>ne");
         shows(&mut game, "1 of 1 chapters done");
         // If the chapter is restored, the bookmarks that fit it are shown again.
@@ -383,7 +383,7 @@ fn a_killed_chapter_reopens_at_the_page_last_seen() {
         let turned = player.kill(chance.random_range(1..6), &mut chance).unwrap();
         let now = marks(folder.path(), "Ada")[&chapter.id].page(chapter);
         let pages = chapter.pages.len();
-        // It may have turned one more page than it had time to report.
+        // The process may have turned one more page than it had time to report.
         let expected = [turned, turned + 1].map(|turned| (at + turned) % pages);
         assert!(
             expected.contains(&now),
@@ -394,7 +394,7 @@ fn a_killed_chapter_reopens_at_the_page_last_seen() {
 
 #[cfg(unix)]
 #[test]
-fn the_real_game_opens_tomorrow_where_it_was_left_today() {
+fn the_real_game_in_a_terminal_reopens_where_it_was_left() {
     let folder = Folder::new("bookmarks-pty");
     let data = folder.path().to_str().unwrap();
     let start = |arguments: &[&str]| {

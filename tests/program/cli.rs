@@ -55,7 +55,7 @@ fn the_glossary_is_printed_completely_or_by_term() {
 }
 
 #[test]
-fn without_a_terminal_there_is_a_message() {
+fn running_without_a_terminal_prints_a_message() {
     for arguments in [
         &[][..],
         &["learn"],
@@ -81,7 +81,7 @@ fn without_a_terminal_there_is_a_message() {
 }
 
 #[test]
-fn commands_without_a_screen_have_no_plain_lines() {
+fn commands_without_a_screen_refuse_plain_mode() {
     for arguments in [["keys", "--plain"], ["man", "--plain"]] {
         let output = carrom(&arguments);
         assert_eq!(output.status.code(), Some(2));
@@ -264,7 +264,7 @@ fn a_folder_that_cannot_be_written_to_is_reported() {
 const GAME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/saves/format-1.toml");
 
 #[test]
-fn an_exported_game_is_replayed_to_the_last_bit() {
+fn an_exported_game_is_replayed_bit_for_bit() {
     let text = carrom(&["replay", GAME]);
     assert!(text.status.success(), "{}", err(&text));
     assert!(out(&text).contains("   1  South strikes at "));
@@ -285,7 +285,7 @@ fn a_game_that_cannot_be_replayed_ends_with_status_2_and_the_line() {
     let other = game.replacen("[0.8135039368984194,", "[1.8135039368984194,", 1);
     for (content, expected) in [
         (other.as_str(), ":41: end: expected the moves to lead to "),
-        ("format = 2", ":1: format: 2 is newer than the 1 "),
+        ("format = 3", ":1: format: 3 is newer than 2, "),
         ("hello", ":1: "),
     ] {
         let file = folder.file("game.toml", content.as_bytes());
@@ -359,7 +359,7 @@ fn a_teachers_own_questions_are_checked() {
 }
 
 #[test]
-fn a_right_choice_that_gives_itself_away_is_reported_with_its_place() {
+fn a_right_choice_that_gives_itself_away_is_reported_with_its_line() {
     let folder = Folder::new("cli-concepts");
     let path = within(&folder, "mine.toml");
     let good = fs::read_to_string(format!("{OWN_CONCEPTS}/our-marbles.toml")).unwrap();
@@ -369,7 +369,7 @@ fn a_right_choice_that_gives_itself_away_is_reported_with_its_place() {
     assert_eq!(output.status.code(), Some(2));
     assert!(out(&output).contains("our-marbles-head-on: NOT GOOD: mine, easy"));
     let message = err(&output);
-    let wanted = format!("{path}:21: our-marbles-head-on.right: expected a choice of the length");
+    let wanted = format!("{path}:21: our-marbles-head-on.right: expected a right choice about");
     assert!(message.contains(&wanted), "{message}");
     // The id of a built-in question cannot be used.
     fs::write(
@@ -379,13 +379,13 @@ fn a_right_choice_that_gives_itself_away_is_reported_with_its_place() {
     .unwrap();
     let message = err(&carrom(&["concept", "check", &path]));
     assert!(
-        message.contains("mine.toml:21: ") && message.contains("expected an id of its own"),
+        message.contains("mine.toml:21: ") && message.contains("expected a unique id"),
         "{message}"
     );
 }
 
 #[test]
-fn the_code_of_own_questions_needs_their_folder() {
+fn the_code_of_a_teachers_own_questions_requires_their_folder() {
     let folder = Folder::new("cli-own");
     let to = within(&folder, "sheets");
     let output = carrom(&["worksheet", "--code", "own-7", "--out", &to]);

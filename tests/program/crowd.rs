@@ -1,6 +1,7 @@
 //! A whole school at one host: the real program in a terminal, a `carrom join` in another terminal,
-//! a page in Chromium if `CARROM_TEST_PAGE` names one, and about two hundred good and bad devices.
-//! The test prints what it measures: `cargo test --test program crowd -- --ignored --nocapture`.
+//! a page in Chromium if `CARROM_TEST_PAGE` names one, and about two hundred well-behaved and
+//! misbehaving devices. The test prints what it measures: `cargo test --test program crowd --
+//! --ignored --nocapture`.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -58,8 +59,8 @@ fn stop_a_round(folder: &Path, code: &str) {
     fs::write(folder.join("classes/class-1.toml"), round.text().unwrap()).unwrap();
 }
 
-/// A host in a terminal that continues the stopped round. Without a port it uses the round's
-/// earlier one.
+/// A host in a terminal that continues the stopped round. Without a given port, the host uses the
+/// round's earlier port.
 fn host(folder: &Path, port: Option<u16>) -> Pty {
     let port = port.map(|port| port.to_string());
     let mut arguments = vec!["class", "--host", "--data-dir", folder.to_str().unwrap()];
@@ -82,7 +83,7 @@ fn host(folder: &Path, port: Option<u16>) -> Pty {
 enum Report {
     Joined(Duration),
     Acknowledged(Duration),
-    /// The device shows this step of this question, since this time.
+    /// The device has shown this step of this question since this time.
     Shows(u64, String, Instant),
 }
 
@@ -283,7 +284,7 @@ fn play(devices: u8, bad: bool) {
     let mut acknowledged = Vec::new();
     let start = Instant::now();
     // After the waiting room, each question has six steps on devices. Each step has a text that its
-    // screen shows; the truth has none, because it differs from question to question.
+    // screen shows; the right answer has none, because it differs from question to question.
     let steps = [
         ("describe", "Read it with the class"),
         ("first-vote", "Enter: then "),
@@ -380,13 +381,13 @@ fn two_hundred_devices_vote() {
 
 #[test]
 #[ignore = "measures times; takes some minutes"]
-fn two_hundred_devices_vote_beside_slow_and_hostile_ones() {
+fn two_hundred_devices_vote_alongside_slow_and_hostile_ones() {
     play(198, true);
 }
 
 /// A small crowd, so that this runs with every change.
 #[test]
-fn a_few_devices_vote_beside_slow_and_hostile_ones() {
+fn a_few_devices_vote_alongside_slow_and_hostile_ones() {
     play(12, true);
 }
 
@@ -398,8 +399,8 @@ const COUNTS_PER_DEGREE: f64 = 1000.0;
 /// The acknowledged votes: the last number of each device for each question and vote.
 type Acknowledged = Arc<Mutex<BTreeMap<(usize, &'static str, usize), u32>>>;
 
-/// A device that votes again and again. If its host is lost, it reconnects by itself, gets its own
-/// seat again, and reports it.
+/// A device that votes again and again. If it loses its host, it reconnects by itself, gets its own
+/// seat again, and reports that.
 fn voter(port: u16, number: usize, known: &Acknowledged, back: &Sender<usize>, over: &AtomicBool) {
     let mut chance = Pcg64::seed_from_u64(number as u64);
     let name = format!("Pupil {number}");
@@ -425,7 +426,8 @@ fn voter(port: u16, number: usize, known: &Acknowledged, back: &Sender<usize>, o
                     Err(_) => break,
                 },
             };
-            // Each vote has a larger number than all before, so that the test notices an older one.
+            // Each vote has a larger number than all earlier ones, so that the test notices an
+            // older vote.
             count += 1;
             let angle = f64::from(count) / COUNTS_PER_DEGREE;
             if pupil.vote(&format!("rays 1 {angle}")).is_err() {
@@ -461,7 +463,7 @@ fn to_the_next_vote(
         ClassStep::Describe => ("\r", here, "have voted", "- your vote -"),
         ClassStep::FirstVote => ("\r\r", here, "have voted again", "- your second vote -"),
         _ if here == questions => return None,
-        // The keys pass the shot, the scores and the description of the next question.
+        // The keys skip the shot, the scores and the description of the next question.
         _ => ("\r\x1b[F\r\r\r", here + 1, "have voted", "- your vote -"),
     };
     pty.press(keys);
@@ -471,9 +473,9 @@ fn to_the_next_vote(
     Some((question, title))
 }
 
-/// The host is killed during a round `CARROM_KILLS` times, and each time restarted as in
-/// docs/class.md: `carrom class --host`, Enter. It has every acknowledged vote, and all devices
-/// reconnect by themselves, including a `carrom join`.
+/// The host is killed `CARROM_KILLS` times during a round, and restarted each time as in
+/// docs/class.md: `carrom class --host`, Enter. It still has every acknowledged vote, and all
+/// devices reconnect by themselves, including a `carrom join`.
 #[test]
 fn a_host_that_is_killed_during_a_round_loses_no_vote() {
     let kills = std::env::var("CARROM_KILLS").ok();

@@ -1,4 +1,4 @@
-//! Cases that once blocked the keys for a minute: it must always be possible to quit. How long it
+//! Cases that once blocked the keys for a minute: it must always be possible to quit. How long that
 //! takes is printed, not asserted: `cargo test --test program freeze -- --nocapture`.
 
 use std::fmt::Write;
@@ -11,7 +11,7 @@ use crate::folder::Folder;
 use crate::pty::{Pty, carrom};
 
 /// A level with a striker and 36 discs that touch, whose masses range over many powers of ten.
-/// Calculating how an impact spreads through them requires many thousand steps.
+/// Calculating how an impact spreads through them requires many thousands of steps.
 fn heavy_work() -> Folder {
     let mut level = String::from(
         "format = 1\n[level]\nid = \"heavy\"\ntitle = \"Heavy work\"\nhints = [\"a\", \"b\", \"c\"]\n\
@@ -64,7 +64,7 @@ fn aiming(folder: &Folder) -> Pty {
 }
 
 #[test]
-fn a_heavy_level_can_be_aimed_and_quit() {
+fn a_player_can_aim_in_a_heavy_level_and_quit() {
     let folder = heavy_work();
     let mut pty = aiming(&folder);
     // Each of these key presses once took a second.
@@ -98,7 +98,7 @@ fn a_heavy_level_can_be_checked() {
 }
 
 #[test]
-fn the_screen_is_drawn_during_a_burst_of_keys_and_can_be_quit() {
+fn the_screen_is_drawn_during_a_burst_of_keys_and_carrom_can_quit() {
     let mut pty = Pty::start(carrom(&["quiz", "--code", "hits-7"]));
     pty.wait_for("question 1 of 10");
     let pictures = |pty: &Pty| {
@@ -133,7 +133,7 @@ fn a_signal_ends_carrom_during_a_burst_of_keys() {
 /// A paste whose end was lost, or that was very large, once blocked all keys: Ctrl+C was read as
 /// part of it.
 #[test]
-fn ctrl_c_quits_during_a_paste_without_an_end() {
+fn ctrl_c_quits_during_an_endless_paste() {
     let mut pty = Pty::start(carrom(&["quiz", "--code", "hits-7"]));
     pty.wait_for("question 1 of 10");
     pty.press("\x1b[200~");
@@ -147,7 +147,7 @@ fn ctrl_c_quits_during_a_paste_without_an_end() {
 fn a_paste_beyond_the_limit_is_truncated_at_once() {
     let mut pty = Pty::start(carrom(&["class"]));
     pty.wait_for("carrom : class");
-    // Its end never comes, and its text is shown only once it is truncated.
+    // The end of the paste never comes, and its text is shown only once it is truncated.
     pty.press("\x1b[200~Ants\nBees\n");
     pty.press(&"\n".repeat(1 << 17));
     pty.wait_for("Bees");

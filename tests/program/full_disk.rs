@@ -193,7 +193,7 @@ fn a_repair_that_does_not_fit_on_the_disk_leaves_the_damaged_file_unchanged() {
             Err(message) => {
                 failed += 1;
                 println!("{tenths} tenths: {message}");
-                // Without room for its other files SQLite does not even open the database.
+                // Without room for its other files, SQLite does not even open the database.
                 unrepaired +=
                     usize::from(message.contains("it is damaged and could not be repaired"));
                 assert!(

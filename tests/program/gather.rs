@@ -76,7 +76,7 @@ fn thirty_two_hand_ins_are_combined_into_tables() {
     ]);
     let told = String::from_utf8(done.stderr).unwrap();
     assert!(done.status.success(), "{told}");
-    // Each file with a problem is named with the problem.
+    // Each file with a problem is named, along with the problem.
     let lines: Vec<&str> = told.lines().collect();
     assert_eq!(lines.len(), 5, "{told}");
     for (file, words) in [
@@ -107,8 +107,8 @@ fn thirty_two_hand_ins_are_combined_into_tables() {
     assert_eq!(items.len(), 10);
     let column = |name: &str| heads.iter().position(|head| head == name).unwrap();
     for (number, item) in items.iter().enumerate() {
-        // A pupil with `right` right answers has the first ones right; question 1 is right for all
-        // pupils except those with a multiple of eleven.
+        // A pupil with `right` right answers has the first `right` questions right; question 1 is
+        // right for all pupils except those whose index is a multiple of eleven.
         let right = (1..=28).filter(|index| index % 11 > number).count();
         assert_eq!(&item[column("answered")], "28");
         let share = right as f64 / 28.0;
@@ -143,9 +143,9 @@ fn the_gradebook_has_a_page_for_every_pupil() {
     assert!(!again.status.success() && String::from_utf8_lossy(&again.stderr).contains("--force"));
 }
 
-/// Only pupils on the class list who have handed in nothing are listed.
+/// Of the class list, only pupils who have handed in nothing are listed.
 #[test]
-fn missing_pupils_of_the_class_list_are_listed() {
+fn pupils_on_the_class_list_without_a_hand_in_are_listed() {
     let folder = Folder::new("gather-list");
     let handed_in = folder.path().join("handed-in");
     fs::create_dir(&handed_in).unwrap();
@@ -221,7 +221,7 @@ fn a_hand_in_is_read_back() {
 /// A gradebook once parsed all answers of a pupil again for every cell, which took minutes with
 /// this many rounds.
 #[test]
-fn a_hand_in_of_many_rounds_is_gathered_in_seconds() {
+fn a_hand_in_with_many_rounds_is_gathered_in_seconds() {
     const ROUNDS: u64 = 4_000;
     let folder = Folder::new("gather-many-rounds");
     let handed_in = folder.path().join("handed-in");
@@ -251,7 +251,7 @@ fn a_hand_in_of_many_rounds_is_gathered_in_seconds() {
 }
 
 #[test]
-fn any_bytes_are_read_or_refused_as_a_hand_in() {
+fn any_bytes_are_either_read_as_a_hand_in_or_refused() {
     let text = hand_in(1, "Ada", 2, 1).text().unwrap();
     for end in 0..text.len() - 1 {
         if let Some(cut) = text.get(..end) {
@@ -279,7 +279,7 @@ fn gathered(bytes: &[u8]) -> (Option<String>, String) {
     (fs::read_to_string(out).ok(), stderr(&done))
 }
 
-/// A hand-in of one answer with one text replaced by another.
+/// A hand-in of one answer, with one string replaced with another.
 fn changed(before: &str, after: &str) -> Vec<u8> {
     let text = hand_in(1, "Ada", 1, 1).text().unwrap();
     assert!(text.contains(before), "{before}");
@@ -328,7 +328,7 @@ fn a_hand_in_with_a_formula_as_a_round_or_a_topic_is_refused() {
 /// Topics of a teacher's own questions and chapters may be any text, and so may names and classes,
 /// so they must be harmless in every table.
 #[test]
-fn no_text_of_a_hand_in_becomes_a_formula_in_any_table() {
+fn no_text_in_a_hand_in_becomes_a_formula_in_any_table() {
     for hostile in HOSTILE {
         let text = hand_in(1, "Ada", 1, 1).text().unwrap();
         let value: serde_json::Value = serde_json::from_str(&text).unwrap();

@@ -121,7 +121,7 @@ fn a_vote_for_a_missing_choice_does_not_crash_the_host() {
     );
 }
 
-/// It was once resumed at the first free port from 8090 on, where its devices did not find it.
+/// A round was once resumed at the first free port from 8090 on, where its devices did not find it.
 #[test]
 fn a_round_is_resumed_at_the_port_where_its_devices_look_for_it() {
     let free = || std::net::TcpListener::bind("0.0.0.0:0").unwrap();
@@ -171,7 +171,7 @@ fn a_returning_pupil_gets_the_same_seat() {
     assert_eq!(second.text("name"), "Ada");
     first.hear().unwrap();
     assert_eq!(first.why(), Some("elsewhere"));
-    // Her name does not give access to her seat, and neither does an invented token.
+    // Ada's name does not give access to her seat, and neither does an invented token.
     let thief = teacher.join("ADA");
     assert_eq!(
         (thief.text("name").as_str(), thief.text("first").as_str()),
@@ -255,7 +255,7 @@ fn guessing_codes_is_slow_over_any_number_of_connections() {
 /// full.
 #[cfg(target_os = "linux")]
 #[test]
-fn one_device_does_not_fill_the_class() {
+fn one_device_cannot_fill_the_class() {
     let folder = Folder::new("hosted-full");
     let teacher = start(&folder);
     let mut seats = Vec::new();
@@ -308,7 +308,7 @@ fn names_with_any_characters_stay_names() {
     }
     assert_eq!(teacher.join(&"x".repeat(10_000)).why(), Some("format"));
     assert_eq!(teacher.join(&"x".repeat(500)).text("name"), "x".repeat(24));
-    // In a table a name is a text and not a formula; in the file it is unchanged.
+    // In a table a name is plain text and not a formula; in the file it is unchanged.
     let round = kept(&folder);
     let table = carrom::class::answers_csv(&round, "").unwrap();
     assert!(
@@ -403,7 +403,7 @@ fn only_the_served_page_can_connect_to_the_class() {
 }
 
 #[test]
-fn pupils_can_join_beside_a_thousand_connections() {
+fn pupils_can_join_alongside_a_thousand_connections() {
     let folder = Folder::new("hosted-thousand");
     let teacher = start(&folder);
     let mut early = teacher.join("Early");

@@ -1,5 +1,5 @@
-//! carrom is killed at any moment of a game, and loses at most the stroke in motion; or of a
-//! class's round, and loses no vote that was shown as saved.
+//! carrom is killed at any moment. A game loses at most the stroke in motion, and a class's round
+//! loses no vote that was shown as saved.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -22,9 +22,9 @@ use crate::child::{self, Player};
 use crate::folder::Folder;
 use crate::pty::{Pty, carrom};
 
-/// The keys from the page of a new game to a game of two people.
+/// The keys from the page of a new game to a game for two people.
 const TWO_PEOPLE: &str = "<Down><Down><Down><Left><Left><Enter>";
-/// The keys to the game that was played last.
+/// The keys that open the game that was played last.
 const RESUME: &str = "s<Enter>";
 
 /// Starts a player in the game that these keys lead to.
@@ -228,7 +228,7 @@ fn first_votes(folder: &Path) -> Vec<Option<u32>> {
 /// If the program is killed while teams vote, it has saved every new or changed vote after which
 /// the screen showed the list of teams again.
 #[test]
-fn a_round_in_a_terminal_that_is_killed_during_votes_loses_none() {
+fn a_round_in_a_terminal_that_is_killed_during_votes_loses_no_vote() {
     const TEAMS: usize = 4;
     let folder = Folder::new("class-killed-pty");
     let data = folder.path().to_str().unwrap();

@@ -135,8 +135,8 @@ fn an_answer_is_saved_before_its_explanation_is_shown() {
     assert!((answer["theta1_deg"].as_f64().unwrap().abs() - 60.0).abs() < 1e-9);
 }
 
-/// Plays a round at this time with right answers, all of them sure, or every other one a guess if
-/// `guessing`.
+/// Plays a round at this time with right answers, all given as sure or, if `guessing`, every other
+/// one as a guess.
 fn play_rightly(folder: &Path, code: Code, time_s: i64, guessing: bool) {
     let round = Round::of(code.clone());
     let place = Route::Quiz { code: Some(code) };
@@ -157,7 +157,7 @@ fn play_rightly(folder: &Path, code: Code, time_s: i64, guessing: bool) {
 }
 
 #[test]
-fn topics_are_no_longer_due_after_a_right_review() {
+fn topics_are_no_longer_due_after_a_correct_review() {
     const START_S: i64 = 1_800_000_000;
     const DAY_S: i64 = 86_400;
     let folder = Folder::new("memory-review");
@@ -185,7 +185,7 @@ fn topics_are_no_longer_due_after_a_right_review() {
         assert_eq!(due(now_s).now, before);
     }
     assert!(before.is_empty());
-    // They are due again after their interval.
+    // The topics are due again after their interval.
     assert!(!due(now_s + 2 * DAY_S).now.is_empty());
 }
 
@@ -248,7 +248,7 @@ fn a_damaged_database_is_reported_and_the_game_continues() {
     game.press("60<Enter>30<Enter>2");
     let screen = game.screen();
     assert!(
-        screen.contains("please note") && screen.contains("is repaired. Everything in it"),
+        screen.contains("please note") && screen.contains("has been repaired. Everything"),
         "{screen}"
     );
     game.press("x");
@@ -305,7 +305,7 @@ fn a_failed_save_is_reported_once() {
 }
 
 #[test]
-fn stars_are_saved_for_their_player_alone() {
+fn stars_are_saved_only_for_the_player_who_won_them() {
     let folder = Folder::new("memory-stars");
     let app_of = |player| {
         let app = app(Route::Levels, player);
@@ -437,7 +437,7 @@ fn the_command_line_reports_database_errors() {
     assert!(refused.stdout.is_empty());
     let message = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert!(
-        message.contains("progress.db") && message.contains("newer carrom"),
+        message.contains("progress.db") && message.contains("newer version of carrom"),
         "{message}"
     );
     assert_eq!(fs::read(folder.path().join("progress.db")).unwrap(), before);

@@ -169,7 +169,7 @@ fn babble(port: u16, code: &str, device: usize, said: &AtomicUsize, over: &Atomi
                 break;
             }
             said.fetch_add(1, Ordering::SeqCst);
-            // It may receive a state or a refusal.
+            // The device may receive a state or a refusal.
             if chance.random_bool(0.5)
                 && let Err(error) = pupil.hear()
                 && !is_late(&error)
@@ -330,10 +330,10 @@ fn anything(state: &Value, chance: &mut Pcg64) -> Message {
 }
 
 /// Ten connections send random messages of all kinds during a whole round of ten questions: 10,000,
-/// or as many as `CARROM_MESSAGES` requests. The host keeps running, a pupil who votes normally has
-/// all votes saved, and every vote on the disk is valid for its question.
+/// or the number in `CARROM_MESSAGES`. The host keeps running, all votes of a pupil who votes
+/// normally are saved, and every vote on the disk is valid for its question.
 #[test]
-fn random_messages_from_ten_devices_end_no_round_and_leave_no_invalid_vote() {
+fn random_messages_from_ten_devices_neither_end_a_round_nor_leave_an_invalid_vote() {
     let messages = std::env::var("CARROM_MESSAGES").ok();
     let messages: usize = messages.and_then(|it| it.parse().ok()).unwrap_or(10_000);
     let folder = Folder::new("noise");

@@ -72,7 +72,7 @@ fn walk(folder: &std::path::Path, name: &str) -> String {
 }
 
 #[test]
-fn a_page_is_not_made_from_another_file_and_overwrites_nothing() {
+fn a_page_is_made_only_from_a_carrom_page_and_overwrites_nothing() {
     let folder = Folder::new("no-page");
     folder.file("carrom.html", PAGE);
     folder.file("other.html", "<!doctype html><title>other</title>");

@@ -80,7 +80,7 @@ fn round(code: &str) -> Round {
 }
 
 #[test]
-fn right_answers_in_plain_lines_are_all_right() {
+fn right_answers_in_plain_lines_are_graded_as_right() {
     let folder = Folder::new("plain");
     for code in ["7", "mixed-7", "mixed-8"] {
         let round = round(code);
@@ -135,7 +135,7 @@ fn every_answer_is_saved_before_its_explanation_is_shown() {
 }
 
 #[test]
-fn an_unclear_line_is_asked_again_kindly() {
+fn plain_mode_asks_again_politely_after_an_unclear_line() {
     let folder = Folder::new("plain");
     let said = talk(
         "quiz --plain --seed 7",
@@ -153,7 +153,7 @@ fn an_unclear_line_is_asked_again_kindly() {
 }
 
 #[test]
-fn random_input_neither_crashes_plain_mode_nor_fills_its_output() {
+fn random_input_neither_crashes_plain_mode_nor_floods_its_output() {
     let folder = Folder::new("plain");
     let one_line: Vec<u8> = (0..10_000_000_u64).map(|i| (i * i % 251) as u8).collect();
     // About 200 lines that contain every byte.
@@ -207,7 +207,7 @@ fn a_round_is_chosen_by_its_number_or_its_code() {
     assert!(said.contains("Speeds after collisions."), "{said}");
 }
 
-/// A player who copies the angle is shown this misconception, and takes the check for it.
+/// A player who copies the angle is shown this misconception, and then does the check for it.
 #[test]
 fn a_misconception_is_found_in_plain_lines() {
     let folder = Folder::new("plain");
@@ -294,7 +294,7 @@ fn the_answer_to_a_checkpoint_is_saved() {
 }
 
 #[test]
-fn a_solution_is_asked_for_or_given() {
+fn a_solution_is_printed_from_arguments_or_after_questions() {
     let folder = Folder::new("plain");
     let given = talk(
         "solve --plain --m1-g 20 --m2-g 40 --speed 3 --alpha-deg 45",
@@ -319,7 +319,7 @@ fn a_solution_is_asked_for_or_given() {
 }
 
 #[test]
-fn an_invalid_number_is_asked_again_and_not_stored() {
+fn an_invalid_number_is_asked_for_again_and_not_stored() {
     let folder = Folder::new("plain");
     let strange = "1/2\n1e999\n1e-400\n1 000\n1,000\n2*3\n0x1\n1_0\n++1\n5 cm\n";
     let heard = format!("{strange}quit\n");
@@ -369,7 +369,7 @@ fn a_chapter_does_not_reveal_later_answers() {
 }
 
 #[test]
-fn a_shot_of_the_players_own_is_set_predicted_and_played() {
+fn the_players_own_shot_is_set_up_predicted_and_played() {
     let folder = Folder::new("plain");
     let heard =
         b"set angle 30\nset coin 15\nset wind 3\nshoot\n60\n30\nset up\nset offset 0\nquit\n";
@@ -385,7 +385,7 @@ fn a_shot_of_the_players_own_is_set_predicted_and_played() {
     assert!(said.contains("offset b: 0.0 millimetres"), "{said}");
 }
 
-/// A result that cancels is shown as 0, without the rounding error in its last digit.
+/// A result whose terms cancel is shown as 0, without the rounding error in its last digit.
 #[test]
 fn the_right_answer_is_shown_without_rounding_errors() {
     let folder = Folder::new("plain");
@@ -399,7 +399,7 @@ fn the_right_answer_is_shown_without_rounding_errors() {
 
 /// No instruction requires a mouse or sight.
 #[test]
-fn all_chapters_are_read_by_words_alone() {
+fn all_chapters_can_be_read_in_words_alone() {
     let folder = Folder::new("plain");
     for chapter in 1..=12 {
         let heard = "skip\n\n".repeat(30) + "quit\n";

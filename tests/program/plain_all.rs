@@ -97,7 +97,7 @@ fn assert_read(line: &str) {
 }
 
 #[test]
-fn from_home_to_a_shot_in_the_lab() {
+fn a_shot_in_the_lab_is_reached_from_home() {
     let folder = Folder::new("plain-lab");
     let mut talk = Talk::begin(&[], &folder);
     talk.goes(&[
@@ -138,7 +138,7 @@ fn a_level_is_won() {
 }
 
 #[test]
-fn a_stroke_at_the_table_and_the_computers_after_it() {
+fn the_computer_strikes_after_a_stroke_at_the_table() {
     let folder = Folder::new("plain-table");
     let mut talk = Talk::begin(&["table", "--seed", "3"], &folder);
     talk.goes(&[
@@ -154,11 +154,11 @@ fn a_stroke_at_the_table_and_the_computers_after_it() {
 
 /// The teacher and the pupil both use plain lines; the class is the same as on screens.
 #[test]
-fn a_class_is_hosted_and_voted_in_plain_lines() {
+fn a_class_is_hosted_and_votes_in_plain_lines() {
     let (host_folder, folder) = (Folder::new("plain-host"), Folder::new("plain-join"));
     let class = ["class", "--host", "--code", "from-angle2-7"];
     let mut host = Talk::begin(&class, &host_folder);
-    host.hears("Nobody is in yet.");
+    host.hears("Nobody has joined yet.");
     let mut addresses = host
         .said
         .iter()

@@ -15,7 +15,7 @@ fn lab(folder: &Folder) -> Headless {
 }
 
 #[test]
-fn a_key_of_the_players_own_works_and_is_shown_in_the_help() {
+fn the_players_own_key_works_and_is_shown_in_the_help() {
     let folder = Folder::new("rebound");
     let text = "format = 1\n[keys]\n\"lab.next-set\" = [\"z\"]\n";
     folder.file("keys.toml", text);

@@ -134,7 +134,7 @@ fn with_marks<'a>(
     })
 }
 
-/// The elements of a document in order, and a function that returns the text of the first match of
+/// The elements of a document in order, and a function that returns the text of the first match for
 /// a selector.
 fn read_html(html: &str) -> (Vec<String>, impl Fn(&str) -> String + use<>) {
     let document = Html::parse_document(html);
@@ -328,7 +328,7 @@ fn the_report_lists_chapters_as_learn_does() {
 }
 
 #[test]
-fn a_mean_error_needs_three_angles() {
+fn a_mean_error_requires_three_angles() {
     let of = |angles: u32| {
         let attempts = (1..=5).map(|i| Attempt {
             error_deg: (i <= angles).then_some(12.0),
@@ -384,7 +384,7 @@ fn one_answer_is_enough_for_a_report() {
 }
 
 #[test]
-fn thousands_of_answers_fit_the_page_too() {
+fn a_report_on_thousands_of_answers_fits_on_one_page() {
     let library = lessons::ChapterLibrary::embedded_once();
     let attempts: Vec<_> = (0..5_000_u32)
         .map(|i| {

@@ -66,7 +66,7 @@ fn no_escape_sequence_reaches_the_terminal() {
     }
 }
 
-/// The contents of a database, which anyone can change, cannot do so either.
+/// The contents of a database, which anyone can change, cannot control them either.
 #[test]
 fn printed_answers_cannot_control_a_terminal_or_a_spreadsheet() {
     let folder = Folder::new("safe-answers");
@@ -282,13 +282,13 @@ fn the_printed_screen_is_what_the_terminal_shows() {
 }
 
 #[test]
-fn the_expected_input_is_named() {
+fn messages_name_the_expected_input() {
     for (arguments, expected) in [
         (&["quiz", "--code", "mixed61-7"][..], "1 to 60 questions"),
         (&["quiz", "--code", "review-7"], "a review has no code"),
         (
             &["quiz", "--code", "hits12-7"],
-            "ten hits without a number of questions",
+            "expected no number of questions in the code of ten hits",
         ),
         (
             &["quiz", "--code", "7", "--seed", "5"],
@@ -325,7 +325,7 @@ fn the_expected_input_is_named() {
 /// Anything in a folder of chapters that is not a file is reported, not ignored.
 #[cfg(unix)]
 #[test]
-fn a_path_that_is_not_a_file_is_named() {
+fn a_message_names_a_path_that_is_not_a_file() {
     let folder = Folder::new("safe-odd");
     folder.file("01-a.md", CHAPTER);
     let link = |to: &str, name: &str| {
@@ -339,7 +339,7 @@ fn a_path_that_is_not_a_file_is_named() {
     let said = said(&output);
     for part in [
         "a: good",
-        "02-b.md: expected a file, found a link that leads nowhere",
+        "02-b.md: expected a file, found a broken link",
         "03-c.md: expected a file",
         "04-d.md: expected a file, found a folder",
     ] {

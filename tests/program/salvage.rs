@@ -89,8 +89,8 @@ fn found(path: &Path, keys: &[Keys]) -> Rows {
     found
 }
 
-/// A database as after some years of school: thousands of answers, some of them longer than a page,
-/// some chapters and some levels.
+/// A database as it is after some years of school: thousands of answers, some of them longer than a
+/// page, some chapters and some levels.
 fn sound(folder: &Path) -> Vec<u8> {
     let mut store = Store::in_folder(folder).timeless();
     let round = Round::hits(7);
@@ -194,7 +194,9 @@ fn campaign(
         let request = StoreRequest::Recall(None);
         let answer = store.answer(&StoreCall { ticket: 0, request });
         match (&answer.done, &answer.notice) {
-            (StoreReply::Recalled(Ok(_)), Some(notice)) if !notice.contains("is repaired") => {
+            (StoreReply::Recalled(Ok(_)), Some(notice))
+                if !notice.contains("has been repaired") =>
+            {
                 // No page is damaged, but a flipped bit has made an answer impossible.
                 assert!(notice.contains("left out"), "{notice}");
             }
@@ -254,7 +256,7 @@ fn campaign(
 }
 
 /// The notice about a repaired database gives the number of lost answers, unless more may be lost.
-/// After flipped bits an id may be wrong, and so may the number.
+/// After flipped bits, an id may be wrong, and so may the number.
 fn assert_counted(notice: &str, mended: &Path) {
     let there: i64 = reader(mended)
         .query_row("SELECT count(*) FROM attempt", [], |row| row.get(0))

@@ -94,10 +94,11 @@ fn a_game_is_read_back_bit_for_bit() {
         (Rules::Friendly, Hands::Two),
         (Rules::Practice, Hands::Two),
     ] {
-        for seed in [None, Some(7), Some(u64::MAX)] {
+        for (seed, restitution) in [(None, 1.0), (Some(7), 0.85), (Some(u64::MAX), 0.0)] {
             let setup = GameSetup {
                 rules,
                 hands,
+                restitution,
                 seed,
                 ..GameSetup::default()
             };
@@ -125,28 +126,72 @@ fn a_truncated_game_is_refused() {
 
 /// Prints the game for `tests/saves/format-N.toml`, for the next N: 30 strokes of two people.
 #[test]
-#[ignore = "prints the file for a new format: cargo test --test program pin -- --ignored --nocapture"]
+#[ignore = "prints the file for a new format: cargo test --test program print_a_game -- --ignored --nocapture"]
 fn print_a_game_to_pin() {
-    let mut game = saved(friendly(1), 30, 1);
+    let setup = GameSetup {
+        restitution: 0.85,
+        ..friendly(1)
+    };
+    let mut game = saved(setup, 30, 1);
     game.player = "Ada".into();
     assert_eq!(game.record.strokes(), 30);
     print!("{}", game.text().unwrap());
 }
 
-/// If this fails because the engine now plays a stroke differently in some bit, every saved game is
-/// lost. Correct the engine, or keep the old engine for the old format.
+/// If this fails because the engine now plays a stroke that differs in even one bit, every saved
+/// game is lost. Correct the engine, or keep the old engine for the old format.
 #[test]
 fn a_game_of_the_first_format_still_opens() {
     let bytes = include_bytes!("../saves/format-1.toml");
     let (saved, game) = SavedGame::read("format-1.toml", bytes).unwrap();
     assert_eq!(saved.player, "Ada");
     assert_eq!(saved.record.strokes(), 30);
-    assert_eq!(saved.text().unwrap().as_bytes(), bytes);
+    assert_eq!(saved.record.setup().restitution, 1.0);
     assert_eq!(Fingerprint::of(&game), saved.end);
+    // Saved again, it is the same game.
+    let text = saved.text().unwrap();
+    let again = SavedGame::read("again", text.as_bytes()).unwrap();
+    assert_eq!(again, (saved, game));
     // Invisible names were accepted in that version.
     let text = String::from_utf8_lossy(bytes).replace("\"Ada\"", "\"\u{3164}\"");
     let (saved, _) = SavedGame::read("format-1.toml", text.as_bytes()).unwrap();
     assert_eq!(saved.player, "No name");
+}
+
+#[test]
+fn a_game_of_the_second_format_still_opens_with_its_restitution() {
+    let text = include_str!("../saves/format-2.toml");
+    let (saved, game) = SavedGame::read("format-2.toml", text.as_bytes()).unwrap();
+    assert_eq!(saved.record.strokes(), 30);
+    assert_eq!(saved.record.setup().restitution, 0.85);
+    assert_eq!(saved.text().unwrap(), text);
+    assert_eq!(Fingerprint::of(&game), saved.end);
+    // With another restitution the same strokes lead to another end.
+    let elastic = text.replacen("restitution = 0.85, ", "", 1);
+    assert_ne!(elastic, text);
+    assert!(SavedGame::read("elastic", elastic.as_bytes()).is_err());
+}
+
+#[test]
+fn an_impossible_restitution_is_refused() {
+    let text = include_str!("../saves/format-2.toml");
+    for (value, found) in [
+        ("nan", "nan"),
+        ("inf", "inf"),
+        ("-0.1", "-0.1"),
+        ("1.0001", "1.0001"),
+        ("\"0.85\"", "the text \"0.85\""),
+        ("[0.85]", "[0.85]"),
+        ("true", "true"),
+    ] {
+        let text = text.replacen("0.85", value, 1);
+        let error = SavedGame::read("game.toml", text.as_bytes()).unwrap_err();
+        let expected = format!(
+            "game.toml:8: setup.restitution: expected a coefficient of restitution from 0 to 1, \
+             found {found}"
+        );
+        assert_eq!(error.to_string(), expected);
+    }
 }
 
 /// Files that are not saved games, each with its expected message.
@@ -165,12 +210,12 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "empty",
             vec![],
-            "line 1: format: expected a saved game with `format = 1`, found nothing",
+            "line 1: format: expected a saved game with `format = 2`, found nothing",
         ),
         (
             "foreign",
             b"[package]\nname = \"x\"\n".to_vec(),
-            "line 1: format: expected a saved game with `format = 1`, found nothing",
+            "line 1: format: expected a saved game with `format = 2`, found nothing",
         ),
         ("other", b"%PDF-1.7 \x00\x01".to_vec(), "line 1: "),
         (
@@ -180,13 +225,13 @@ fn bad() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         ),
         (
             "newer",
-            b"format = 2\nwhatever = true\n".to_vec(),
-            "line 1: format: 2 is newer than the 1 this carrom reads; a newer carrom may open the file",
+            b"format = 3\nwhatever = true\n".to_vec(),
+            "line 1: format: 3 is newer than 2, the latest this version reads; a newer version may open it",
         ),
         (
             "format-text",
-            with("format = 1", "format = \"1\""),
-            "line 2: format: expected a saved game with `format = 1`, found the text \"1\"",
+            with("format = 2", "format = \"2\""),
+            "line 2: format: expected a saved game with `format = 2`, found the text \"2\"",
         ),
         (
             "latin",
@@ -429,7 +474,7 @@ fn table(store: Store) -> Headless {
 #[test]
 fn a_failed_save_is_reported_once_and_the_game_continues() {
     let folder = Folder::new("no-saves");
-    // A file has the name of the folder, so that nobody can write there, not even root.
+    // A file has the name of the folder, so that nobody, not even root, can write there.
     let in_the_way = folder.path().join("games");
     fs::write(&in_the_way, "in the way").unwrap();
     let mut game = table(Store::in_folder(folder.path()));
@@ -494,7 +539,7 @@ fn a_game_is_resumed_where_it_was_left() {
 }
 
 #[test]
-fn unreadable_games_are_listed_with_their_reason() {
+fn unreadable_games_are_listed_with_the_reason() {
     let folder = Folder::new("unreadable");
     let games = folder.path().join("games");
     fs::create_dir_all(&games).unwrap();

@@ -163,7 +163,7 @@ fn a_pocketed_disc_is_reported() {
 }
 
 #[test]
-fn the_printed_table_has_the_same_contents() {
+fn the_printed_table_has_the_event_and_the_energies() {
     let text = simulate(&PINNED.replace("speed = 4.0", "speed = 1.0"), &[]);
     let lines: Vec<_> = text
         .lines()

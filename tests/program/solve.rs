@@ -278,7 +278,7 @@ fn the_signs_are_documented() {
 }
 
 #[test]
-fn numbers_read_back_to_the_same_bits() {
+fn numbers_are_read_back_bit_for_bit() {
     // A miss does not change the velocities, which are written as text and read back.
     let speeds: [f64; 6] = [
         0.1,
@@ -503,7 +503,7 @@ fn json_prints_one_object() {
 }
 
 #[test]
-fn the_worked_solution_inserts_the_numbers() {
+fn the_worked_solution_substitutes_the_numbers() {
     let text = printed(&[
         "--m1-g",
         "20",
@@ -529,7 +529,7 @@ fn the_worked_solution_inserts_the_numbers() {
     }
 }
 
-/// A wrapped text on one line.
+/// Wrapped text joined into one line.
 fn words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -63,7 +63,7 @@ fn every_example_passes_the_check_that_its_readme_names() {
 }
 
 #[test]
-fn a_new_file_passes_its_check_under_the_longest_name_too() {
+fn a_new_file_passes_its_check_even_with_the_longest_name() {
     let folder = Folder::new("new");
     let longest = "a-name-of-thirty-two-letters-all";
     assert_eq!(longest.len(), 32);

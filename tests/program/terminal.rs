@@ -127,7 +127,7 @@ fn a_closed_window_ends_it() {
     for command in [carrom(&[]), child("animated")] {
         let mut pty = started(command);
         pty.hang_up("?");
-        // It may notice the signal or, during a frame, the write error.
+        // carrom may notice the signal or, during a frame, the write error.
         let status = pty.wait();
         assert!(status == 129 || status == 1, "{status}");
     }
@@ -161,7 +161,7 @@ fn a_panic_restores_the_terminal_and_is_reported() {
 }
 
 #[test]
-fn a_stuck_app_is_ended_too() {
+fn a_stuck_app_is_terminated() {
     let mut pty = started(child("moody"));
     pty.press("s");
     pty.signal(Signal::TERM);
@@ -240,7 +240,7 @@ fn frames_are_synchronized_and_at_most_sixty_per_second() {
         (1.0..most).contains(&(drawn as f64)),
         "{drawn} frames, at most {most}"
     );
-    // The guard ends one more frame, in case one was in progress.
+    // The guard ends one extra frame, in case a frame was in progress.
     assert_eq!(pictures(&pty) + 1, count(&pty, "\x1b[?2026l"));
 }
 
@@ -364,7 +364,7 @@ fn the_screen_stays_responsive_while_the_computer_thinks() {
     let mut pty = started(carrom(&["table", "--seed", "11"]));
     pty.press("\r");
     pty.wait_for("You break, white");
-    // A break that is too soft to pocket anything, shown at its end at once.
+    // A break that is too soft to pocket anything; the animation is skipped to its end.
     pty.press(&format!("M{} ", "-".repeat(30)));
     pty.wait_for("(law 21)");
     pty.press("\r");

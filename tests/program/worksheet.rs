@@ -29,7 +29,7 @@ fn select(page: &Html, selector: &str) -> Vec<String> {
     text.map(|it| it.replace('\u{a0}', " ")).collect()
 }
 
-/// A text in one line.
+/// The text on one line.
 fn line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -75,7 +75,7 @@ fn the_sheet_has_the_questions_of_the_code_and_no_answers() {
 }
 
 #[test]
-fn the_key_has_all_true_answers_and_all_misconceptions() {
+fn the_key_has_all_right_answers_and_all_misconceptions() {
     for round in rounds() {
         let sheet = Worksheet::new(&round, None);
         let page = Html::parse_document(&sheet.key_html());
@@ -276,7 +276,7 @@ fn existing_worksheets_are_replaced_only_with_force() {
 }
 
 #[test]
-fn a_code_a_title_and_the_key_in_one_document() {
+fn one_document_can_have_a_code_a_title_and_the_key() {
     let folder = Folder::new("code");
     let out = within(&folder, "a");
     let arguments = [
@@ -413,8 +413,8 @@ fn browse(browser: &str, folder: &Folder, arguments: &[&str]) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-/// A script that replaces the page by the heights of the unbreakable blocks in CSS pixels. A sheet
-/// is as wide on the screen as on paper.
+/// A script that replaces the page with the heights of the unbreakable blocks in CSS pixels. A
+/// sheet is as wide on the screen as on paper.
 const MEASURE: &str = "<script>addEventListener('load', () => {
   const found = [...document.querySelectorAll('.question, .worked, figure, tr')];
   const lines = found.map(it => {
@@ -560,9 +560,9 @@ fn a_sheet_has_four_cards() {
     assert_eq!(cards, ["A", "B", "C", "D"].repeat(3));
 }
 
-/// The command on a sheet of own questions opens the round from any folder.
+/// The command on a sheet of a teacher's own questions opens the round from any folder.
 #[test]
-fn the_command_on_a_sheet_of_own_questions_has_their_folder() {
+fn the_command_on_a_sheet_of_a_teachers_own_questions_gives_their_folder() {
     let folder = Folder::new("own sheet");
     let mine = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/own-concepts");
     let copy = folder.path().join("my own");

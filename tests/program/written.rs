@@ -75,7 +75,7 @@ fn pictures_beside_a_report_are_replaced_only_with_force() {
         .unwrap();
     let mut said = child.stdin.take().unwrap();
     for _ in 0..40 {
-        // The program may have ended before.
+        // The program may have ended already.
         let _ = std::io::Write::write_all(&mut said, b"1\n");
     }
     drop(said);

@@ -1,5 +1,5 @@
-//! The message to a pupil's device while a question is open: it contains all that is shown, and
-//! nothing about the answer.
+//! The message to a pupil's device while a question is open: it contains everything that is shown,
+//! and nothing about the answer.
 
 use carrom::class::{AskedQuestion, RevealedTruth};
 use carrom::quiz::{Dice, Difficulty, Family, Form, Illustration, Measure, Question, Rays};
@@ -140,7 +140,7 @@ fn a_device_shows_what_the_board_shows() {
             question.family.id(),
             question.text
         );
-        // Once the answer is revealed, the message contains all of it.
+        // Once the answer is revealed, the message contains the whole answer.
         let told = RevealedTruth::new(&question, question.why.clone(), Some(10.0));
         let told = serde_json::to_string(&told).unwrap();
         let told: RevealedTruth = serde_json::from_str(&told).unwrap();

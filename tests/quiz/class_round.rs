@@ -55,7 +55,7 @@ fn the_second_vote_scores_and_the_first_is_kept() {
 }
 
 /// Ten people on devices, half of them always right: every question discriminates equally. Ten is
-/// the least number for which the index is calculated.
+/// the smallest number for which the index is calculated.
 #[test]
 fn ten_people_are_enough_for_a_discrimination_index() {
     let devices = |people: usize| {
@@ -267,7 +267,7 @@ fn a_round_that_was_being_written_opens_without_its_last_line() {
 
 /// A file stores a round as changes that lead to it, which need not be the changes that were made.
 #[test]
-fn a_round_of_any_history_is_read_as_it_was_written() {
+fn a_round_with_any_history_is_read_back_as_it_was_written() {
     let names = ["Ada", "ada", "Bo", "Bo 2", "Zo\u{eb}", "'\"\\", "=1+1"];
     let mut state = 7_u64;
     let mut below = |most: usize| {
@@ -316,7 +316,7 @@ fn a_round_of_any_history_is_read_as_it_was_written() {
     assert!(done > 1000, "{done} changes");
 }
 
-/// Names without a visible letter were once allowed; a file that contains some opens, and the
+/// Names without a visible letter were once allowed; files that contain them still open, and the
 /// people get different names.
 #[test]
 fn invisible_names_are_refused_but_files_that_contain_them_open() {

@@ -5,7 +5,7 @@
 use carrom::progress::{Attempt, Summary};
 use carrom::quiz::{Answer, Code, Confidence, Misconception, Question, Response, Round};
 
-/// Answers a round by its code to the end.
+/// Answers the round with this code to the end.
 fn play(code: &str, answer: impl Fn(&Question) -> Response) -> (Round, Vec<Answer>) {
     let mut round = Round::of(Code::parse(code).unwrap());
     let mut answers = Vec::new();

@@ -2,12 +2,12 @@
 //!
 //! The draws are a format: a code must give the same round in every version. One hash per family
 //! covers everything except the texts: figures, the right answer, the order of the choices and the
-//! answers of misconceptions. None of these hashes must ever change. Misconceptions are counted as
+//! answers of misconceptions. None of these hashes may ever change. Misconceptions are counted as
 //! existing codes count them, because one that was split keeps its draws. If `CARROM_QUESTIONS` is
 //! set to a folder, the hashed data are written there, one JSON object per line and one file per
 //! family, so that two versions can be compared.
 //!
-//! The texts may change; each change shows in one snapshot with a section per family.
+//! The texts may change; each change shows up in one snapshot with a section per family.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -280,7 +280,7 @@ fn without_figures(text: &str) -> String {
 
 /// The texts of questions in words are in `assets/concepts` and are left out.
 #[test]
-fn the_words_of_each_family() {
+fn the_words_of_each_family_are_unchanged() {
     let mut text = String::new();
     let written = [Family::Concept, Family::Ideas];
     let families = Family::ALL.iter().filter(|it| !written.contains(it));

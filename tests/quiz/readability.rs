@@ -1,5 +1,6 @@
-//! How hard the texts are to read: the Flesch–Kincaid grade, which is about the number of school
-//! years that a reader needs. Formulas, numbers, tables, headings and directives are left out.
+//! How hard the texts are to read: the Flesch–Kincaid grade, which is roughly the number of years
+//! of schooling that a reader needs. Formulas, numbers, tables, headings and directives are left
+//! out.
 
 use std::fs;
 use std::path::Path;

@@ -208,7 +208,7 @@ fn every_text_is_readable_and_fits() {
 }
 
 #[test]
-fn a_round_is_ten_different_questions() {
+fn a_round_has_ten_different_questions() {
     let mut left = 0;
     for (seed, round) in (0..).zip(ROUNDS.iter()) {
         assert_eq!(round.code().seed, seed);
@@ -224,7 +224,7 @@ fn a_round_is_ten_different_questions() {
 }
 
 #[test]
-fn a_code_is_always_the_same_round() {
+fn a_code_always_gives_the_same_round() {
     let rounds = [0, 1, 7, 42, 999_999, u64::MAX].map(|seed| {
         let round = Round::hits(seed);
         let questions = round.questions().iter().map(|question| {
@@ -246,7 +246,7 @@ fn summary(round: &Round, answers: &[Answer]) -> Summary<'static> {
 }
 
 #[test]
-fn a_round_answered_by_one_misconception_names_it() {
+fn a_round_answered_according_to_one_misconception_names_it() {
     for misconception in ALL {
         for round in &ROUNDS[..50] {
             let answers: Vec<Answer> = round

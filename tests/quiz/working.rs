@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 
 use carrom::quiz::{Dice, Difficulty, Family};
 
-/// Seeds asked at each difficulty.
+/// How many seeds are tried at each difficulty.
 const SEEDS: u64 = 400;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Token {
-    /// A number and its decimals.
+    /// A number and its number of decimals.
     Number(f64, i32),
     Function(char),
     Root(f64),

@@ -135,8 +135,7 @@ const FIGURES: [(&str, &str, &[Figure]); 11] = [
     ),
 ];
 
-/// The equations that the article refers to but does not show, by the chapters and pages that show
-/// them.
+/// The equations that the article refers to but does not show, by chapter and page.
 const EQUATIONS: [(&str, &str, &[&str]); 17] = [
     (
         "momentum-is-a-vector",
@@ -227,7 +226,7 @@ const EQUATIONS: [(&str, &str, &[&str]); 17] = [
     ),
 ];
 
-/// What a page shows, before its question is answered and after.
+/// What a page shows before and after its question is answered.
 #[derive(Default)]
 struct Seen {
     /// The text in one line.
@@ -321,7 +320,7 @@ fn every_number_of_the_article_is_shown_on_its_page() {
     }
 }
 
-/// A number is computed if the chapter is refused with a different one.
+/// A number counts as computed if the chapter is refused with a different number.
 #[test]
 fn every_number_of_the_article_is_computed() {
     let figures = FIGURES.iter().flat_map(|(id, title, figures)| {

@@ -75,7 +75,7 @@ fn kept(folder: &Path) -> Vec<ClassRound> {
 /// Of three teams, one is always right, one follows a misconception until the discussion, and one
 /// follows it throughout.
 #[test]
-fn three_teams_play_a_round_to_its_tables() {
+fn three_teams_play_a_round_and_get_its_tables() {
     let folder = Folder::new("class-round");
     let code = "mixed-7";
     let mut game = class(folder.path(), code, &["Ants", "=Bees()", "Cats"]);
@@ -548,7 +548,7 @@ fn a_round_that_cannot_be_saved_warns_that_it_will_be_lost() {
     assert!(!screen.contains("kept"), "{screen}");
     game.press("ne");
     assert!(exported(folder.path(), "class-answers-1.csv").contains("Ants"));
-    // Once the round can be saved, carrom saves it and says so.
+    // Once the round can be saved, carrom saves it and reports this.
     fs::remove_file(folder.path().join("classes")).unwrap();
     game.press("<Down><Enter><Escape>");
     let screen = game.screen();

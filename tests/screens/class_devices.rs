@@ -24,7 +24,7 @@ const TAPE: &str = include_str!("../classes/devices.tape");
 
 /// The screens and the tables are identical, byte by byte.
 #[test]
-fn a_tape_plays_a_class_and_is_the_same_every_time() {
+fn a_tape_plays_a_class_with_the_same_result_every_time() {
     let (run, steps) = TAPE.split_at(TAPE.find("Expect").unwrap());
     for set in [
         "Set Size 80x24\nSet Charset ascii\n",
@@ -122,7 +122,7 @@ fn answers_given_alone_are_handed_in_by_a_key() {
     assert_eq!((files.len(), files[0].attempts.len()), (1, 1));
     assert_eq!((&*files[0].name, &*files[0].class), ("Ada", "10b"));
     press(&mut class, Who::Host, "w", "1 handed in");
-    // Repeated hand-ins stay one file, and their number is limited.
+    // Repeated hand-ins are kept in one file, and their number is limited.
     for _ in 1..20 {
         press(&mut class, ada, "hy", "Handed in: 1 answer.");
     }
@@ -164,7 +164,7 @@ fn a_failed_save_is_reported_on_both_sides() {
 /// The teacher looks up a term while a pupil joins, and a pupil looks one up while the round
 /// begins.
 #[test]
-fn a_class_continues_under_the_glossary() {
+fn a_class_continues_while_the_glossary_is_open() {
     let place = Route::Host {
         code: Code::parse("from-angle2-7"),
         name: "10b".into(),
@@ -231,7 +231,7 @@ fn a_tap_chooses_what_is_drawn_there_while_the_host_is_out_of_reach() {
             assert_eq!(screen.contains("Trying"), !is_in, "{screen}");
             let mut tapped = 0;
             for (letter, _) in choices(&screen) {
-                // The choice before may have scrolled this one.
+                // The previous choice may have scrolled this one.
                 let screen = class.game(ada).screen();
                 let drawn = choices(&screen).into_iter().find(|(it, _)| *it == letter);
                 let Some((_, at)) = drawn else { continue };
@@ -344,7 +344,7 @@ fn the_list_of_participants_is_live() {
     let cy = class.add("Cy", app, 80, 24);
     press(&mut class, cy, "<Enter>", "your vote");
     press(&mut class, Who::Host, "", "Cy ");
-    // The mark stays at the same pupil, although those who have voted move to the end.
+    // The mark stays on the same pupil, although those who have voted move to the end.
     press(&mut class, Who::Host, "<Down>", "> Bo");
     press(
         &mut class,
@@ -404,7 +404,7 @@ fn a_removed_pupil_stays_out_until_let_in() {
 
 /// One key removes any number of pupils, who may join again.
 #[test]
-fn all_who_are_away_and_never_voted_are_removed_by_one_key() {
+fn one_key_removes_all_pupils_who_are_away_and_never_voted() {
     let (mut class, pupils) = gathering(&["Ada", "Bo", "Cy", "Di"]);
     press(
         &mut class,
@@ -488,7 +488,7 @@ fn files_of_classes(folder: &Folder) -> usize {
         .count()
 }
 
-/// Continues through all questions, whether or not anybody votes.
+/// Continues through all questions, even if nobody votes.
 fn play_to_the_end(class: &mut Classroom) {
     for _ in 0..40 {
         if class.game(Who::Host).screen().contains("for a spreadsheet") {
@@ -566,7 +566,12 @@ fn a_round_that_is_over_or_of_another_class_is_not_offered() {
     }
     // Another round begins, and both are saved.
     let mut class = hosted(&folder, Some("from-angle2-7"), "10b", &[]);
-    press(&mut class, Who::Host, "<Down><Enter>", "Nobody is in yet");
+    press(
+        &mut class,
+        Who::Host,
+        "<Down><Enter>",
+        "Nobody has joined yet",
+    );
     let app = pupil("Bo", &class);
     let bo = class.add("Bo", app, 80, 24);
     press(&mut class, bo, "<Enter>", "You are in, Bo.");
@@ -721,7 +726,7 @@ impl Crowd {
 #[test]
 fn new_seats_for_one_address_become_available_with_time() {
     let mut crowd = Crowd::new();
-    // A class of 40 behind one router, and half of it joins again.
+    // A class of 40 is behind one router, and half of the pupils join again.
     for _ in 0..60 {
         assert_eq!(crowd.come(1).1, []);
     }
@@ -766,7 +771,7 @@ fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
         assert_eq!(crowd.come(1).1, []);
     }
     crowd.vote(250);
-    // The device gets no seat from itself.
+    // The device does not get one of its own seats.
     crowd.now_s += 2;
     let (line, sent_away) = crowd.come(1);
     assert_eq!(sent_away, [(line, Refusal::Full)]);
@@ -782,7 +787,7 @@ fn a_device_that_holds_most_seats_of_a_full_class_gives_way() {
 
 /// The pupil does not have to do anything: the device joins as soon as it is allowed.
 #[test]
-fn a_device_that_has_to_wait_shows_it_and_tries_again() {
+fn a_device_that_has_to_wait_says_so_and_tries_again() {
     let place = Route::Join {
         address: Some("192.168.43.117:8090".into()),
         code: Some(JoinCode::of(7)),

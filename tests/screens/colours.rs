@@ -21,7 +21,7 @@ struct Legend {
 }
 
 impl Legend {
-    /// The letter of a colour: that of the first role that has it.
+    /// The letter for a colour: the letter of the first role that has this colour.
     fn letter(&self, colour: Color) -> char {
         let mut roles = Role::ALL.iter().copied().zip(LETTERS.chars());
         let found = roles.find(|(role, _)| self.theme.colour(*role) == colour);
@@ -55,7 +55,7 @@ impl Legend {
     }
 }
 
-/// The letter of a cell's weight; `+` if it has several.
+/// The letter for a cell's weight; `+` if it has several.
 fn weight(cell: &Cell) -> char {
     match cell.modifier {
         Modifier::BOLD => 'b',

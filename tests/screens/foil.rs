@@ -17,7 +17,7 @@ fn foil(predict: bool, seed: u64) -> Headless {
     Headless::new(App::new(Route::Foil, settings, seed), 100, 30)
 }
 
-/// The page of the beam, set to 10 to the power of `exponent` particles.
+/// The page of the beam, set to `10^exponent` particles.
 fn beam(exponent: u32, predict: bool, seed: u64) -> Headless {
     let mut game = foil(predict, seed);
     game.press("<Tab><Down><Down><Down><Down><Down><Left><Left><Left>");
@@ -147,7 +147,7 @@ fn the_mouse_turns_pages_and_drags_the_particle() {
     game.click(tab);
     assert!(game.screen().contains(">counted in 1913"));
     game.click((20, 12));
-    assert!(game.screen().contains("how far off the law"));
+    assert!(game.screen().contains("deviation from the law"));
     let tab = at(&mut game, "a beam");
     game.click(tab);
     game.click((20, 12));
@@ -172,7 +172,7 @@ fn the_last_page_shows_what_was_counted_and_what_was_not() {
         game.key(Key::PageDown);
     }
     for said in [
-        "-15% and +23%",
+        "-15% to +23%",
         "3.7x10^-7",
         "3.2x10^-7",
         "1909",
@@ -185,7 +185,7 @@ fn the_last_page_shows_what_was_counted_and_what_was_not() {
 
 /// An aluminium nucleus is too light and too small for the law; a gold nucleus is neither.
 #[test]
-fn a_light_nucleus_is_warned_about_on_both_pages() {
+fn both_pages_warn_about_a_light_nucleus() {
     for (wide, high) in [(80, 24), (120, 40)] {
         let mut game = Headless::new(App::new(Route::Foil, Settings::default(), 1), wide, high);
         for page in ["<Down>", "<Tab>"] {

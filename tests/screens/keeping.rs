@@ -58,7 +58,7 @@ fn slow_and_failed_saves_are_reported_each_time() {
     assert!(head(&mut game).contains("not saved: 1"));
 }
 
-/// A store that cannot write as long as a file is in the place of its folder.
+/// A store that cannot write as long as a file occupies the place of its folder.
 struct Blocked(Folder);
 
 impl Blocked {

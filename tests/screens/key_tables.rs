@@ -1,4 +1,4 @@
-//! Tests of every phase of every screen, by its own table of keys.
+//! Tests every phase of every screen against its own table of keys.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -57,7 +57,7 @@ fn a_hint_told() -> Headless {
     game
 }
 
-/// A saved game of two computers whose last stroke is being played.
+/// A saved game between two computer players whose last stroke is being played.
 fn end_of_a_board(settings: Settings) -> Headless {
     let bytes = include_bytes!("../saves/board-over-1.toml");
     let (saved, _) = SavedGame::read("board-over-1.toml", bytes).unwrap();
@@ -94,7 +94,7 @@ pub(crate) fn seen(game: &mut Headless) -> Seen {
     (game.buffer().clone(), keys, settings, quit, exports)
 }
 
-/// Whether a key changes anything in a game on a screen of this size, perhaps after another key.
+/// Whether a key changes anything in a game on a screen of this size, optionally after another key.
 fn changes(mut game: Headless, size: (u16, u16), before: Option<Key>, key: Key) -> bool {
     game.resize(size.0, size.1);
     if let Some(before) = before {
@@ -147,7 +147,7 @@ fn each_key_of_each_table_does_something() {
 }
 
 #[test]
-fn no_key_outside_of_the_table_does_anything() {
+fn no_key_outside_the_table_does_anything() {
     let named = [
         Key::Up,
         Key::Down,
@@ -291,10 +291,14 @@ fn every_list_behaves_the_same_way() {
         let mut click = moment.game();
         click.press("<Home>");
         click.click(mark(&second.0, &first.0));
-        assert_eq!(seen(&mut click), second, "{name}: a click chooses");
+        assert_eq!(seen(&mut click), second, "{name}: a click chooses a line");
         click.click(mark(&second.0, &first.0));
         let opened = after("<Home><Down><Enter>");
-        assert_eq!(seen(&mut click), opened, "{name}: a second one opens");
+        assert_eq!(
+            seen(&mut click),
+            opened,
+            "{name}: a second click opens the line"
+        );
     }
     assert!(lists >= 8 && clicked >= 6, "{lists} lists, {clicked}");
 }

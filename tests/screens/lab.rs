@@ -34,7 +34,7 @@ fn beside(game: &mut Headless, name: &str) -> f64 {
 }
 
 /// Equal discs of radius r that stick at b = 2r sin α: in the centre-of-mass frame ω r = (μ b w /
-/// I) r with μ = m/2 and I = m r² + 2 m r² is w sin α / 3.
+/// I) r = w sin α / 3, with μ = m/2 and I = m r² + 2 m r².
 #[test]
 fn discs_that_stick_rotate_about_their_centre_of_mass() {
     for offset_mm in [0.0, 6.0, -15.0, 27.0] {

@@ -97,7 +97,7 @@ fn an_answer_is_saved_and_explained_at_once() {
 }
 
 #[test]
-fn the_place_is_saved_and_can_be_reset() {
+fn the_bookmark_is_saved_and_can_be_reset() {
     let (number, chapter) = chapter("the-line-of-impact");
     let mut game = open(number, Charset::Ascii, (80, 24));
     game.press("2<Enter>nn<Escape>");
@@ -213,7 +213,7 @@ fn a_figure_opens_in_the_lab_and_is_exported() {
     let mut game = open(number, Charset::Unicode, (80, 24));
     game.press("e");
     assert!(
-        game.screen().contains("First give"),
+        game.screen().contains("Give your answer first"),
         "the outcome is not revealed"
     );
     game.press("2<Enter>e");
@@ -330,7 +330,7 @@ fn a_second_try_after_a_hint_earns_half_the_credit() {
         (mark.right(chapter), mark.right_after_hint(chapter)),
         (1, 1)
     );
-    // The right one of two rays stays, and after a second wrong answer the right answer is shown.
+    // If one of two rays is right, it stays. After a second wrong answer the right answer is shown.
     game.press("nnn45<Enter>30<Enter>");
     assert!(
         game.screen().contains("The coin is right."),

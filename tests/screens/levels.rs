@@ -84,8 +84,8 @@ fn every_level_is_won_by_its_solution_and_shows_its_whole_explanation() {
     }
 }
 
-/// A ray is not predicted before it was turned: Enter alone neither makes the shot nor earns the
-/// star for the prediction.
+/// A ray does not count as predicted until it has been turned: Enter alone neither makes the shot
+/// nor earns the star for the prediction.
 #[test]
 fn enter_alone_gives_no_answer() {
     let shelf = embedded();
@@ -108,9 +108,9 @@ fn enter_alone_gives_no_answer() {
     assert!(asked > 20);
 }
 
-/// The speed last chosen applies to the next shot and in every other level.
+/// The last speed chosen applies to the next shot and to every other level.
 #[test]
-fn the_speed_last_chosen_is_remembered() {
+fn the_last_speed_chosen_is_remembered() {
     let mut game = level(number("follow-on"));
     game.press("p<Enter>");
     assert!(game.screen().contains("real speed"), "{}", game.screen());
@@ -161,7 +161,7 @@ fn a_level_is_won_by_arrow_keys_alone() {
 }
 
 #[test]
-fn fine_and_big_steps_and_the_ends_of_the_range() {
+fn directions_change_in_fine_or_big_steps_and_stay_in_range() {
     let mut game = level(number("dead-stop"));
     game.press(",");
     assert!(game.screen().contains("45.05 deg"), "{}", game.screen());
@@ -234,7 +234,7 @@ fn a_miss_shows_the_missed_goals_and_keeps_the_aim() {
 }
 
 #[test]
-fn hints_come_one_by_one() {
+fn hints_are_shown_one_by_one() {
     let shelf = embedded();
     let (_, dead_stop) = shelf.get(number("dead-stop")).unwrap();
     let mut game = level(number("dead-stop"));

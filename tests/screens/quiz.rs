@@ -332,7 +332,7 @@ fn a_round_without_answers_is_left_at_once() {
 }
 
 #[test]
-fn after_a_round_comes_another_or_home() {
+fn a_round_is_followed_by_another_or_by_the_choice_of_a_round() {
     let mut game = plain(7);
     for question in Round::hits(7).questions() {
         answer(&mut game, question, &WILD, "1");
@@ -348,7 +348,7 @@ fn after_a_round_comes_another_or_home() {
 }
 
 #[test]
-fn home_leads_to_the_round_of_the_seed_and_then_to_others() {
+fn the_home_screen_opens_the_round_for_the_seed_and_then_others() {
     let app = App::new(Route::Home, Settings::default(), 7);
     let mut game = Headless::new(app, 80, 24);
     game.press("zh");
@@ -480,7 +480,7 @@ fn step() -> impl Strategy<Value = Step> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
-    /// Whatever is pressed, clicked and resized, the quiz continues, and an ASCII screen contains
+    /// Whatever is pressed, clicked or resized, the quiz continues, and an ASCII screen contains
     /// only ASCII.
     #[test]
     fn any_input_leaves_a_round_usable(seed: u64, steps in prop::collection::vec(step(), 1..80)) {

@@ -186,7 +186,7 @@ fn an_exam_gives_no_feedback_before_its_end_and_then_all_of_it() {
     assert_eq!(
         game.attempts().len(),
         6,
-        "looking at an answer is not an answer"
+        "looking at an answer does not count as answering"
     );
     game.press("<Escape>");
     assert!(game.screen().contains("choose a round"));
@@ -224,7 +224,7 @@ fn an_exam_that_is_left_shows_what_was_answered() {
     assert!(game.screen().contains("choose a round"));
 }
 
-/// Text without the lines of frames, with single blanks.
+/// Text without frame lines and with single blanks.
 fn words(screen: &str) -> String {
     let bare = screen.replace(['|', '+'], " ");
     bare.split_whitespace().collect::<Vec<_>>().join(" ")
@@ -296,7 +296,7 @@ fn a_line_of_the_summary_is_opened_by_a_click() {
 /// A guessed topic is due at once; a review asks each due topic once, and has no code that could be
 /// passed on.
 #[test]
-fn a_review_asks_what_is_due() {
+fn a_review_asks_about_the_topics_that_are_due() {
     let mut game = choosing();
     for code in ["speeds1-7", "from-angle1-7"] {
         game.press("c");

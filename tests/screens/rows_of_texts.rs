@@ -49,7 +49,7 @@ fn levels() -> Vec<String> {
     texts.cloned().collect()
 }
 
-/// The texts of the questions, both of every family and of every worded one.
+/// The texts of the questions: those of every family, and all questions in words.
 fn questions() -> Vec<String> {
     let drawn = Family::ALL.iter().flat_map(|family| {
         let dice = (0..40).flat_map(|seed| Difficulty::ALL.map(|it| (it, seed)));

@@ -102,7 +102,7 @@ fn the_record_has_every_word_in_the_cells() {
 }
 
 #[test]
-fn nothing_is_recorded_that_is_only_measured() {
+fn text_that_is_only_measured_is_not_recorded() {
     for moment in moments() {
         let mut game = moment.game();
         game.resize(ROOM.0, ROOM.1);

@@ -1,6 +1,6 @@
 //! The tapes under `tests/tapes`, each played in both charsets at two sizes. Their expectations and
 //! refusals hold in all four variants. For a selection of tapes that together show every kind of
-//! picture, one variant is kept as a snapshot, which was looked at before it was accepted; some
+//! picture, one variant is kept as a snapshot, which was inspected before it was accepted; some
 //! screenshots are also kept with their colours.
 
 use std::collections::BTreeSet;
@@ -86,7 +86,7 @@ fn folder(of: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(of)
 }
 
-/// Names of the files in `folder` that end in `ending`, without it, in order.
+/// The names, without `ending`, of the files in `folder` that end in it, in order.
 fn names(folder: &Path, ending: &str) -> BTreeSet<String> {
     let files = fs::read_dir(folder).unwrap();
     let files = files.map(|entry| entry.unwrap().file_name().into_string().unwrap());
@@ -135,7 +135,7 @@ fn assert_kept(of: &str, wanted: &BTreeSet<String>) {
     assert!(wrong.is_empty(), "left over or missing: {wrong:?}");
 }
 
-/// Runs `check` on every item, on all cores; fails at the end with all failures.
+/// Runs `check` on every item, on all cores, and reports all failures at the end.
 fn check_each<T: Send + std::fmt::Debug>(items: Vec<T>, check: impl Fn(&T) + Sync) {
     let left = Mutex::new(items);
     let failed = Mutex::new(Vec::new());

@@ -1,4 +1,4 @@
-//! Sends carrom random commands of a page and checks that nothing fails:
+//! Sends carrom random commands, as a page would, and checks that nothing fails:
 //! `cargo run --release -p carrom-web --example fuzz_page -- SECONDS [FIRST]`, where FIRST is the
 //! number of the first session. A panic names its session.
 

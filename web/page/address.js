@@ -25,7 +25,7 @@ const address = (() => {
     const parts = given.split("&");
     stays = parts.filter((part) => STAYS.test(part));
     const state = history.state;
-    // The program may open another number of screens than before the reload.
+    // The program may open a different number of screens than before the reload.
     if (state?.depths) entry = { index: state.index, depths: state.depths.slice(0, state.index) };
     else entry = { index: entry.depths.length, depths: entry.depths };
     written = "";

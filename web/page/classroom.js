@@ -71,7 +71,7 @@ const classroom = (() => {
     return given || "join";
   }
 
-  // A phone that slept may not know that its connection is lost.
+  // A phone that was asleep may not know that its connection is lost.
   function awake() {
     const slept = performance.now() - hidden;
     if (line && (line.readyState > WebSocket.OPEN || slept > 3000)) {

@@ -60,7 +60,7 @@ const input = (() => {
     try {
       localStorage.setItem(SINGLE_KEYS, hasSingleKeys ? "on" : "off");
     } catch {
-      // The setting is valid until the page is left.
+      // The setting applies until the page is left.
     }
   }
 
@@ -70,8 +70,8 @@ const input = (() => {
     key(name);
   }
 
-  // Input of a phone's keyboard without a field. It deletes only existing text, and may change a
-  // word until it is composed.
+  // Input of a phone's keyboard without a field. The keyboard deletes only existing text, and may
+  // change a word until it is complete.
   function typed({ type, isComposing }) {
     const now = typing.value;
     if (now.startsWith(FILLER)) panels.retype(composed, now.slice(FILLER.length));

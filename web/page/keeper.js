@@ -61,7 +61,7 @@ const keeper = (() => {
     return { files, bytes };
   }
 
-  // The files, after pending changes are saved.
+  // Returns the files once pending changes are saved.
   async function files() {
     await opened;
     while (busy) await new Promise((later) => setTimeout(later, 10));
@@ -120,7 +120,7 @@ const keeper = (() => {
     done(failed);
   }
 
-  // One transaction with all changes; an error aborts it, and nothing of it is saved.
+  // One transaction for all changes; an error aborts it, and none of them is saved.
   function write() {
     return new Promise((resolve, reject) => {
       const transaction = base.transaction("files", "readwrite", { durability: "strict" });
@@ -161,7 +161,7 @@ const keeper = (() => {
     files.put(known + 1, "");
   }
 
-  // The reason why saving failed, in words; an error that is a text is returned unchanged.
+  // The reason why saving failed, in words; an error that is a string is returned unchanged.
   function reason(error) {
     if (typeof error === "string") return error;
     const name = error?.name;

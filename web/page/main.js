@@ -294,7 +294,7 @@ const page = (() => {
     }
   }
 
-  // Copies a text, even if the page has no access to the clipboard.
+  // Copies text, even if the page has no access to the clipboard.
   async function copy(text) {
     try {
       await navigator.clipboard.writeText(text);

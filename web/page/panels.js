@@ -399,7 +399,7 @@ const panels = (() => {
   };
   let count = 0;
 
-  // A text that is typed: a name, a code.
+  // A field for typed text: a name, a code.
   function typedField() {
     const name = make("label", "name");
     const input = make("input");
@@ -439,7 +439,7 @@ const panels = (() => {
     return node;
   }
 
-  // Types the difference between two texts, which is at their ends.
+  // Types the difference between two strings, which is at their ends.
   function retype(old, wanted) {
     const [from, to] = [[...old], [...wanted]];
     let same = 0;
@@ -520,7 +520,7 @@ const panels = (() => {
     const [left, right] = [screen.firstElementChild, screen.lastElementChild];
     sync(left, under.sections.filter((it) => isPicture(it)), () => "section", fresh);
     sync(right, under.sections.filter((it) => !isPicture(it)), () => "section", fresh);
-    // The time that passes in a title does not make another screen.
+    // A title that shows the passing time does not make a new screen.
     const titles = under.sections.map(({ title }) => title.replace(/^[\d.]+ s\b/, ""));
     const at = [under.title, ...titles].join("\n");
     const isNew = at !== wasAt;
@@ -538,7 +538,7 @@ const panels = (() => {
   }
   let lastChosen = null;
 
-  // Announces to screen readers what is new: the name of another screen, and new sentences. A number
+  // Announces to screen readers what is new: the name of a new screen, and new sentences. A number
   // that changes in a sentence, such as in a countdown, is not announced.
   const news = document.getElementById("news");
   let known = new Set(), fresh = [], called = "", timer = 0;

@@ -23,7 +23,7 @@ const program = (() => {
     rust_sqlite_wasm_host_localtime: () => 1,
   };
 
-  // The bytes of a text in base64. Browsers before 2025 have no function for it.
+  // The bytes of a base64 string. Browsers before 2025 have no function for it.
   function bytesOf(text) {
     if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
     const letters = atob(text);
@@ -58,7 +58,7 @@ const program = (() => {
     return reply;
   }
 
-  // Sends the time, and how many seconds before the day in UTC the local day begins.
+  // Sends the time, and how many seconds the local day begins before the day in UTC.
   function tellTime() {
     const now = Date.now();
     if (now - told < 500) return;

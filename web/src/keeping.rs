@@ -2,8 +2,8 @@
 //!
 //! Every request is carried out in memory at once. Its answer is passed on only when the browser
 //! has saved the files: the page asks which have changed, writes them to the browser's database
-//! in one transaction, and reports the result. If another tab has changed the files meanwhile,
-//! the page first passes those in, and all unsaved changes are made again on them.
+//! in one transaction, and reports the result. If another tab has changed the files in the
+//! meantime, the page first passes those in, and all unsaved changes are made again on top of them.
 //!
 //! Changes that the browser could not save stay here until it can. If the page opens another
 //! carrom, they are passed to that one.
@@ -51,11 +51,11 @@ pub(crate) struct PageStorage {
     store: Store,
     /// Whether the browser's files have been received.
     begun: bool,
-    /// Requests made before that.
+    /// Requests made before the browser's files were received.
     early: Vec<StoreCall>,
     /// Unsaved changes, in the order in which they were made.
     pending: Vec<Pending>,
-    /// How many of them are in the files that are being saved at the moment.
+    /// How many of the unsaved changes are in the files that are being saved at the moment.
     under_way: usize,
     /// A teacher's own files, and the settings.
     own: Vec<FileBytes>,
@@ -84,15 +84,15 @@ impl PageStorage {
         }
     }
 
-    /// Takes over the unsaved changes of the previous carrom. They are made once the files have
-    /// been received.
+    /// Takes over the unsaved changes of the previous carrom. These changes are made once the files
+    /// have been received.
     pub(crate) fn taking_over(mut self, left: Vec<Change>) -> Self {
         self.pending = left.into_iter().map(Pending::unasked).collect();
         self
     }
 
-    /// The unsaved changes, for the next carrom. They get new tickets, so that nothing the next one
-    /// saves replaces what this one saved.
+    /// The unsaved changes, for the next carrom. They get new tickets, so that nothing that the
+    /// next carrom saves replaces what this one saved.
     pub(crate) fn left(self) -> Vec<Change> {
         let mut tickets = BTreeMap::new();
         let mut left: Vec<_> = self.pending.into_iter().map(|it| it.change).collect();
@@ -175,7 +175,7 @@ impl PageStorage {
     }
 
     /// The number of things that the browser could not save so far. A game or a round that was
-    /// saved several times is one thing.
+    /// saved several times counts as one thing.
     pub(crate) fn unsaved(&self) -> usize {
         let mut saved = BTreeSet::new();
         let mut is_another = |change: &Change| match change {
@@ -203,7 +203,7 @@ impl PageStorage {
         self.safe = files.iter().cloned().collect();
         let pending = std::mem::take(&mut self.pending);
         for it in &pending {
-            // It was valid when it was first made.
+            // The change was valid when it was first made.
             let _ = self.make(&it.change);
         }
         self.pending = pending;
@@ -325,7 +325,7 @@ mod tests {
 
     const ROUND: &[u8] = include_bytes!("../../tests/saves/class-3.toml");
 
-    /// A browser's files, and a carrom that uses them.
+    /// A browser's files, and the page that uses them.
     struct Browser {
         keeping: PageStorage,
         files: BTreeMap<String, Vec<u8>>,
@@ -406,7 +406,7 @@ mod tests {
         assert_eq!(refused.len(), 1);
         assert_eq!(refused[0].done, StoreReply::Noted(Err("full".into())));
         assert_eq!(refused[0].unsaved, 1);
-        // A round that could not be saved twice is one thing.
+        // A round that twice could not be saved counts as one thing.
         browser.ask(2, save_class(), Some("full"));
         let refused = browser.ask(2, save_class(), Some("full"));
         assert_eq!(refused[0].done, StoreReply::Saved(Err("full".into())));
@@ -471,7 +471,7 @@ mod tests {
         }
         let refused = browser.keep(Some("full"));
         assert!(refused.iter().all(|it| it.unsaved == 3), "{refused:?}");
-        // Another tab saves something meanwhile.
+        // Another tab saves something in the meantime.
         let mut tab = Browser::new();
         tab.ask(1, star("in another tab"), None);
         browser.files = tab.files;

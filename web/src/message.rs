@@ -47,7 +47,7 @@ pub enum Command {
     Now {
         /// Seconds since the start of 1970, UTC.
         time_s: i64,
-        /// How many seconds before the day in UTC the local day begins.
+        /// How many seconds the local day begins before the day in UTC.
         offset_s: i32,
     },
     /// Set charset or colours, as a tape does.
@@ -91,8 +91,8 @@ pub enum Command {
     },
     /// Send the database, for a download.
     Progress,
-    /// Send the shape of a glyph as lines: its path and its opacity. There are none if it is
-    /// drawn as a letter.
+    /// Send the shape of a glyph as lines: its path and its opacity. There are no lines if the
+    /// glyph is drawn as a letter.
     Glyph {
         /// The glyph.
         letter: String,
@@ -125,7 +125,7 @@ pub enum News {
         /// The message.
         text: String,
     },
-    /// The host cannot be reached, or no longer.
+    /// The host cannot be reached, or can no longer be reached.
     Lost {
         /// The reason in words.
         reason: String,
@@ -266,7 +266,7 @@ pub struct Painted {
 /// The text of a screen, or of the layer over it.
 #[derive(Debug, Clone, Serialize)]
 pub struct SheetMessage {
-    /// Whether it is a screen or a layer.
+    /// Whether the sheet is a screen or a layer.
     pub kind: SheetKind,
     /// The title.
     pub title: String,

@@ -1,4 +1,4 @@
-//! Opens what a link names: `#quiz=mixed-7&player=Ana`, with the names of the command line.
+//! Opens what a link names: `#quiz=mixed-7&player=Ana`, with the names used on the command line.
 
 use carrom::app::{App, Data};
 use carrom::class::team_names;

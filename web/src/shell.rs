@@ -382,7 +382,8 @@ impl Shell {
             .map(|row| Keys {
                 id: row.id.clone(),
                 keys: match row.keys().any(|key| matches!(key, Key::Char('0'..='9'))) {
-                    // Including the point and the minus of a number, which the bottom line does not show.
+                    // This includes a number's decimal point and minus, which the bottom line does
+                    // not show.
                     true => row.all_keys().map(|key| key.to_string()).collect(),
                     false => row.keys().map(|key| key.to_string()).collect(),
                 },
@@ -405,7 +406,7 @@ impl Shell {
     }
 }
 
-/// The request to the page for a call of the pupil's app.
+/// The request to the page that carries out a call of the pupil's app.
 fn call(call: JoinCall) -> ClassCall {
     match call {
         JoinCall::Dial(_) => ClassCall::Dial,

@@ -90,7 +90,7 @@ fn time(rounds: usize, mut work: impl FnMut()) -> f64 {
     timed.fold(f64::INFINITY, f64::min)
 }
 
-/// A table in rapier: no gravity, no contact friction, sliding friction by hand.
+/// A table in rapier: no gravity, no contact friction, sliding friction applied by hand.
 struct Stepped {
     parameters: IntegrationParameters,
     pipeline: PhysicsPipeline,

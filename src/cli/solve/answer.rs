@@ -24,7 +24,7 @@ pub(super) struct SolveAnswer {
     theta2_deg: Option<f64>,
     separation_deg: Option<f64>,
     energy_before_j: f64,
-    /// Includes the energy of rotation if the discs stick together.
+    /// Includes the rotational energy if the discs stick together.
     energy_after_j: f64,
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     turning: Option<Turning>,

@@ -223,7 +223,7 @@ fn velocity(field: &str, components: [f64; 2]) -> Result<DVec2, ProblemError> {
     Ok(DVec2::new(x?, y?))
 }
 
-/// A number within the range of its field.
+/// A number, checked against the range of its field.
 pub(super) fn number(field: &str, value: f64) -> Result<f64, ProblemError> {
     let range = RANGES.iter().find(|range| range.name == field);
     range.map_or(Ok(value), |range| {

@@ -1,4 +1,4 @@
-//! The facts that the rules use, and their possible decisions.
+//! The facts that the rules use, and the possible decisions.
 
 use super::Law;
 use crate::game::pieces::{COINS_EACH, Colour};
@@ -6,7 +6,7 @@ use crate::numbers::counted;
 
 /// Points for the queen, for a winner whose score allows them (25b).
 pub(super) const QUEEN_POINTS: u8 = 3;
-/// From this score on, the queen brings no points (27).
+/// From this score on, the queen is worth no points (27).
 pub(super) const QUEEN_WORTHLESS_FROM: u8 = 22;
 
 /// The queen just before a stroke.
@@ -19,7 +19,8 @@ pub(crate) enum QueenBefore {
     Covered(Colour),
 }
 
-/// A stroke in numbers: the pieces on the board before it, those that fell, the score and the dues.
+/// A stroke in numbers: the pieces on the board before the stroke, those that fell, the score and
+/// the dues.
 ///
 /// "Own" is the colour of the player who struck.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,17 +54,17 @@ pub(crate) struct Side {
     pub before: u8,
     /// The coins of this side that fell.
     pub fell: u8,
-    /// Its score in the game before this board.
+    /// The side's score in the game before this board.
     pub score: u8,
 }
 
 impl Side {
-    /// The number of its coins left on the board after the stroke.
+    /// The number of the side's coins left on the board after the stroke.
     pub(super) const fn left(&self) -> u8 {
         self.before.saturating_sub(self.fell)
     }
 
-    /// Whether all nine of its coins were on the board before the stroke.
+    /// Whether all nine of the side's coins were on the board before the stroke.
     pub(super) const fn had_all(&self) -> bool {
         self.before == COINS_EACH
     }
@@ -94,11 +95,11 @@ pub(crate) enum QueenFate {
 pub(crate) enum TurnFate {
     /// The same player strikes again.
     Continues,
-    /// The next.
+    /// The next player strikes.
     Passes,
-    /// Nobody: the board is over.
+    /// Nobody strikes: the board is over.
     Ends {
-        /// Whether the player who struck won it.
+        /// Whether the player who struck won the board.
         won: bool,
         points: u8,
     },
@@ -107,7 +108,7 @@ pub(crate) enum TurnFate {
 /// The decision of the rules on a stroke.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Verdict {
-    /// The law that decides; `None` for a rule of the house.
+    /// The law that decides; `None` for a house rule.
     pub law: Option<Law>,
     /// What happened and its consequence, in one sentence.
     pub text: String,
@@ -133,7 +134,7 @@ impl Verdict {
         }
     }
 
-    /// The player strikes again.
+    /// The verdict that the player strikes again.
     pub(super) fn continues(law: impl Into<Option<Law>>, text: String) -> Self {
         Self::new(law.into(), text, TurnFate::Continues)
     }
@@ -142,7 +143,7 @@ impl Verdict {
         Self::new(law.into(), text, TurnFate::Passes)
     }
 
-    /// The board is over.
+    /// The verdict that ends the board.
     pub(super) fn ends(law: impl Into<Option<Law>>, text: String, won: bool, points: u8) -> Self {
         Self::new(law.into(), text, TurnFate::Ends { won, points })
     }
@@ -156,12 +157,12 @@ impl Verdict {
         Self { dues: 1, ..self }
     }
 
-    /// What becomes of the queen.
+    /// The verdict with this fate of the queen.
     pub(super) fn queen(self, queen: QueenFate) -> Self {
         self.queen_if(true, queen)
     }
 
-    /// The verdict with this change of the queen; otherwise she stays.
+    /// The verdict with this fate of the queen if `case` is true; otherwise she stays.
     pub(super) fn queen_if(mut self, case: bool, queen: QueenFate) -> Self {
         if case {
             self.queen = queen;

@@ -3,7 +3,7 @@
 use super::case::{Case, QueenBefore, QueenFate, Verdict, points};
 use super::ruling::Law;
 
-/// The most points a board can bring (28).
+/// The most points a board can be worth (28).
 pub(crate) const MOST_POINTS: u8 = 12;
 
 /// The verdict on a stroke that ends the board; `None` if the board continues.
@@ -67,7 +67,7 @@ fn both_finished(case: &Case) -> Verdict {
     }
 }
 
-/// The player pocketed the opponent's last coin and has `own_left`.
+/// The player pocketed the opponent's last coin and has `own_left` coins left.
 fn opponent_finished(case: &Case, own_left: u8) -> Verdict {
     let player = case.colour;
     let other = player.other();
@@ -110,8 +110,8 @@ fn player_finished(case: &Case, other_left: u8) -> Option<Verdict> {
     Some(won(case, 25, other_left + queen, why).queen(fate))
 }
 
-/// The points of a board that the queen alone decides: her value, or 1 if she no longer has any (75
-/// to 82).
+/// The points for a board that the queen alone decides: her value, or 1 if she no longer has any
+/// (75 to 82).
 const fn worth_at_least_one(queen: u8) -> u8 {
     if queen == 0 { 1 } else { queen }
 }

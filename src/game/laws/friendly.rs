@@ -6,16 +6,16 @@
 //!   give; the turn passes. Nothing stays owed.
 //! - The queen may be taken at any time and must be covered: with one of your coins in the same
 //!   stroke or the next. Otherwise she goes back to the centre.
-//! - First to clear their coins wins the game: a point for each coin the other has left, at least
-//!   1, and 3 for the queen if they covered her. If you clear your coins while the queen is on the
-//!   board, she brings no points.
+//! - The first player to clear their coins wins the game: a point for each coin the other has left,
+//!   at least 1, and 3 for the queen if they covered her. If you clear your coins while the queen
+//!   is on the board, she is worth no points.
 //! - A break that touches nothing passes the turn like any other miss.
 
 use crate::game::pieces::COINS_EACH;
 
 use super::case::{Case, QUEEN_POINTS, QueenBefore, QueenFate, Verdict, coins, points};
 
-/// The verdict on a stroke in the friendly game.
+/// The verdict on a stroke in a friendly game.
 pub(super) fn judge(case: &Case) -> Verdict {
     ending(case).unwrap_or_else(|| {
         if case.striker_fell {

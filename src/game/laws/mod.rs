@@ -16,10 +16,10 @@
 //! Cases that cannot happen on a screen are left out: pushing, touching coins, the hand beyond the
 //! arrows, jumping coins (38, 39), coins on edge or on top of each other (40 to 43), playing out of
 //! turn (24), and so every law that begins "by an improper stroke" (49, 50 and the second half of
-//! 71 to 85). The striker cannot be struck from an illegal place because it cannot be put there,
-//! and no stroke clock runs (23), so there are no fouls (36, 37). If the Laws grant a point "if
-//! demanded", it is always demanded, and a due is never forgone (53, 60). Sides are not changed (31
-//! to 34): on a screen they are all the same.
+//! 71 to 85). The striker cannot be struck from an illegal position because it cannot be placed
+//! there, and strokes are not timed (23), so there are no fouls (36, 37). If the Laws grant a point
+//! "if demanded", it is always demanded, and a due is never forgone (53, 60). Sides are not changed
+//! (31 to 34): on a screen they are all the same.
 //!
 //! The modules `play`, `free_place` and `seat` carry a verdict out: dues that wait (45b, 51), the
 //! position of a piece that is put back (62b, 66, 67) and the order of turns (22).
@@ -53,7 +53,7 @@ pub enum Rules {
     /// The Laws of Carrom, in singles or doubles, as a match of three games.
     #[default]
     Tournament,
-    /// The simple rules of most families: first to clear wins the game.
+    /// The simple rules of most families: the first player to clear their coins wins the game.
     Friendly,
     /// No turns, no dues: the striker may be placed anywhere, and every stroke may be repeated.
     Practice,

@@ -3,7 +3,7 @@
 
 use super::case::{Case, QueenBefore, QueenFate, Verdict};
 
-/// The verdict on a stroke in practice.
+/// The verdict on a stroke in a practice game.
 pub(super) fn judge(case: &Case) -> Verdict {
     let queen_left = case.queen == QueenBefore::OnBoard && !case.queen_fell;
     if case.own.left() == 0 && case.other.left() == 0 && !queen_left {

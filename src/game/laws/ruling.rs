@@ -10,7 +10,7 @@ use crate::game::seat::{Seat, Team};
 pub struct Law {
     /// Number of the law.
     pub number: u8,
-    /// Its clause, if it has several.
+    /// The clause, if the law has several.
     pub(crate) clause: Option<char>,
 }
 
@@ -55,7 +55,7 @@ pub struct Ruling {
     pub law: Option<Law>,
     /// What happened and the reason for the decision, in one sentence.
     pub text: String,
-    /// The changes on the board and in the score, in that order.
+    /// The changes to the board and to the score, in that order.
     pub effects: Vec<RulingEffect>,
 }
 
@@ -87,7 +87,7 @@ pub enum RulingEffect {
 /// How a board ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BoardWon {
-    /// The team that won it.
+    /// The team that won the board.
     pub winner: Team,
     /// The points for the board, at most 12 (28).
     pub points: u8,

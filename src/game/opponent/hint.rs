@@ -13,9 +13,9 @@ pub struct StrokeHint {
     pub stand: Stand,
     /// The exact stroke.
     pub stroke: Motion,
-    /// Its effect.
+    /// The effect of the stroke.
     pub reason: Reason,
-    /// Whether the striker falls too, if every stroke that was found pockets it.
+    /// Whether the striker falls too, which happens only if every stroke that was found pockets it.
     pub fouls: bool,
 }
 

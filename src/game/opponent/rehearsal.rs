@@ -28,7 +28,7 @@ impl<'a> Rehearsal<'a> {
     pub(super) fn new(game: &'a Game) -> Self {
         let (discs, motions) = game.discs(Motion::default());
         Self {
-            board: Board::default(),
+            board: game.board(),
             game,
             discs,
             motions,

@@ -53,7 +53,7 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The best stroke from a legal position; `None` if coins block all of them.
+    /// The best stroke from a legal position; `None` if coins block all legal positions.
     pub(super) fn best(&mut self) -> Option<Candidate> {
         let places = self.places();
         let resort = Motion::new(*places.first()?, self.game.seat().turn(DVec2::Y));

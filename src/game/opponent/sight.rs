@@ -22,7 +22,7 @@ pub(super) const WALLS: [DVec2; 4] = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::N
 impl<'a> Sight<'a> {
     pub(super) fn of(game: &'a Game) -> Self {
         Self {
-            board: Board::default(),
+            board: game.board(),
             set: game.setup().set,
             coins: game.coins(),
         }
@@ -36,7 +36,8 @@ impl<'a> Sight<'a> {
         self.set.striker_radius()
     }
 
-    /// The share of its speed along the line of impact that `piece` gives to a coin.
+    /// The speed that `piece` gives to a coin, as a multiple of its own speed along the line of
+    /// impact.
     pub(super) fn passed_on(&self, piece: Piece) -> f64 {
         let pair = RestingTarget {
             m1: self.set.disc(piece).mass,
@@ -112,11 +113,12 @@ impl<'a> Sight<'a> {
 pub(super) struct Way {
     pub(super) from: DVec2,
     pub(super) to: DVec2,
-    /// Its direction at the start.
+    /// The direction at the start of the path.
     pub(super) toward: DVec2,
-    /// Its direction at the end.
+    /// The direction at the end of the path.
     pub(super) arriving: DVec2,
-    /// Where the disc's centre is when it hits a cushion, and the share of its speed that remains.
+    /// Where the disc's centre is when it hits a cushion, and the fraction of its speed that
+    /// remains.
     wall: Option<(DVec2, f64)>,
 }
 
@@ -144,8 +146,8 @@ impl Way {
         before + after
     }
 
-    /// The initial speed in m/s of a disc that still has the speed `left` at `short` metres before
-    /// the end.
+    /// The initial speed in m/s of a disc that still has the speed `left` when it is `short` metres
+    /// from the end.
     pub(super) fn speed(&self, sight: &Sight, short: f64, left: f64) -> f64 {
         let (before, after) = self.legs();
         let leaving = sight.speed_for((after - short).max(0.0), left);

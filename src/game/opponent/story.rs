@@ -44,13 +44,13 @@ pub struct FirstContact {
     pub cushions: u8,
     /// The striker's direction before the collision, a unit vector.
     pub heading: DVec2,
-    /// Impact angle α in radians, positive if the coin was to the right. It is also the coin's
+    /// Impact angle α in radians, positive if the coin was to the right. This is also the coin's
     /// recoil angle θ₂.
     pub alpha: f64,
     /// Impact parameter b in metres, with the sign of α.
     pub offset: f64,
-    /// Scattering angle θ₁ of the striker in radians, positive to the left; `None`
-    /// if it stopped.
+    /// Scattering angle θ₁ of the striker in radians, positive to the left; `None` if the striker
+    /// stopped.
     pub theta1: Option<f64>,
     /// The fraction of its speed that the striker keeps, v₁/u₁.
     pub kept: f64,
@@ -63,11 +63,11 @@ pub struct Fall {
     pub coin: usize,
     /// The kind of that coin.
     pub piece: Piece,
-    /// The corner it fell into, numbered as in the engine.
+    /// The corner into which the piece fell, numbered as in the engine.
     pub corner: usize,
-    /// The last piece that hit it: the striker or a coin.
+    /// The last piece that hit the fallen piece: the striker or a coin.
     pub sent_by: Piece,
-    /// The number of cushions it hit after that.
+    /// The number of cushions the piece hit after that.
     pub cushions: u8,
 }
 
@@ -78,7 +78,7 @@ pub struct Story {
     pub first_hit: Option<FirstContact>,
     /// The first wanted piece that fell, if any did.
     pub fall: Option<Fall>,
-    /// The number of wanted pieces that fell after it.
+    /// The number of wanted pieces that fell after this one.
     pub also: u8,
 }
 
@@ -139,7 +139,7 @@ fn first_hit(game: &Game, shot: &Shot) -> Option<FirstContact> {
     None
 }
 
-/// A disc, the corner it fell into, and the index of that event in the record.
+/// A disc, the corner into which it fell, and the index of that event in the record.
 struct Fallen {
     disc: usize,
     corner: usize,

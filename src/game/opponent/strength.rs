@@ -1,4 +1,4 @@
-//! The strength of an opponent: how thoroughly it searches and how steady its hand is.
+//! The strength of an opponent: how thoroughly the opponent searches and how steady its hand is.
 
 use serde::{Deserialize, Serialize};
 use strum::Display;
@@ -33,7 +33,7 @@ pub enum Strength {
     Club,
     /// Also considers cushion shots, and tries each shot with an unsteady hand.
     Expert,
-    /// Considers the same shots as an expert, tries more strokes and rarely makes an error.
+    /// Considers the same shots as an expert, tries more strokes and makes smaller errors.
     Champion,
 }
 
@@ -41,28 +41,28 @@ pub enum Strength {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Skill {
     pub(super) hand: Hand,
-    /// Positions along the base lines that are considered.
+    /// The number of positions along the base lines that are considered.
     pub(super) places: u16,
     /// Whether combinations are considered.
     pub(super) combinations: bool,
     /// Whether cushion shots are considered.
     pub(super) cushions: bool,
-    /// Aims that are tried, those most likely to succeed first.
+    /// The number of aims that are tried, those most likely to succeed first.
     pub(super) aims: usize,
     /// Speeds at which each is tried, as multiples of the least speed.
     pub(super) speeds: &'static [f64],
-    /// Strokes that are tried and do not aim for a pocket.
+    /// The number of strokes that are tried without aiming for a pocket.
     pub(super) knocks: usize,
-    /// The best strokes, which are tried with an unsteady hand.
+    /// The number of best strokes, which are tried with an unsteady hand.
     pub(super) finalists: usize,
-    /// Random errors with which each of these is tried.
+    /// The number of random errors with which each of these strokes is tried.
     pub(super) slips: usize,
-    /// Small changes of the best stroke that are tried in the same way.
+    /// The number of small changes to the best stroke that are tried in the same way.
     pub(super) refinements: usize,
     /// Whether the position after the stroke is evaluated.
     pub(super) looks_ahead: bool,
     /// Whether strokes are restricted to the [steps](crate::game::steps) in which a player sets
-    /// them, and to those without a foul if they are exact.
+    /// them, and to those that are not fouls when played exactly.
     pub(super) on_steps: bool,
 }
 
@@ -76,12 +76,12 @@ impl Strength {
         Self::Champion,
     ];
 
-    /// How unsteady its hand is.
+    /// How unsteady the opponent's hand is.
     pub fn hand(self) -> Hand {
         self.skill().hand
     }
 
-    /// The largest number of shots it simulates before one stroke.
+    /// The largest number of shots that the opponent simulates before one stroke.
     pub fn most_rehearsals(self) -> usize {
         self.skill().most_rehearsals()
     }

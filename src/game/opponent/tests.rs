@@ -4,11 +4,12 @@ use glam::DVec2;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
+use super::sight::Sight;
 use super::{FASTEST, Strength, hint, think};
 use crate::game::laws::Rules;
 use crate::game::pack::pack;
 use crate::game::steps::on_steps;
-use crate::game::{Coin, Game, GameSetup, Hands, Piece, PieceSet, Seat, Stroke, Team};
+use crate::game::{Coin, Game, GameSetup, Hands, Piece, PieceSet, Seat, Strike, Stroke, Team};
 use crate::numbers::{FNV_START, fnv1a};
 use crate::physics::{Board, Engine, Limits, Motion, Shot};
 
@@ -145,9 +146,48 @@ fn a_hint_can_be_set_and_keeps_the_striker_on_the_board() {
 }
 
 #[test]
+fn plans_and_hints_use_the_restitution_of_the_game() {
+    let mut elastic = scattered(0);
+    let setup = GameSetup {
+        restitution: 0.4,
+        ..elastic.setup
+    };
+    elastic.play.coins = vec![
+        coin(Piece::White, 100.0, 100.0),
+        coin(Piece::Black, -200.0, 150.0),
+        coin(Piece::Queen, -100.0, 200.0),
+    ];
+    let lossy = Game {
+        setup,
+        ..elastic.clone()
+    };
+    for game in [&elastic, &lossy] {
+        let thought = think(game, Strength::Expert, 1).unwrap();
+        let hinted = hint(game, 1).unwrap();
+        for (stroke, story) in [
+            (thought.meant, thought.reason.story),
+            (hinted.stroke, hinted.reason.story),
+        ] {
+            let strike = Strike {
+                place: stroke.position,
+                velocity: stroke.velocity,
+                call: None,
+            };
+            let shot = strike.shot(game).unwrap();
+            assert_eq!(shot.board().restitution, game.setup.restitution);
+            assert_eq!(story, super::Story::of(game, &shot));
+        }
+    }
+    // A coin gets (1 + e) m₁/(m₁ + m₂) of the speed, so a plan strikes harder.
+    let passed_on = |game| Sight::of(game).passed_on(Piece::Striker);
+    let ratio = passed_on(&lossy) / passed_on(&elastic);
+    assert!((ratio - 1.4 / 2.0).abs() < 1e-12, "{ratio}");
+}
+
+#[test]
 fn a_hopeless_position_has_a_stroke_and_a_blocked_base_line_has_none() {
     let mut game = scattered(0);
-    // Own coins walled in behind a row of the opponent's.
+    // The player's coins are walled in behind a row of the opponent's.
     let row = |i: i32| coin(Piece::Black, f64::from(i) * 32.0, -180.0);
     game.play.coins = (-4..=4).map(row).collect();
     game.play.coins.push(coin(Piece::White, 0.0, 350.0));
@@ -166,7 +206,7 @@ fn a_hopeless_position_has_a_stroke_and_a_blocked_base_line_has_none() {
     empty.play.coins.clear();
     assert!(
         think(&empty, Strength::Champion, 1).is_some(),
-        "in practice a stroke may hit nothing"
+        "in a practice game a stroke may hit nothing"
     );
 }
 
@@ -206,7 +246,7 @@ fn bits(stroke: Motion) -> u64 {
 }
 
 /// The search may get faster, but its results never change: the stroke of each strength, and the
-/// hint, after this many strokes of club players.
+/// hint, after this many strokes by club players.
 #[test]
 fn decisions_do_not_change_by_a_single_bit() {
     use Hands::{Four, Two};

@@ -14,7 +14,7 @@ use crate::physics::units::{deg_from_rad, mm_from_m};
 /// Below this angle, in radians (1.5°), a hit is called full and a path straight.
 const FULL: f64 = 0.026;
 
-/// Below this share of its speed the striker "stops".
+/// Below this fraction of its speed the striker is said to stop.
 const NEARLY_STOPPED: f64 = 0.05;
 
 /// The smallest error of the direction that is mentioned, in radians: it rounds to 0.1°.
@@ -76,8 +76,8 @@ impl Side {
     }
 }
 
-/// The intention of a stroke, whether it succeeded (`played` is the story of the result) and the
-/// reason for the aim.
+/// The intention behind a stroke, whether it succeeded (`played` is the story of the result) and
+/// the reason for the aim.
 pub(super) fn plan(story: &Story, breaking: bool, played: &Story) -> String {
     let Some(hit) = &story.first_hit else {
         return "I found no coin that I could reach, so I played a quiet stroke.".to_owned();

@@ -18,7 +18,7 @@ const QUEEN: f64 = 2.5;
 const TO_STRIKE: f64 = 1.6;
 /// A sure coin for the side that has to wait: it may still be there at its next stroke.
 const TO_WAIT: f64 = 0.5;
-/// Positions of the striker from which the board is evaluated.
+/// The number of striker positions from which the board is evaluated.
 const PLACES: u16 = 7;
 
 /// How a position is evaluated.
@@ -66,8 +66,8 @@ impl Judge {
         sign(seat) * (TO_STRIKE * first + queen) + sign(next) * TO_WAIT * self.prospect(game, next)
     }
 
-    /// How likely the player at `seat` pockets something with the easiest straight
-    /// shot, 0 to 1.
+    /// How likely the player at `seat` is to pocket something with the easiest straight shot, 0 to
+    /// 1.
     fn prospect(&self, game: &Game, seat: Seat) -> f64 {
         if !self.skill.looks_ahead {
             return 0.0;

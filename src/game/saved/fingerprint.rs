@@ -9,9 +9,9 @@ use crate::numbers::{FNV_START, fnv1a};
 /// A hash of a game's positions, turn, dues, queen and score: it differs for games that differ in a
 /// single bit, except with a probability of 10⁻¹⁹.
 ///
-/// It is FNV-1a (64 bits) of these data. Their order is part of the file format, and so is the
-/// order in which pieces, seats and teams are declared. It detects damage and differences between
-/// machines, not forgery.
+/// It is the 64-bit FNV-1a hash of these data. Their order is part of the file format, and so is
+/// the order in which pieces, seats and teams are declared. It detects damage and differences
+/// between machines, not forgery.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Fingerprint(u64);
 
@@ -85,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn only_a_written_fingerprint_can_be_read() {
+    fn only_the_written_form_of_a_fingerprint_can_be_read() {
         let hash = Fingerprint(0x0012_3456_789a_bcde);
         assert_eq!(Fingerprint::parse(&hash.to_string()), Some(hash));
         for text in [

@@ -13,8 +13,8 @@ pub use fingerprint::Fingerprint;
 
 use super::record::Record;
 
-/// The format of new files.
-const FORMAT: u32 = 1;
+/// The format of new files. In the first one `setup` had no `restitution`.
+const FORMAT: u32 = 2;
 
 /// A saved game.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,10 +2,10 @@
 
 use super::company::BySeat;
 use super::{Company, FORMAT, Fingerprint, Player, SavedGame, is_player_name};
-use crate::files::{Fields, FileErrors, NO_NAME, Source, is_blank_name};
+use crate::files::{Fields, FileErrors, NO_NAME, NumberSpec, Source, is_blank_name};
 use crate::game::opponent::Strength;
 use crate::game::record::Record;
-use crate::game::table::Game;
+use crate::game::table::{Game, GameSetup};
 
 /// The fields of a file.
 const FIELDS: [&str; 11] = [
@@ -22,6 +22,18 @@ const FIELDS: [&str; 11] = [
     "end",
 ];
 
+/// The contents of `setup`.
+const SETUP: [&str; 6] = [
+    "rules",
+    "hands",
+    "set",
+    "restitution",
+    "first_breaker",
+    "seed",
+];
+
+const RESTITUTION: NumberSpec = NumberSpec::new("a coefficient of restitution", "", 0.0, 1.0);
+
 impl SavedGame {
     /// Reads a file and plays all its moves; returns it with the resulting game. `name` is the name
     /// of the file in messages.
@@ -31,7 +43,7 @@ impl SavedGame {
     /// fingerprint at its end does not match.
     pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, Game), FileErrors> {
         let source = Source::of_bytes(name, bytes, Self::LARGEST_FILE)?;
-        source.document("a saved game", FORMAT..=FORMAT, &FIELDS, from_fields)
+        source.document("a saved game", 1..=FORMAT, &FIELDS, from_fields)
     }
 }
 
@@ -53,7 +65,7 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
     };
     let call = fields.parsed("call", "true or false");
     let aids = fields.parsed("aids", "the aids that are drawn");
-    let setup = fields.parsed("setup", "the settings of the game");
+    let setup = fields.table("setup", &SETUP).and_then(|it| setup(&it));
     let moves = fields.all_parsed("moves", "a list of moves");
     let hints = fields.or("hints", Vec::new(), |name| {
         fields.all_parsed::<usize>(name, "the numbers of moves")
@@ -85,4 +97,28 @@ fn from_fields(fields: &Fields) -> Option<(SavedGame, Game)> {
         end,
     };
     Some((saved, game))
+}
+
+/// The agreement before the first break.
+fn setup(fields: &Fields) -> Option<GameSetup> {
+    let rules = fields.parsed("rules", "the rules");
+    let hands = fields.parsed("hands", "how many play");
+    let set = fields.parsed("set", "the pieces");
+    let usual = GameSetup::default().restitution;
+    let restitution = fields.or("restitution", usual, |name| {
+        fields.number(name, &RESTITUTION)
+    });
+    let first_breaker = fields.parsed("first_breaker", "who breaks first");
+    let seed = fields.or("seed", None, |name| {
+        let bits = fields.parsed::<i64>(name, "a whole number")?;
+        Some(Some(bits.cast_unsigned()))
+    });
+    Some(GameSetup {
+        rules: rules?,
+        hands: hands?,
+        set: set?,
+        restitution: restitution?,
+        first_breaker: first_breaker?,
+        seed: seed?,
+    })
 }

@@ -278,7 +278,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn any_text_is_a_formula_or_a_message(text in "[-a-z0-9_^()/ \"=+.√αµ{}]{0,60}") {
+        fn any_text_is_a_formula_or_gives_an_error(text in "[-a-z0-9_^()/ \"=+.√αµ{}]{0,60}") {
             if let Ok(formula) = Formula::read(&text) {
                 prop_assert!(!formula.inline().is_empty() || text.contains("\"\""));
             }

@@ -10,7 +10,7 @@ use crate::progress::words::{degrees, percent};
 use crate::progress::{LATELY, Mastery, TopicStanding, Trend};
 use crate::quiz::NAMED_ODDS;
 
-/// The most columns in a topic's name.
+/// The maximum number of columns in a topic's name.
 const TOPIC: usize = 40;
 
 pub(super) fn document(reports: &[Report]) -> String {
@@ -30,7 +30,7 @@ fn sheet(report: &Report) -> Markup {
             @if report.attempts.is_empty() {
                 p.nothing {
                     "There is nothing here yet: every game starts with a clean board. After a \
-                     round of the quiz "
+                     round of the quiz, "
                     "this page shows how the answers come closer to the true values."
                 }
             } @else {
@@ -91,7 +91,7 @@ fn columns(report: &Report) -> Markup {
         div.columns {
             div {
                 (picture("errors"))
-                section { (listed("Topics", &report.topics, "No question of the quiz yet.", topics)) }
+                section { (listed("Topics", &report.topics, "No quiz questions yet.", topics)) }
                 section { (beliefs(report)) }
                 section { (listed("Levels", &report.packs, "No stars yet.", packs)) }
             }
@@ -99,7 +99,7 @@ fn columns(report: &Report) -> Markup {
                 (picture("calibration"))
                 (picture("calibration-over-time"))
                 section.chapters {
-                    (listed("Chapters", &report.chapters, "None begun yet.", chapters))
+                    (listed("Chapters", &report.chapters, "None started yet.", chapters))
                 }
             }
         }
@@ -120,7 +120,7 @@ fn more<T>(cut: &Cut<T>) -> Markup {
     html! { @if let Some(more) = cut.and_more() { p.dim { (more) } } }
 }
 
-/// A title above a table of rows, or above a text if there are no rows.
+/// A title above a table of rows, or above a sentence if there are no rows.
 fn listed<T>(title: &str, cut: &Cut<T>, none: &str, table: fn(&[T]) -> Markup) -> Markup {
     html! {
         h2 { (title) }

@@ -7,7 +7,7 @@ use crate::paper::{Markdown, clean};
 use crate::progress::words::{degrees, percent};
 use crate::quiz::NAMED_ODDS;
 
-/// The most columns in a topic's name.
+/// The maximum number of columns in a topic's name.
 const TOPIC: usize = 60;
 
 pub(super) fn document(report: &Report, folder: &str) -> String {
@@ -48,7 +48,7 @@ fn figures(report: &Report, document: &mut Markdown) {
     row("topics solid", report.solid.to_string());
     row("chapters done", of(report.done));
     row("stars", of(report.stars));
-    document.table(&["all in all", ""], rows);
+    document.table(&["overall", ""], rows);
 }
 
 fn tables(report: &Report, document: &mut Markdown) {

@@ -24,9 +24,9 @@ use crate::progress::{
 use crate::quiz::{Measure, RIGHT_DEG};
 use rows::{ChapterRow, Cut, PackRow};
 
-/// The most columns in the player's name.
+/// The maximum number of columns in the player's name.
 const NAME: usize = 44;
-/// The most rows in each table, so that everything fits on one page.
+/// The maximum number of rows in each table, so that everything fits on one page.
 const MOST_TOPICS: usize = 10;
 const MOST_BELIEFS: usize = 6;
 const MOST_CHAPTERS: usize = 12;
@@ -51,7 +51,7 @@ pub struct Sources<'a> {
 
 /// The one-page report on a player's progress.
 ///
-/// It fits on one sheet of A4: long tables are shortened, with the number of further rows.
+/// It fits on one sheet of A4: long tables are cut short, and the number of further rows is given.
 #[derive(Debug, Clone)]
 pub struct Report<'a> {
     name: String,
@@ -63,7 +63,7 @@ pub struct Report<'a> {
     beliefs: Cut<HeldBelief>,
     chapters: Cut<ChapterRow>,
     packs: Cut<PackRow>,
-    /// How many topics are solid.
+    /// The number of topics that are solid.
     solid: usize,
     /// The number of chapters that are completely read and answered, and the number of all
     /// chapters.
@@ -108,7 +108,7 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// The report as an HTML document, with its pictures in it.
+    /// The report as an HTML document that contains its pictures.
     pub fn html(&self) -> String {
         Self::html_of_all(std::slice::from_ref(self))
     }
@@ -161,7 +161,7 @@ impl<'a> Report<'a> {
         let when = today.map_or(String::new(), |day| format!(" on {}", long_day(day)));
         format!(
             "Written by carrom{when} from the answers saved on this computer. Days begin at \
-             midnight in the time zone of that computer. Right: a direction within {RIGHT_DEG}° of \
+             midnight in that computer's time zone. Right: a direction within {RIGHT_DEG}° of \
              the true one, the right choice, or {}. {} A chapter is done when all of it has been \
              read and answered.",
             Measure::RIGHT,

@@ -12,11 +12,11 @@ use crate::widgets::picture::{self, Pen, View};
 use crate::widgets::plot::{REACH, errors_picture, sureness_picture};
 use crate::widgets::svg::Svg;
 
-/// The fewest answers of one confidence from which a share is calculated.
+/// The minimum number of answers at one confidence level for which a share is calculated.
 const SHARED: usize = 10;
-/// If there are many answers, a share is calculated from one part in this many of them.
+/// If there are many answers, each share is calculated over their total number divided by this.
 const GROUPS: usize = 40;
-/// The columns and rows of a picture over the whole width, and of one in a column.
+/// The size, in columns and rows, of a picture over the whole width, and of one in a column.
 const WIDE: Rect = Rect::new(0, 0, 60, 14);
 const NARROW: Rect = Rect::new(0, 0, 40, 14);
 /// The fill of the target range.
@@ -47,9 +47,14 @@ fn errors(report: &Report) -> Option<ReportPicture> {
     let words = "Angle error of each answer in degrees, in the order of the answers";
     let legend = match group {
         1 => {
-            format!("Dots are right answers, crosses wrong ones; the line is the mean of {REACH}.")
+            format!(
+                "Dots are right answers, crosses wrong ones; the line is the mean of {REACH} \
+                 answers."
+            )
         }
-        _ => format!("The line is the mean of each {group} answers; right is within {RIGHT_DEG}°."),
+        _ => format!(
+            "The line shows the means of {group} answers each; right is within {RIGHT_DEG}°."
+        ),
     };
     Some(ReportPicture {
         name: "errors",
@@ -59,7 +64,7 @@ fn errors(report: &Report) -> Option<ReportPicture> {
     })
 }
 
-/// The share of right answers for each confidence, over its target range.
+/// The share of right answers at each confidence level, over its target range.
 fn calibration(report: &Report) -> Option<ReportPicture> {
     let said = |it: &Calibrated| it.tally.attempts > 0;
     if !report.calibration.iter().any(said) {
@@ -107,7 +112,7 @@ fn calibration(report: &Report) -> Option<ReportPicture> {
         let x = end.x + if share > 0.6 { -aside } else { aside };
         picture.text(dvec2(x, y + 0.2), counted, Role::Text);
     }
-    let words = "Share of right answers for each confidence, with its target range";
+    let words = "Share of right answers at each confidence level, with its target range";
     Some(ReportPicture {
         name: "calibration",
         title: "Confidence and right answers",
@@ -116,18 +121,18 @@ fn calibration(report: &Report) -> Option<ReportPicture> {
     })
 }
 
-/// The share of right answers among the last few of each confidence, over time.
+/// The share of right answers among the last few at each confidence level, over time.
 fn over_time(report: &Report) -> Option<ReportPicture> {
     // If there are many answers, each share uses more of them, so that the line is smooth.
     let reach = SHARED.max(report.attempts.len() / GROUPS / 10 * 10);
     let picture = sureness_picture(report.attempts, usize::MAX, reach, NARROW, LOOK)?;
-    let words = "Share of right answers among the last few of each confidence, over time";
+    let words = "Share of right answers among the last few at each confidence level, over time";
     Some(ReportPicture {
         name: "calibration-over-time",
         title: "Confidence and right answers over time",
         legend: format!(
-            "Right answers (%) among the last {reach} of each. Well calibrated: sure above 80, think so \
-             50 to 80, guess below."
+            "Right answers (%) among the last {reach} at each level. Well calibrated: sure above \
+             80, think so 50 to 80, guess below."
         ),
         svg: svg(words, &picture),
     })

@@ -6,7 +6,7 @@ use crate::lessons::{self, Bookmark};
 use crate::levels::{self, MOST_STARS, Starred};
 use crate::paper::clean;
 
-/// The most columns in a name in a table.
+/// The maximum number of columns in a name in a table.
 const NAME: usize = 34;
 
 /// The first rows of a table, and the number of further rows.
@@ -29,7 +29,7 @@ impl<T> Cut<T> {
     }
 }
 
-/// A chapter that has been begun.
+/// A chapter that has been started.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct ChapterRow {
     pub(super) title: String,
@@ -41,7 +41,7 @@ pub(super) struct ChapterRow {
     pub(super) done: bool,
 }
 
-/// The chapters that have been begun, in the order of the contents.
+/// The chapters that have been started, in the order of the table of contents.
 pub(super) fn chapters(
     library: &lessons::ChapterLibrary,
     marks: &BTreeMap<String, Bookmark>,

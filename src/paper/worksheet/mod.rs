@@ -17,7 +17,7 @@ pub(crate) use pictures::WorksheetPicture;
 
 use super::{Paper, clean};
 
-/// The most columns in a heading.
+/// The maximum number of columns in a heading.
 const TITLE: usize = 120;
 /// The default heading.
 const HEADING: &str = "Glancing collisions";
@@ -32,8 +32,8 @@ pub struct Worksheet<'a> {
     /// The letter of the version, if there are several. The code opens the questions of version A
     /// on a screen.
     pub(crate) version: Option<char>,
-    /// The folders of own questions that are required to open the round on a screen, quoted for a
-    /// shell.
+    /// The folders of the teacher's own questions that are required to open the round on a screen,
+    /// quoted for a shell.
     pub(crate) concepts: Vec<String>,
     pub(crate) paper: Paper,
 }
@@ -58,7 +58,7 @@ impl<'a> Worksheet<'a> {
     }
 
     /// The command that opens the same round on a screen; `None` for the other versions, which have
-    /// other numbers.
+    /// different numbers.
     fn command(&self) -> Option<String> {
         let is_first = self.version.is_none_or(|letter| letter == 'A');
         is_first.then(|| words::command(self.round.code(), &self.concepts))

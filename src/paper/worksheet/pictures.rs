@@ -30,7 +30,7 @@ impl WorksheetPicture {
 const QUESTION: &str = "question-";
 const ANSWER: &str = "answer-";
 
-/// The columns and rows of a picture in which students do not draw.
+/// The size, in columns and rows, of a picture in which students do not draw.
 const AREA: Rect = Rect::new(0, 0, 44, 18);
 
 /// The name of the picture of the question with this number, counted from 1.
@@ -68,7 +68,9 @@ pub(super) fn of_question(question: &Question) -> Option<Svg> {
             (protractor_picture(collision, *shown), words)
         }
         (Illustration::Before { collision, .. }, _) => (drawn()?, words(collision, "")),
-        (Illustration::After { collision }, _) => (drawn()?, words(collision, ", and both go on")),
+        (Illustration::After { collision }, _) => {
+            (drawn()?, words(collision, ", with both final paths"))
+        }
         (Illustration::Tracks { .. }, _) => {
             let words = "Two particles pass a nucleus, each deflected by an angle";
             (drawn()?, words.into())
@@ -91,7 +93,7 @@ pub(super) fn of_answer(question: &Question) -> Option<Svg> {
     let watch = Watch::revealed(collision)
         .with_layers(layers)
         .with_measures();
-    let words = words(&collision, ", and both go on");
+    let words = words(&collision, ", with both final paths");
     Some(svg(&words, &watch.picture(AREA)))
 }
 

@@ -1,4 +1,4 @@
-//! The texts on the question sheet and the answer key, for both formats.
+//! The wording of the question sheet and the answer key, for both formats.
 
 use crate::numbers;
 use crate::quiz::{
@@ -14,9 +14,9 @@ pub(super) const ADVICE: &str = "Predict first, then check: answer every questio
                                  otherwise.";
 
 /// The purpose of the answer key.
-pub(super) const KEY_ADVICE: &str = "For the teacher. Each question with its true answer, why it \
-                                     is true, and the wrong answers to listen for: a pupil who \
-                                     gives one of these answers probably reasoned this way.";
+pub(super) const KEY_ADVICE: &str = "For the teacher: each question has its true answer, the \
+                                     reason why it is true, and the wrong answers to listen for, \
+                                     with the reasoning that probably led to them.";
 
 /// The command that opens the same round on a screen.
 pub(super) fn command(code: &Code, concepts: &[String]) -> String {
@@ -58,7 +58,7 @@ pub(super) fn tolerance() -> String {
     )
 }
 
-/// The points for each confidence.
+/// The points for each confidence level.
 pub(super) fn points() -> String {
     let each = Confidence::ALL.map(|sure| {
         let [right, wrong] = [1.0, 0.0].map(|credit| sure.points(credit));
@@ -68,7 +68,7 @@ pub(super) fn points() -> String {
     format!("Optional points (right or wrong): {each}.")
 }
 
-/// The heads of the table of wrong answers.
+/// The column headings of the table of wrong answers.
 pub(super) const WRONG_ANSWERS: [&str; 2] = ["Answer", "Possible reasoning, and a reply"];
 
 /// The instruction for an answer that is drawn or ticked.
@@ -83,12 +83,12 @@ pub(super) fn task(question: &Question) -> Option<&'static str> {
     }
 }
 
-/// The true answer in words, a choice with its letter.
+/// The true answer in words; a choice includes its letter.
 pub(super) fn truth(question: &Question) -> String {
     said(question, &question.form.truth())
 }
 
-/// An answer in words, a choice with its letter.
+/// An answer in words; a choice includes its letter.
 pub(super) fn said(question: &Question, said: &crate::quiz::Response) -> String {
     let words = question.form.words(said);
     match said {

@@ -42,7 +42,8 @@ impl Grid {
         self.cells.resize(self.columns * self.columns, Vec::new());
         self.places.clear();
         for (i, motion) in start.iter().enumerate() {
-            // A cast of a float saturates, so positions outside by rounding are inside.
+            // A cast of a float saturates, so a position that rounding has moved outside counts as
+            // inside.
             let along = |x: f64| (((x + self.half) / self.size) as usize).min(self.columns - 1);
             let place = [along(motion.position.x), along(motion.position.y)];
             self.places.push(place);

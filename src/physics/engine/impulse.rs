@@ -38,7 +38,7 @@ pub(super) fn simultaneous(
     }
 }
 
-/// Change of the normal speed at `a` by a unit impulse at `b`.
+/// Change in the normal speed at `a` caused by a unit impulse at `b`.
 fn coupling(a: &Touch, b: &Touch, bodies: &[Body]) -> f64 {
     let mut sum = 0.0;
     for (end_a, &disc_a) in a.discs.iter().enumerate() {
@@ -52,7 +52,7 @@ fn coupling(a: &Touch, b: &Touch, bodies: &[Body]) -> f64 {
     sum * a.normal.dot(b.normal)
 }
 
-/// Change of the normal speed at a contact by a unit impulse at the same contact.
+/// Change in the normal speed at a contact caused by a unit impulse at the same contact.
 fn yielding(touch: &Touch, bodies: &[Body]) -> f64 {
     1.0 / bodies[touch.discs[0]].mass + 1.0 / bodies[touch.discs[1]].mass
 }

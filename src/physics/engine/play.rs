@@ -34,7 +34,7 @@ pub(super) struct ShotInPlay<'a> {
 }
 
 impl ShotInPlay<'_> {
-    /// Plays the shot and returns how long it took, in seconds.
+    /// Plays the shot and returns its duration in seconds.
     pub(super) fn run(mut self) -> Result<f64, EngineError> {
         self.set_off();
         let mut last = 0.0;

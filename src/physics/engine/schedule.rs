@@ -15,16 +15,16 @@ const BLOCK: usize = 24;
 /// The forecast of a disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Forecast {
-    /// Its slide ends by itself.
+    /// The disc's slide ends by itself.
     Alone(SlideEnd),
-    /// It meets a partner that is still on the slide of this version.
+    /// The disc meets a partner that is still on the slide with this version.
     Meet { partner: usize, version: u32 },
 }
 
 /// The earliest forecast of each disc.
 ///
-/// A forecast may be outdated because its partner's motion has changed since. It is then too
-/// early, never too late, and is repeated when its time comes.
+/// A forecast may be outdated because its partner's motion has changed since. Such a forecast is
+/// too early, never too late, and is repeated when its time comes.
 #[derive(Debug, Default, Clone)]
 pub(super) struct Schedule {
     /// One per disc, padded with infinities to whole blocks.

@@ -118,7 +118,7 @@ impl Constant {
         Ok(())
     }
 
-    /// Its value in the unit of its name.
+    /// The value, in the unit that the name gives.
     pub(crate) fn value(&self) -> Option<f64> {
         (self.of)(&self.fields).filter(|value| value.is_finite())
     }
@@ -145,7 +145,7 @@ mod tests {
         assert!((value("rutherford_share", &[("angle_deg", "45")]) - 3.2e-7).abs() < 0.05e-7);
         // 1/sin⁴ from 60° to 120°: (sin 60° / sin 30°)⁴ = 9.
         assert!((value("rutherford_ratio", &[]) - 9.0).abs() < 1e-9);
-        // Straight back the closest approach is d itself.
+        // For scattering straight back, the closest approach is d itself.
         let back = value("rutherford_r_fm", &[("angle_deg", "180")]);
         assert!((back - value("rutherford_d_fm", &[])).abs() < 1e-9);
     }

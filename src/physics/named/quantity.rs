@@ -14,11 +14,11 @@ use crate::numbers::{fixed, true_minus};
 /// A number that follows from a collision.
 #[derive(Debug, Clone, Copy)]
 pub struct Quantity {
-    /// Its name in a file.
+    /// The quantity's name in a file.
     pub name: &'static str,
-    /// Its symbol in a formula.
+    /// The quantity's symbol in a formula.
     pub symbol: &'static str,
-    /// Its unit on the screen; may be empty.
+    /// The quantity's unit on the screen; may be empty.
     pub unit: &'static str,
     /// The usual number of decimals.
     pub decimals: usize,
@@ -44,7 +44,7 @@ const SPEED: Unit = Unit("m/s", 2, 1.0);
 const ANGLE: Unit = Unit("°", 1, deg_from_rad(1.0));
 const LENGTH: Unit = Unit("mm", 1, mm_from_m(1.0));
 const ENERGY: Unit = Unit("mJ", 1, 1e3);
-/// Formulas give it in g m/s.
+/// Formulas give momentum in g m/s.
 const MOMENTUM: Unit = Unit("g m/s", 1, 1.0);
 const RATE: Unit = Unit("1/s", 1, 1.0);
 const SHARE: Unit = Unit("", 3, 1.0);
@@ -158,13 +158,14 @@ impl Quantity {
         matches!(self.name, "energy1_share" | "energy2_share" | "lost_share")
     }
 
-    /// Its value in its unit; `None` if it is undefined, such as the direction of a disc at rest.
+    /// The value in the quantity's unit; `None` if it is undefined, such as the direction of a disc
+    /// at rest.
     pub(crate) fn of(&self, collision: &Collision) -> Option<f64> {
         let value = (self.of)(collision, &collision.outcome())? * self.scale;
         value.is_finite().then_some(value + 0.0)
     }
 
-    /// Its value as the screen shows it, without its unit; a word if it is undefined.
+    /// The value as the screen shows it, without its unit; a word if the value is undefined.
     pub(crate) fn shown(&self, collision: &Collision) -> String {
         self.of(collision).map_or_else(
             || "undefined".into(),

@@ -1,9 +1,9 @@
 //! The record of a perfectly inelastic collision: two discs that meet and stick together.
 //!
-//! Sticking is not e = 0. The pair becomes one body: its centre of mass keeps the velocity V =
-//! (m₁u₁ + m₂u₂)/(m₁+m₂) and, after an off-centre contact, it rotates with ω = μ b w / (½m₁r₁² +
-//! ½m₂r₂² + μ(r₁+r₂)²), where w is the relative speed, b the impact parameter and μ the reduced
-//! mass: angular momentum about the centre of mass is conserved.
+//! Sticking is not the same as e = 0. The pair becomes one body: its centre of mass keeps the
+//! velocity V = (m₁u₁ + m₂u₂)/(m₁+m₂) and, after an off-centre contact, it rotates with ω = μ b w /
+//! (½m₁r₁² + ½m₂r₂² + μ(r₁+r₂)²), where w is the relative speed, b the impact parameter and μ the
+//! reduced mass: angular momentum about the centre of mass is conserved.
 
 use glam::DVec2;
 
@@ -77,8 +77,8 @@ impl StuckPair {
 
 impl Shot {
     /// The record, `duration` seconds long, of two discs on a frictionless open sheet that stick
-    /// together when they meet. If they miss, it is the record of the miss. The numbers must be
-    /// valid for a shot, and the duration finite.
+    /// together when they meet. If the discs miss each other, this is the record of the miss. The
+    /// numbers must be valid for a shot, and the duration finite.
     pub(in super::super) fn captured(
         board: &Board,
         discs: [Disc; 2],

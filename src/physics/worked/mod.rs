@@ -22,9 +22,9 @@ use number::{degrees, vector};
 pub struct WorkedStep {
     /// What the step does.
     pub title: &'static str,
-    /// The reason for it, or what it means, in a sentence or two; may be empty.
+    /// The reason for the step, or what the step means, in a sentence or two; may be empty.
     pub why: String,
-    /// The working, one formula or result per line; a line that continues the one before begins
+    /// The working, one formula or result per line; a line that continues the previous line begins
     /// with spaces.
     pub lines: Vec<String>,
 }

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::numbers::{four_figures, true_minus};
 
-/// A number below this share of its scale is shown as 0.
+/// A number below this fraction of its scale is shown as 0.
 const NOISE: f64 = 1e-9;
 
 /// A number to four significant digits with a proper minus sign.

@@ -7,8 +7,8 @@ use crate::files::FileError;
 
 /// How many questions there must be before a pattern can be seen in them.
 const ENOUGH: usize = 8;
-/// A right choice stands out if it is longer or shorter than all others of its question by more
-/// than this many letters and by more than this factor.
+/// A right choice stands out if it is longer or shorter than all other choices of its question by
+/// more than this many letters and by more than this factor.
 const STANDING_OUT: (usize, f64) = (8, 1.5);
 /// The characters that end a sentence, including those of Hindi and Bengali, Chinese, Arabic and
 /// Urdu.
@@ -16,8 +16,8 @@ const STOPS: [char; 8] = ['.', '?', '!', '।', '。', '？', '！', '؟'];
 /// Words that make a choice sound wrong.
 const BROAD: [&str; 3] = ["always", "never", "nothing can"];
 
-/// All faults of these questions: of each question by itself and, if there are at least eight, of
-/// all together.
+/// All faults of these questions: those of each question and, if there are at least eight
+/// questions, those of all of them together.
 pub fn check(concepts: &[Concept]) -> Vec<FileError> {
     let mut faults: Vec<FileError> = concepts.iter().flat_map(Concept::check).collect();
     let Some(first) = concepts.first().filter(|_| concepts.len() >= ENOUGH) else {
@@ -57,12 +57,16 @@ impl Concept {
             if let Some([right, other]) = figures(&self.right, &wrong.choice)
                 && (right - other).abs() <= 0.1 * right.max(other)
             {
-                let message = format!("expected figures well apart, found {right} and {other}");
+                let message =
+                    format!("expected clearly different figures, found {right} and {other}");
                 found("choice", message);
             }
         }
         if self.hit.is_some_and(|hit| !hit.outcome().hit()) {
-            found("hit", "expected discs that meet; these miss".into());
+            found(
+                "hit",
+                "expected discs that collide; these miss each other".into(),
+            );
         }
         faults
     }
@@ -81,12 +85,12 @@ impl Concept {
             return None;
         };
         Some(format!(
-            "expected a choice about as long as the others, found the right one {which} by far: \
-             {right} letters to {least}-{most}"
+            "expected a right choice about as long as the others, found the {which} by far: \
+             {right} letters, the others {least}-{most}"
         ))
     }
 
-    /// The number of letters of the right choice, of the shortest wrong one, and of the longest.
+    /// The numbers of letters of the right choice and of the shortest and the longest wrong one.
     fn letters(&self) -> [usize; 3] {
         let wrongs = self.wrongs.iter().map(|wrong| letters(&wrong.choice));
         let (least, most) = (wrongs.clone().min(), wrongs.max());
@@ -132,8 +136,8 @@ fn lengths(concepts: &[Concept]) -> Vec<String> {
     faults
 }
 
-/// Whether the right choice is at the same place too often, where the choices have a natural order;
-/// all others are shuffled.
+/// Whether the right choice is in the same place too often among questions whose choices have a
+/// natural order; the choices of all others are shuffled.
 fn places(concepts: &[Concept]) -> Vec<String> {
     let ordered: Vec<_> = concepts.iter().filter(|concept| concept.ordered).collect();
     let mut places: BTreeMap<usize, usize> = BTreeMap::new();
@@ -146,7 +150,7 @@ fn places(concepts: &[Concept]) -> Vec<String> {
     often
         .map(|(place, count)| {
             format!(
-                "the right choice is at place {} in {count} of {} questions whose choices \
+                "the right choice is number {} in {count} of {} questions whose choices \
                  have an order",
                 place + 1,
                 ordered.len()
@@ -155,8 +159,8 @@ fn places(concepts: &[Concept]) -> Vec<String> {
         .collect()
 }
 
-/// Whether choices are given away by a first word that mostly right ones have, or by "always" and
-/// "never" in wrong ones.
+/// Whether choices are given away by a first word that is found mostly in right ones, or by
+/// "always" and "never" in wrong ones.
 fn words(concepts: &[Concept]) -> Vec<String> {
     let mut begin: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
     for (text, wrong) in concepts.iter().flat_map(Concept::choices) {
@@ -169,7 +173,7 @@ fn words(concepts: &[Concept]) -> Vec<String> {
     for (word, (right, of)) in begin {
         if of >= 4 && 2 * right > of {
             faults.push(format!(
-                "of {of} choices that begin with \"{word}\" {right} are right"
+                "of {of} choices that begin with \"{word}\", {right} are right"
             ));
         }
     }

@@ -1,15 +1,15 @@
-//! The figures of a text, filled in from the question's own hit.
+//! The figures in a text, filled in from the question's own hit.
 
 use crate::numbers::{short, true_minus, with_unit};
 use crate::physics::CollisionSpec;
 use crate::physics::named::{Constant, Quantity};
 
-/// Decimals of a number that does not come from a hit, and of a percentage.
+/// The number of decimals of a percentage and of a number that does not come from a hit.
 const DECIMALS: usize = 2;
 const PERCENT_DECIMALS: usize = 1;
 
-/// `text` with every `{name field=value ...}` replaced by its figure. A `%` at the end
-/// inside the braces turns a share into a percentage.
+/// `text` with every `{name field=value ...}` replaced by its figure. A `%` before the closing
+/// brace turns a fraction into a percentage.
 ///
 /// # Errors
 /// What was expected, if a name or a field is unknown or a figure is undefined.
@@ -65,7 +65,7 @@ fn of_no_hit(mut constant: Constant, fields: &[(&str, &str)]) -> Result<Option<f
     Ok(constant.value())
 }
 
-/// A quantity of the hit with these fields changed, and its decimals.
+/// A quantity of the hit with these fields changed, and its number of decimals.
 fn of_hit(
     name: &str,
     fields: &[(&str, &str)],

@@ -1,10 +1,10 @@
-//! Concept questions: each asks about one idea of glancing collisions, in words, with wrong choices
+//! Concept questions: each asks in words about one idea of glancing collisions, with wrong choices
 //! that students are known to believe.
 //!
-//! They are data: the files of `assets/concepts/`, one for each subject, and a teacher's own in a
-//! [`Library`]. `docs/concepts.md` describes the format. No calculated figure is typed there: a
-//! text contains `{theta1_deg}`, and the figure is calculated from the question's own hit while the
-//! file is read.
+//! The questions are data: the files of `assets/concepts/`, one for each subject, and a teacher's
+//! own in a [`Library`]. `docs/concepts.md` describes the format. No calculated figure is typed in
+//! these files: a text contains `{theta1_deg}`, and the figure is calculated from the question's
+//! own hit while the file is read.
 
 mod check;
 mod figures;
@@ -45,7 +45,7 @@ pub struct Concept {
     pub ask: String,
     /// The right choice.
     pub right: String,
-    /// The wrong choices, two or three; in their order if the question is ordered.
+    /// The two or three wrong choices, in their natural order if the question is ordered.
     pub wrongs: Vec<Wrong>,
     /// The explanation of the right choice, shown after any answer.
     pub why: String,
@@ -79,7 +79,7 @@ impl Concept {
         Topic::of_subject(&self.subject)
     }
 
-    /// An error in one of its fields, with the file and the line.
+    /// An error in one of the question's fields, with the file and the line.
     fn fault(&self, field: &str, message: impl Into<String>) -> FileError {
         FileError {
             file: self.file.clone(),
@@ -107,7 +107,7 @@ impl Concept {
 }
 
 impl Topic {
-    /// The families that ask about it; none if no built-in question does.
+    /// The families that ask about this topic; none if no built-in question does.
     pub fn families(&self) -> Vec<Family> {
         let mut families = self.families_of_figures();
         let written = [Family::Concept, Family::Ideas];
@@ -124,7 +124,7 @@ impl Topic {
     }
 }
 
-/// All concept questions, read once for the whole process.
+/// All concept questions, read once per process.
 ///
 /// Their order is fixed, because it is part of the format of a round's code: new questions go to
 /// the end, into a family that no older code draws from.
@@ -141,7 +141,7 @@ pub fn of(family: Family) -> Vec<&'static Concept> {
     all.filter(|concept| concept.family == family).collect()
 }
 
-/// The question of an `id`.
+/// The question with this `id`.
 pub fn with_id(id: &str) -> Option<&'static Concept> {
     all().iter().find(|concept| concept.id == id)
 }
@@ -169,7 +169,7 @@ fn embedded() -> Result<Vec<Concept>, FileErrors> {
 /// The questions in the order in which `order` lists their ids, one per line.
 ///
 /// # Errors
-/// If it lists an unknown id, or leaves one out.
+/// If it lists an unknown id or omits a known one.
 fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, FileError> {
     let mut ordered = Vec::with_capacity(concepts.len());
     let mut family = Family::Concept;
@@ -182,7 +182,7 @@ fn in_order(mut concepts: Vec<Concept>, order: &str) -> Result<Vec<Concept>, Fil
             line: Some(line),
             ..FileError::of_file(
                 ORDER,
-                format!("expected the id of a question, once, found {id}"),
+                format!("expected the id of a question not yet listed, found {id}"),
             )
         };
         let at = concepts.iter().position(|concept| concept.id == id);

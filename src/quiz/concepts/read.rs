@@ -8,13 +8,13 @@ use crate::quiz::question::{Difficulty, Family, Misconception};
 
 /// The format that this program reads.
 const FORMAT: u32 = 1;
-/// The most letters of a question.
+/// The most letters a question may have.
 const ASK: usize = 240;
-/// The most letters of a choice.
+/// The most letters a choice may have.
 const CHOICE: usize = 90;
-/// The most letters of the feedback for a wrong choice.
+/// The most letters the feedback for a wrong choice may have.
 const SAYS: usize = 200;
-/// The most letters of the explanation.
+/// The most letters the explanation may have.
 const WHY: usize = 320;
 /// How many wrong choices a question may have.
 const WRONGS: std::ops::RangeInclusive<usize> = 2..=3;
@@ -31,7 +31,7 @@ const ITEM: [&str; 8] = [
     "hit",
 ];
 
-/// Adds the questions of a file to `concepts`, none of which may have the same id.
+/// Adds the questions of a file to `concepts`; no two may have the same id.
 ///
 /// # Errors
 /// All errors in the file.
@@ -50,8 +50,7 @@ pub(super) fn file(
                 let mut others = concepts.iter().chain(read.iter().flatten());
                 if others.any(|other| other.id == concept.id) {
                     let id = concept.id;
-                    return item
-                        .refuse("id", format!("expected an id of its own, found {id} twice"));
+                    return item.refuse("id", format!("expected a unique id, found {id} twice"));
                 }
                 Some(concept)
             });
@@ -67,7 +66,7 @@ fn concept(subject: &str, file: &str, item: &Fields) -> Option<Concept> {
     let hit = item.or("hit", None, |name| {
         read_hit(&item.table(name, &CollisionSpec::field_names())?).map(Some)
     });
-    // If the hit is invalid, the texts are checked with the default one.
+    // If the hit is invalid, the texts are checked with the default hit.
     let filled = hit.unwrap_or_else(|| Some(CollisionSpec::default()));
     let id = item.id("id");
     let difficulty = item.word("difficulty", &Difficulty::ALL.map(|it| (it.id(), it)));
@@ -101,7 +100,7 @@ fn concept(subject: &str, file: &str, item: &Fields) -> Option<Concept> {
         let earlier = concept.wrongs.iter().take(place).map(|other| &other.choice);
         let stands = |choice: &String| *choice == wrong.choice;
         if stands(&concept.right) || earlier.into_iter().any(stands) {
-            let message = format!("expected a choice of its own, found {} twice", wrong.choice);
+            let message = format!("expected different choices, found {} twice", wrong.choice);
             return item.refuse("wrong", message);
         }
     }
@@ -142,7 +141,7 @@ fn wrong(fields: &Fields, hit: Option<CollisionSpec>) -> Option<Wrong> {
     })
 }
 
-/// A text with its figures, of 1 to `most` letters.
+/// A text of 1 to `most` letters, with its figures filled in.
 fn text(
     fields: &Fields,
     name: &'static str,

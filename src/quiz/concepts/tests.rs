@@ -71,7 +71,7 @@ fn the_guide_lists_every_misconception_with_its_source() {
                 .next()
                 .unwrap()
                 .trim_end_matches(" et al.");
-            // A review on the web has no year.
+            // An online review has no year.
             let year = match year {
                 "" => String::new(),
                 year => format!("({year})"),
@@ -113,7 +113,7 @@ fn nothing_gives_a_right_choice_away_and_the_style_is_uniform() {
     }
 }
 
-/// The faults of the first `count` built-in questions, each after this change.
+/// The faults of the first `count` built-in questions after this change to each of them.
 fn spoilt(count: usize, change: impl Fn(&mut Concept)) -> Vec<String> {
     let mut concepts: Vec<Concept> = all()[..count].to_vec();
     concepts.iter_mut().for_each(change);
@@ -126,7 +126,7 @@ fn right_choices_that_are_given_away_are_reported() {
     assert_eq!(faults(1, |_| {}), "");
     let long = faults(1, |it| it.right = "x".repeat(90));
     assert!(
-        long.contains("the right one longest by far: 90 letters"),
+        long.contains("found the longest by far: 90 letters"),
         "{long}"
     );
     assert!(long.contains(&format!("{}.right", all()[0].id)), "{long}");
@@ -146,7 +146,7 @@ fn right_choices_that_are_given_away_are_reported() {
         it.wrongs[0].choice = "88°".into();
     });
     assert!(
-        near.contains("figures well apart, found 90 and 88"),
+        near.contains("clearly different figures, found 90 and 88"),
         "{near}"
     );
     // A pattern is reported only if there are enough questions.
@@ -165,10 +165,10 @@ fn right_choices_that_are_given_away_are_reported() {
             .contains("is the longest in 8 of 8")
     );
     let placed = faults(10, |it| (it.ordered, it.before_right) = (true, 1));
-    assert!(placed.contains("at place 2 in 10 of 10"), "{placed}");
+    assert!(placed.contains("is number 2 in 10 of 10"), "{placed}");
     let begun = faults(8, |it| it.right = format!("Exactly {}", it.right));
     assert!(
-        begun.contains("that begin with \"Exactly\" 8 are right"),
+        begun.contains("that begin with \"Exactly\", 8 are right"),
         "{begun}"
     );
     let broad = faults(8, |it| it.wrongs[0].choice += ", always");
@@ -178,7 +178,7 @@ fn right_choices_that_are_given_away_are_reported() {
     );
 }
 
-/// Figures in texts that no placeholder can give.
+/// Figures in texts that no placeholder can provide.
 #[test]
 fn figures_typed_in_texts_are_correct() {
     // where-turned-most: "at about α = 34°".
@@ -199,7 +199,7 @@ fn figures_typed_in_texts_are_correct() {
     let mut beyond = Constant::named("rutherford_beyond").unwrap();
     beyond.set("angle_deg", "90").unwrap();
     assert!(beyond.value().unwrap() < 1e-5);
-    // sixty-to-ninety: the result if half of the angle is forgotten.
+    // sixty-to-ninety: the result if the angle is not halved.
     assert!(((1.0 / 60.0_f64.to_radians().sin()).powi(4) - 1.78).abs() < 0.005);
     // came-square: 90° before and 90° after.
     let came = with_id("came-square").unwrap().hit.unwrap();
@@ -259,7 +259,7 @@ fn errors_name_the_line_and_the_field() {
         (
             "format = 1",
             "format = 2",
-            "my.toml:1: format: 2 is newer than the 1 this carrom reads; a newer carrom may open the file",
+            "my.toml:1: format: 2 is newer than 1, the latest this version reads; a newer version may open it",
         ),
         (
             "\"easy\"",
@@ -309,12 +309,12 @@ fn errors_name_the_line_and_the_field() {
         (
             "\"30°\"",
             "\"60°\"",
-            "expected a choice of its own, found 60° twice",
+            "expected different choices, found 60° twice",
         ),
         (
             "\"45°\"",
             "\"30°\"",
-            "expected a choice of its own, found 30° twice",
+            "expected different choices, found 30° twice",
         ),
         (
             "\"Because.\"",
@@ -368,7 +368,7 @@ fn the_order_names_each_question_once() {
 }
 
 #[test]
-fn an_ordered_question_has_its_right_choice_at_its_place() {
+fn the_right_choice_of_an_ordered_question_is_in_its_place() {
     let ordered = with_id("ninety-survives-speed").unwrap();
     let texts: Vec<_> = ordered.choices().iter().map(|c| c.0).collect();
     assert_eq!(texts, ["Below 90°", "90°", "Above 90°"]);
@@ -376,7 +376,7 @@ fn an_ordered_question_has_its_right_choice_at_its_place() {
 
 /// The manual contains a complete example, which must be a valid question.
 #[test]
-fn the_example_of_the_manual_is_a_question() {
+fn the_example_in_the_manual_is_a_valid_question() {
     let manual = include_str!("../../../docs/concepts.md");
     let (_, after) = manual.split_once("```toml\n").unwrap();
     let (example, _) = after.split_once("```").unwrap();

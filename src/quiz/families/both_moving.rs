@@ -7,11 +7,11 @@ use super::prelude::*;
 use crate::physics::CollisionOutcome;
 use crate::physics::units::g_from_kg;
 
-/// The largest impact angle asked about, as its cosine: beyond it they hardly touch.
+/// The cosine of the largest impact angle asked about; at larger angles the discs hardly touch.
 const LEAST_COSINE: f64 = 0.3;
 
-/// The smallest impact angle asked about, as its sine: closer to head-on the picture does not
-/// show that the collision is off-centre.
+/// The sine of the smallest impact angle asked about; at smaller angles the picture does not show
+/// that the collision is off-centre.
 const LEAST_SINE: f64 = 0.17;
 
 /// How far from 90° an angle must be, in degrees, before the question asks "more or less?".
@@ -70,14 +70,14 @@ impl MovingPair {
     /// A question about the pair, with this sentence about where they meet.
     fn outline(&self, collision: Collision, place: &str) -> Outline {
         let way = match self.way_deg {
-            0 => "ahead of the striker in the same direction".into(),
+            0 => "ahead of it in the same direction".into(),
             180 => "in the opposite direction".into(),
             way => format!("at {} to the striker's direction", in_degrees(way)),
         };
         let [u1, u2] = [self.speed, self.target_speed].map(|it| significant(it.into()));
         let text = format!(
-            "A striker moves at {u1} m/s, an equal coin at {u2} m/s {way}. {place} The discs are \
-             smooth, and no energy is lost."
+            "A striker moves at {u1} m/s, and an equal coin at {u2} m/s {way}. {place} The discs \
+             are smooth, and no energy is lost."
         );
         let disc = collision.striker;
         Outline::new(text, Illustration::before(collision, Markings::FIGURES))
@@ -163,8 +163,8 @@ fn frames(
                 .options(WHO, 0)
                 .chooses(SquareOnTheGround, 1)
                 .says(
-                    "You assumed 90° in the laboratory frame. There one coin must be at rest at \
-                     first, and here both move.",
+                    "You assumed 90° in the laboratory frame. That requires one coin at rest \
+                     at first, but here both move.",
                 )
                 .chooses(FramesMixed, 2)
                 .says(BACK_TO_BACK)
@@ -217,15 +217,15 @@ fn on_the_board(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -
     let (right, came) = match pair.way_deg {
         0..90 => (
             0,
-            "Before the collision the angle was less than 90°, and so it is afterwards:",
+            "Before the collision the angle was less than 90°, and it still is afterwards:",
         ),
         90 => (
             1,
-            "Before the collision the angle was 90°, and so it is afterwards:",
+            "Before the collision the angle was 90°, and it still is afterwards:",
         ),
         _ => (
             2,
-            "Before the collision the angle was more than 90°, and so it is afterwards:",
+            "Before the collision the angle was more than 90°, and it still is afterwards:",
         ),
     };
     if right != 1 && (deg_from_rad(separation) - 90.0).abs() < NEAR_SQUARE_DEG {
@@ -271,9 +271,9 @@ fn parting(pair: &MovingPair, outcome: &CollisionOutcome, draft: Outline) -> Opt
         .wrong(FramesMixed, 180.0)
         .says("Your answer is close to 180°, the angle in the centre-of-mass frame.")
         .why(format!(
-            "Along the line of impact n they exchange velocities, along t each keeps its own: the \
-             speeds become {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle \
-             is {} / ({v1} × {v2}), and the angle is {separation}.",
+            "Along the line of impact n they exchange velocities; along t each keeps its own. The \
+             speeds become {v1} and {v2} m/s. As v₁·v₂ = u₁·u₂, the cosine of the angle is {} / \
+             ({v1} × {v2}), and the angle is {separation}.",
             true_minus(&significant(dot))
         ))
 }
@@ -320,7 +320,7 @@ fn speed(
         )
         .wrong(OneLineFormula, others)
         .says(
-            "You exchanged the whole velocities. Off-centre only the components along n are \
+            "You exchanged the whole velocities. Off-centre, only the components along n are \
              exchanged.",
         )
         .why(format!(

@@ -82,7 +82,7 @@ fn turn_from_angle(hit: &Hit) -> Option<Question> {
     turn(hit, angle)
         .wrong(CopiedAngle, deg_from_rad(alpha))
         .says(
-            "You answered α itself. It describes where they touch, not how far the striker is \
+            "You answered α itself. But α describes where they touch, not how far the striker is \
                deflected.",
         )
         .why(why_turn(alpha, angle))
@@ -147,14 +147,14 @@ fn speed_of_centre(hit: &Hit, target_speed: Option<f64>) -> Option<Question> {
         ),
         Some(_) => (
             format!(
-                "A striker of {m1_words} g moves at {u1_words} m/s, a {name} of {m2_words} g at \
-                 {u2_words} m/s {way}."
+                "A striker of {m1_words} g moves at {u1_words} m/s, and a {name} of {m2_words} g \
+                 at {u2_words} m/s {way}."
             ),
             format!("{m1_words} × {u1_words} {sign} {m2_words} × {u2_words}"),
         ),
     };
     let backward = if along < 0.0 {
-        format!(" The minus sign is the direction of the {name}, which has the larger momentum.")
+        format!(" The minus sign means motion in the {name}'s direction.")
     } else {
         String::new()
     };

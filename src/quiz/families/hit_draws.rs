@@ -1,4 +1,4 @@
-//! Drawing of hits, shared by several families.
+//! Draws hits for several families.
 
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
@@ -35,7 +35,7 @@ impl HitDraws<'_> {
         Some(Hit {
             pieces,
             given: ImpactPoint::Angle {
-                // 0.0 - x, not -x: a head-on hit has no side.
+                // 0.0 - x, because -x would be -0.0 for a head-on hit, which has no side.
                 alpha_deg: if left { 0.0 - alpha_deg } else { alpha_deg },
             },
             restitution,
@@ -45,7 +45,7 @@ impl HitDraws<'_> {
     }
 }
 
-/// A hit between these discs with this e, off-centre.
+/// An off-centre hit between these discs with this e.
 pub(super) fn drawn(
     pieces: Pieces,
     restitution: f64,
@@ -66,7 +66,7 @@ pub(super) fn direction_deg(difficulty: Difficulty, dice: &mut Dice) -> f64 {
     f64::from(turn * dice.below(360 / turn))
 }
 
-/// Two discs of one size with these masses in grams.
+/// Two discs of the same size with these masses in grams.
 pub(super) fn pair(m1_g: u32, m2_g: u32) -> Pieces {
     let disc = |mass_g| Disc::from_g_mm(f64::from(mass_g), 15.0);
     Pieces::Own {
@@ -115,7 +115,7 @@ pub(super) fn read_off_angle(angle: f64) -> f64 {
     Intermediate::angle(angle, |_| ()).value
 }
 
-/// The result from rounded readings, with the exact result if they differ.
+/// The result from rounded readings, with the exact result if the two differ.
 pub(super) fn within_readings(found: &str, exact: &str) -> String {
     match found == exact {
         true => exact.to_owned(),

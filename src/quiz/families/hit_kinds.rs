@@ -141,7 +141,7 @@ fn every(pieces: &[Pieces], places: &[ImpactPoint], restitutions: &[f64]) -> Vec
 
 fn mirrored(given: ImpactPoint) -> ImpactPoint {
     match given {
-        // 0.0 - x, not -x: a head-on hit has no side.
+        // 0.0 - x, because -x would be -0.0 for a head-on hit, which has no side.
         ImpactPoint::Angle { alpha_deg } => ImpactPoint::Angle {
             alpha_deg: 0.0 - alpha_deg,
         },
@@ -202,7 +202,7 @@ mod tests {
         }
     }
 
-    /// Machines may differ in the last bit of a sine. No hit must depend on it.
+    /// Machines may differ in the last bit of a sine. No hit may depend on it.
     #[test]
     fn no_choice_depends_on_the_last_bit() {
         let near_tie = |angle: f64| {

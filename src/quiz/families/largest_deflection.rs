@@ -24,7 +24,7 @@ const HEAVIER: [&[(u32, u32)]; 3] = [
     &[(24, 18), (25, 20), (30, 26)],
 ];
 
-/// Masses in grams of a striker and a coin as heavy or heavier.
+/// Masses in grams of a striker and a coin that is equally heavy or heavier.
 const NOT_HEAVIER: [&[(u32, u32)]; 2] = [
     &[(12, 12), (15, 15), (18, 18), (20, 20)],
     &[(10, 20), (12, 15), (15, 30), (20, 25)],
@@ -42,7 +42,8 @@ pub(super) fn ask(difficulty: Difficulty, dice: &mut Dice) -> Option<Question> {
     }
 }
 
-/// A hit with these masses at the greatest deflection, or at 30° if no α gives a greatest one.
+/// A hit with these masses at the greatest deflection, or at 30° if the deflection has no greatest
+/// value.
 fn turned_most(
     (m1_g, m2_g): (u32, u32),
     e_tenths: u32,
@@ -118,7 +119,7 @@ fn limit(dice: &mut Dice) -> Option<Question> {
             )
             .chooses(HalfAndHalf, BELOW)
             .says(
-                "Did you assume that equal angles are the limit? At 45° the discs only share the energy equally.",
+                "Did you assume that equal angles are the limit? There the energy is only shared equally.",
             )
             .why(
                 "With equal masses the striker leaves at right angles to the line of impact, at \
@@ -137,7 +138,8 @@ fn limit(dice: &mut Dice) -> Option<Question> {
                    rebound.",
             )
             .why(
-                "Head-on a lighter striker bounces straight back: 180°. Other offsets give every deflection from 180° down to 0° at a graze.",
+                "Head-on, a lighter striker bounces straight back: 180°. By choosing the offset \
+                 you can get any deflection from 180° down to 0° at a graze.",
             ),
     }
 }
@@ -189,7 +191,7 @@ fn aimed(dice: &mut Dice) -> Option<(Hit, f64, f64, Outline)> {
     Some((hit, theta1, alpha, draft))
 }
 
-const HEAD_ON: &str = "Head-on a heavier striker goes straight on: it is not deflected at all.";
+const HEAD_ON: &str = "Head-on, a heavier striker goes straight on: it is not deflected at all.";
 
 fn where_by_angle(dice: &mut Dice) -> Option<Question> {
     let (_, theta1, alpha, draft) = aimed(dice)?;
@@ -214,8 +216,9 @@ fn where_by_angle(dice: &mut Dice) -> Option<Question> {
         .wrong(BeyondLargest, 0.0)
         .says(HEAD_ON)
         .why(format!(
-            "The tip of the final velocity vector lies on one circle, 2α around it. At the greatest deflection the vector is a tangent, so 2α + θ₁ = 90° and α = \
-             (90° − {}°) / 2 = {}.",
+            "The tip of the final velocity vector lies on a circle, at an angle of 2α. At the \
+             greatest deflection the vector is a tangent, so 2α + θ₁ = 90° and α = (90° − {}°) / 2 \
+             = {}.",
             Intermediate::angle(theta1, |theta1| degrees((FRAC_PI_2 - theta1) / 2.0)),
             degrees(alpha)
         ))
@@ -242,10 +245,7 @@ fn where_by_offset(dice: &mut Dice) -> Option<Question> {
             degrees(alpha)
         ))
         .wrong(SineCosine, reach_mm * alpha.cos())
-        .says(
-            "You used the cosine instead of the sine. Head-on the offset is 0, so it must be a \
-               sine.",
-        )
+        .says("You used the cosine instead of the sine. Head-on, the offset is 0, so use the sine.")
         .wrong(CopiedAngle, reach_mm * theta1.sin())
         .says(format!(
             "You used the deflection, {}, as the impact angle. The impact angle is the coin's \

@@ -147,7 +147,8 @@ impl ShotTask {
             .why(self.why(&why, alpha))
     }
 
-    /// An offset in metres, from one in millimetres for a coin to the right.
+    /// The offset in metres on the actual side, from an offset in millimetres for a coin to the
+    /// right.
     fn at(&self, offset_mm: f64) -> f64 {
         self.side * m_from_mm(offset_mm)
     }

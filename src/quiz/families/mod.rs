@@ -2,8 +2,8 @@
 //!
 //! A family draws numbers with the dice and builds a whole [`Question`] from them: the text, the
 //! picture, the right answer, the answer each misconception leads to, and the explanation. It need
-//! not check whether the answers can be told apart: [`Family::ask`] draws again until they can. A
-//! new family is a new file and a line in the table here; its topics are listed in the table of
+//! not check whether the answers can be told apart: [`Family::ask`] draws again until they can. To
+//! add a family, add a file and a line in the table here; its topics are listed in the table of
 //! topics.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question};
@@ -27,13 +27,13 @@ mod weigh;
 pub(super) mod where_to;
 
 /// How many draws a question may take before the generator gives up: a guard against a family
-/// without any clear question. A test checks that no family needs a twentieth of this.
+/// without any clear question. A test checks that no family needs even a twentieth of this.
 const DRAWS: usize = 20_000;
 
-/// One draw, whether or not its answers are distinct; `None` if the numbers are unsuitable.
+/// One draw, even if its answers are not distinct; `None` if the numbers are unsuitable.
 type Draw = fn(Difficulty, &mut Dice) -> Option<Question>;
 
-/// Each family's name as shown and its generator, in the order of [`Family`].
+/// The displayed name and the generator of each family, in the order of [`Family`].
 #[rustfmt::skip]
 static TABLE: [(&str, Draw); Family::ALL.len()] = [
     ("where will they go?", where_to::ask),

@@ -8,7 +8,7 @@ use crate::quiz::question::{
     Question, Response, Topic, WrongAnswer,
 };
 
-/// A wrong answer as it is declared, whether or not it can be given.
+/// A wrong answer as it is declared, even if it cannot be given.
 struct OutlinedAnswer {
     /// The misconception behind it; `None` for a wrong choice without a known one.
     misconception: Option<Misconception>,
@@ -19,8 +19,8 @@ struct OutlinedAnswer {
 
 /// A question under construction: its setting, what it asks, the right answer and wrong ones.
 ///
-/// Wrong answers are declared whether or not they make sense for the numbers drawn;
-/// [`why`](Self::why) leaves out those that cannot be given or happen to be right.
+/// Wrong answers are declared even if they make no sense for the numbers drawn; [`why`](Self::why)
+/// leaves out those that cannot be given or happen to be right.
 pub(super) struct Outline {
     question: Question,
     wrong: Vec<OutlinedAnswer>,

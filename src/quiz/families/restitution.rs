@@ -62,7 +62,7 @@ fn square_again(dice: &mut Dice) -> Option<Question> {
              the line of impact.",
         )
         .chooses(LossForbidsSquare, place(3))
-        .says("You assumed that a loss rules out the right angle. It only requires other masses.")
+        .says("You assumed that a loss rules out the right angle. But other masses can give 90°.")
         .why(format!(
             "{COMPONENT} With a loss this requires m₁ = e m₂ = {} × {} g = {} g.",
             significant(e),

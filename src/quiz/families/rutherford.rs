@@ -128,7 +128,7 @@ fn wrong_ratios(draft: Outline, from_deg: f64, to_deg: f64, by_energy: f64) -> O
     draft
         .number(Measure::Times, truth)
         .wrong(HalfAngleForgotten, whole.map(|whole| by_energy * whole))
-        .says("You used the sines of the whole angles. The law contains half of each angle.")
+        .says("You used the sines of the whole angles. Halve each angle first.")
         .wrong(
             TooGentle,
             by_energy * times_as_many(from_deg, to_deg).sqrt(),
@@ -224,11 +224,11 @@ fn angle(beam: &FoilBeam, dice: &mut Dice) -> Option<Question> {
             HalfAngleForgotten,
             at(rad_from_deg(from_deg).sin() * root) / 2.0,
         )
-        .says("You used the sine of the whole angle. The law contains half of the angle.")
+        .says("You used the sine of the whole angle. The law contains the sine of half the angle.")
         .wrong(TooGentle, at(half_sine * fewer.sqrt()))
         .says("You used the square of the sine. The law contains the fourth power.")
         .wrong(CountsReversed, at(half_sine / root))
-        .says("You chose a smaller angle. There more particles are counted, not fewer.")
+        .says("You chose a smaller angle. More particles are counted there, not fewer.")
         .why(format!(
             "Counts are proportional to 1 / sin⁴ of half the angle. So the sine of half the angle \
              is {times} × sin {}° = {sine}, where {times}⁴ = {fewer}. Half the angle is {half}°, and \

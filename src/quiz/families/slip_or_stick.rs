@@ -182,7 +182,7 @@ fn parting(hit: &Hit) -> Option<Question> {
         .wrong(AlwaysSquare, 90.0)
         .says("Your answer is close to 90°. That is right for equal masses if no energy is lost.")
         .why(format!(
-            "{} Perpendicular to it the striker keeps {across} m/s, the {name} has none: the \
+            "{} Perpendicular to it the striker keeps {across} m/s and the {name} has none: the \
              tangent of the angle is {across} / {shown}, and the angle is {}.",
             shared(&shown),
             between(shown.value, across.value),
@@ -240,7 +240,7 @@ fn pair_speed(hit: &Hit) -> Option<Question> {
         .number(Measure::Speed, outcome.v1.length())
         .wrong(GripIgnored, share * parts(hit).0)
         .says(
-            "You shared only the component along the line of impact. Rims that are held together \
+            "You shared only the component along the line of impact. Discs that are held together \
              share the perpendicular component, too.",
         )
         .wrong(Lossless, u * share.sqrt())
@@ -295,7 +295,7 @@ fn loss(hit: &Hit) -> Option<Question> {
                greatest head-on.",
         )
         .why(format!(
-            "Only energy of the motion along the line of impact can be lost: cos² {}° = {shown} of \
+            "Only the energy of motion along the line of impact can be lost: cos² {}° = {shown} of \
              the total. The share m₂ / (m₁ + m₂) = {lost} of that is lost: {shown} × {lost} = {}.",
             bare_degrees(hit.alpha().abs()),
             percent(shown.value, lost.value)

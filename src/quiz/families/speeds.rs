@@ -86,7 +86,7 @@ fn striker(hit: &Hit) -> Option<Question> {
         .ask("What is the striker's speed after the collision?")
         .number(Measure::Speed, outcome.v1.length())
         .wrong(SineCosine, outcome.v2.length())
-        .says("You used the cosine instead of the sine. Head-on the striker stops.")
+        .says("You used the cosine instead of the sine. Head-on, the striker stops.")
         .wrong(SpeedsAdd, u - outcome.v2.length())
         .says(
             "You subtracted the coin's speed from the original speed. Speeds do not add up like \
@@ -94,8 +94,8 @@ fn striker(hit: &Hit) -> Option<Question> {
         )
         .wrong(OneLineFormula, 0.0)
         .says(
-            "You stopped the striker as in a head-on collision. But its component perpendicular \
-             to the line of impact does not change.",
+            "You assumed that the striker stops, as in a head-on collision. But its component \
+             perpendicular to the line of impact does not change.",
         )
         .why(format!(
             "With equal masses and no energy lost the striker loses all of its velocity along the \

@@ -17,7 +17,7 @@ use crate::quiz::question::{
 /// How many hits a round of this family has.
 pub(crate) const LENGTH: usize = 10;
 
-/// The ten hits of a seed, mixed in kind and rising in difficulty.
+/// The ten hits of a seed, of mixed kinds and rising difficulty.
 ///
 /// The seed is a code that players share, so the same seed must give the same hits on every machine
 /// and in every version. The hits follow from the seed alone: the `dice` file defines the
@@ -85,8 +85,7 @@ pub(super) fn from_picture(difficulty: Difficulty, dice: &mut Dice) -> Option<Qu
     Some(Question {
         topic: "from-the-picture".into(),
         text: format!(
-            "Two equal discs, one at rest, no energy lost, and no numbers. {eye} where will they \
-             go?"
+            "One of two equal discs is at rest, and no energy is lost. {eye} where will they go?"
         ),
         picture: Illustration::before(hit.collision(), shown),
         ..Question::from(&hit)

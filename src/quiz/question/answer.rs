@@ -12,7 +12,7 @@ pub enum Response {
     Number(f64),
     /// One of the choices, counted from 0.
     Choice(usize),
-    /// A shot with this offset, in metres; positive puts the target to the right.
+    /// A shot with this offset, in metres; a positive offset puts the target to the right.
     Shot(f64),
 }
 
@@ -45,7 +45,7 @@ impl Response {
     /// Reads the text that [`Self::to_text`] writes; `None` if it is invalid.
     pub fn parse(text: &str) -> Option<Self> {
         let finite = |text: &str| text.parse().ok().filter(|x: &f64| x.is_finite());
-        // `None` is a disc that stays still.
+        // `None` means that the disc stays still.
         let angle = |text: &str| match text {
             STILL => Some(None),
             text => finite(text).map(|angle| Some(rad_from_deg(angle))),

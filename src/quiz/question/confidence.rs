@@ -47,7 +47,7 @@ impl Confidence {
         self.into()
     }
 
-    /// The confidence of an `id`.
+    /// The confidence with this `id`.
     pub fn with_id(id: &str) -> Option<Self> {
         id.parse().ok()
     }

@@ -19,7 +19,7 @@ impl Dice {
         Self(Pcg32::new(seed, STREAM))
     }
 
-    /// A whole number below `n`, each with practically the same probability; 0 if `n` is 0.
+    /// A random whole number below `n`; all are practically equally likely. Returns 0 if `n` is 0.
     pub fn below(&mut self, n: u32) -> u32 {
         ((u64::from(self.0.next_u32()) * u64::from(n)) >> 32) as u32
     }
@@ -47,7 +47,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_generator_is_pcg32_by_its_definition() {
+    fn the_generator_agrees_with_the_definition_of_pcg32() {
         // O'Neill's reference: state' = a·state + c, output = rotr(xorshift, state >> 59).
         const A: u64 = 6_364_136_223_846_793_005;
         let seed = 42;

@@ -54,7 +54,7 @@ impl Family {
         self.into()
     }
 
-    /// The family of an `id`.
+    /// The family with this `id`.
     pub fn with_id(id: &str) -> Option<Self> {
         id.parse().ok()
     }

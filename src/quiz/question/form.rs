@@ -28,7 +28,7 @@ pub enum Form {
     },
     /// By choosing an option.
     Choice {
-        /// The choices, two to five texts.
+        /// The two to five choices.
         options: Vec<String>,
         /// The right one, counted from 0.
         right: usize,

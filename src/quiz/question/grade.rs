@@ -8,8 +8,8 @@ use crate::physics::units::{deg_from_rad, rad_from_deg};
 use super::tolerance::{RIGHT_DEG, apart_deg};
 use super::{Answer, Confidence, Form, Measure, Question, Ray, Rays, Response};
 
-/// Up to this share of the tolerance an answer earns full credit: 2° for an angle, which is about
-/// as well as one can read the picture.
+/// Up to this fraction of the tolerance an answer earns full credit: 2° for an angle, which is
+/// about as accurately as the picture can be read.
 const FULL_CREDIT: f64 = 0.5;
 
 /// At this many times the tolerance or more, an answer earns no credit: 30° for an angle.
@@ -90,7 +90,7 @@ pub struct Grade {
     pub credit: f64,
     /// Whether it counts as right.
     pub right: bool,
-    /// The error of the angle in radians, for two rays the larger one; `None` if there was no
+    /// The error of the angle in radians, or the larger error of two rays; `None` if there was no
     /// angle.
     pub angle_error: Option<f64>,
     /// The grades of the two rays, if the question asked for rays.
@@ -100,7 +100,7 @@ pub struct Grade {
 }
 
 impl Form {
-    /// Credit from 0 to 1 for an answer. An answer of another kind than the question's form earns
+    /// Credit from 0 to 1 for an answer. An answer that does not fit the question's form earns
     /// no credit.
     ///
     /// A number asked for in a chapter earns full credit within its tolerance; beyond it the credit
@@ -132,7 +132,7 @@ impl Form {
         }
     }
 
-    /// The error of the angle in radians, for two rays the larger one; `None` if there was no
+    /// The error of the angle in radians, or the larger error of two rays; `None` if there was no
     /// angle.
     pub fn angle_error(&self, said: &Response) -> Option<f64> {
         match (self, said) {

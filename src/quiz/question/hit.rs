@@ -1,4 +1,4 @@
-//! A hit on a target at rest, as the player reads it: where will the two discs go?
+//! A hit on a target at rest, as it is given to the player: where will the two discs go?
 
 use glam::DVec2;
 
@@ -25,7 +25,8 @@ pub struct Hit {
 }
 
 impl From<&Collision> for Hit {
-    /// A collision of smooth discs with the target at rest, as a hit given by its offset.
+    /// Describes a collision of smooth discs, with the target at rest, as a hit given by its
+    /// offset.
     fn from(collision: &Collision) -> Self {
         Self {
             pieces: Pieces::Own {
@@ -113,12 +114,12 @@ impl Hit {
         if self.side() < 0.0 { "left" } else { "right" }
     }
 
-    /// Mass of the striker over mass of the target.
+    /// Mass of the striker divided by the mass of the target.
     pub(crate) fn mass_ratio(&self) -> f64 {
         self.pieces.striker().mass / self.pieces.target().mass
     }
 
-    /// Whether both masses are equal.
+    /// Whether the two masses are equal.
     pub(in crate::quiz) fn masses_are_equal(&self) -> bool {
         self.mass_ratio().total_cmp(&1.0).is_eq()
     }
@@ -152,7 +153,7 @@ impl Hit {
         format!("{how_much} energy is lost: e = {e}.")
     }
 
-    /// The distance of the centres at contact, r₁ + r₂, in millimetres.
+    /// The distance between the centres at contact, r₁ + r₂, in millimetres.
     pub fn reach_mm(&self) -> f64 {
         mm_from_m(self.collision().contact_distance())
     }

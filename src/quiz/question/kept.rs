@@ -8,8 +8,8 @@ use crate::physics::units::mm_from_m;
 /// The field for the text of a choice, because its position depends on the round.
 const CHOICE: &str = "choice";
 const OFFSET: &str = "offset_mm";
-/// The most letters of a choice. Current questions have at most 90; this leaves room for later
-/// ones.
+/// The most letters a choice may have. Current questions have at most 90; this leaves room for
+/// later ones.
 const LONGEST_CHOICE: usize = 400;
 
 impl Form {
@@ -23,8 +23,8 @@ impl Form {
         })
     }
 
-    /// Whether some form could accept a stored answer: it is of one kind and in its range, as for
-    /// [`Form::accepts`].
+    /// Whether some form could accept a stored answer, because it is of a known kind and in its
+    /// range, as for [`Form::accepts`].
     pub fn could_be_kept(answer: &Figures) -> bool {
         let number = |(name, value): (&String, &Value)| {
             let x = value.as_f64()?;

@@ -3,9 +3,9 @@
 use super::tolerance::{RIGHT_DEG, ROUNDING, apart_deg, is_within};
 use crate::numbers;
 
-/// The largest tolerance of a share, in percentage points.
+/// The largest tolerance for a share, in percentage points.
 const MOST_SHARE: f64 = 4.0;
-/// The largest tolerance of a coefficient of restitution.
+/// The largest tolerance for a coefficient of restitution.
 const MOST_RESTITUTION: f64 = 0.04;
 
 /// What a number in an answer measures: its unit, how it is printed, and its tolerance.
@@ -54,7 +54,7 @@ impl Measure {
         self.words().1
     }
 
-    /// The measure of an [`id`](Self::id).
+    /// The measure with this [`id`](Self::id).
     pub fn with_id(id: &str) -> Option<Self> {
         let mut all = [
             Self::Angle,
@@ -108,7 +108,7 @@ impl Measure {
         self.spacing(said, truth) / self.width(truth)
     }
 
-    /// The tolerance at this `truth`, as a share of the largest tolerance.
+    /// The tolerance at this `truth`, as a fraction of the largest tolerance.
     pub(in crate::quiz) fn width(&self, truth: f64) -> f64 {
         let near = |least: f64, most: f64| (truth.abs() / 10.0).clamp(least, most) / most;
         match self {
@@ -120,8 +120,8 @@ impl Measure {
     }
 
     /// How far apart two numbers are, in units of the largest tolerance: never more than
-    /// [`distance`](Self::distance). Questions are chosen by it so that their answers differ
-    /// clearly, so it is part of the format of a round's code and must not change.
+    /// [`distance`](Self::distance). It is used to choose questions whose answers differ clearly,
+    /// so it is part of the format of a round's code and must not change.
     pub(crate) fn spacing(&self, a: f64, b: f64) -> f64 {
         match self {
             Self::Angle => apart_deg(a, b) / RIGHT_DEG,
@@ -142,8 +142,8 @@ impl Measure {
         }
     }
 
-    /// The largest number that makes sense and can be typed; the smallest is 0, or for angles its
-    /// negative.
+    /// The largest number that makes sense and can be typed; the smallest is 0, or for angles the
+    /// negative of the largest.
     pub const fn largest(&self) -> f64 {
         match self {
             Self::Angle => 180.0,

@@ -3,8 +3,8 @@
 use strum::{EnumString, IntoStaticStr, VariantArray};
 
 /// A misconception that students may have. First those about the directions of both discs; then
-/// those that show in something else (a speed, a share, a ratio, a choice of words), in the order
-/// in which their subjects are taught.
+/// those that show up in something else (a speed, a share, a ratio, a choice of words), in the
+/// order in which their subjects are taught.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Misconception {
@@ -92,13 +92,13 @@ pub enum Misconception {
     FramesMixed,
     /// The frame's velocity is subtracted where it must be added.
     FrameReversed,
-    /// The centre of mass is taken to be halfway, whatever the masses.
+    /// The centre of mass is taken to be halfway between the discs, whatever the masses.
     HalfwayCentre,
-    /// The right angle is expected in the laboratory frame although both move.
+    /// The right angle is expected in the laboratory frame although both discs move.
     SquareOnTheGround,
     /// The whole angle is used instead of half of it.
     HalfAngleForgotten,
-    /// The count falls too slowly with the angle: with a square instead of the fourth power.
+    /// The count is taken to fall too slowly with the angle: as a square instead of a fourth power.
     TooGentle,
     /// Anything heavy or fast is taken never to bounce back.
     NeverBack,
@@ -147,7 +147,7 @@ impl Misconception {
         self.into()
     }
 
-    /// The misconception of an `id`; ids of former versions stay valid.
+    /// The misconception with this `id`; ids of former versions stay valid.
     pub fn with_id(id: &str) -> Option<Self> {
         match id {
             "linear-offset" => Some(Self::OffsetAsAngle),

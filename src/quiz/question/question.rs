@@ -9,8 +9,8 @@ use super::{
     Answer, Difficulty, Family, Figures, Form, Illustration, Misconception, Ray, Response, Topic,
 };
 
-/// Answers closer to each other than this cannot be told apart, in units of the largest tolerance;
-/// more than 2, so that no answer fits two.
+/// Answers closer to each other than this, in units of the largest tolerance, cannot be told apart.
+/// It is more than 2, so that no answer fits two of them.
 pub const MIN_SEPARATION: f64 = 2.0625;
 
 /// A question, ready to be asked on a screen, on paper or line by line.
@@ -30,14 +30,14 @@ pub struct Question {
     pub form: Form,
     /// The answers of misconceptions, except any that happen to be right.
     pub beliefs: Vec<WrongAnswer>,
-    /// The feedback for wrong choices without a known misconception, by the choice counted from 0;
-    /// a choice that is not listed has no feedback of its own.
+    /// The feedback for wrong choices without a known misconception, by the index of the choice,
+    /// counted from 0; a choice that is not listed has no feedback of its own.
     pub replies: BTreeMap<usize, String>,
     /// The explanation of the right answer with the question's numbers: one to four short
     /// sentences.
     pub why: String,
-    /// The numbers that determine it, with the units in their names, to be stored with every
-    /// answer.
+    /// The numbers that determine the question, with the units in their names, to be stored with
+    /// every answer.
     pub figures: Figures,
 }
 
@@ -50,13 +50,14 @@ pub struct WrongAnswer {
     pub said: Response,
     /// The ray that reveals the misconception by itself; `None` if only both rays together do.
     pub telltale: Option<Ray>,
-    /// One or two sentences on what is wrong with it, with the question's numbers.
+    /// One or two sentences on what is wrong with this answer, with the question's numbers.
     pub says: String,
 }
 
 impl WrongAnswer {
-    /// The misconception that it counts as in the codes of rounds: see [`Misconception::in_codes`].
-    /// Also `None` for a choice that showed no known misconception when the codes were fixed.
+    /// The misconception that this answer counts as in the codes of rounds: see
+    /// [`Misconception::in_codes`]. Also `None` for a choice that showed no known misconception
+    /// when the codes were fixed.
     pub fn in_codes(&self) -> Option<Misconception> {
         match (self.misconception, self.said) {
             (Misconception::LossOpensAngle, Response::Choice(_)) => None,
@@ -70,7 +71,7 @@ impl WrongAnswer {
 pub struct Diagnosis {
     /// The misconception.
     pub misconception: Misconception,
-    /// How much of the answer fits it.
+    /// How much of the answer fits this misconception.
     pub fit: Fit,
 }
 
@@ -84,7 +85,8 @@ pub enum Fit {
 }
 
 impl Question {
-    /// The frame in which its collision is shown after the answer: the one it asks about.
+    /// The frame in which the collision is shown after the answer: the frame that the question asks
+    /// about.
     pub(crate) fn seen_from(&self) -> Frame {
         match self.family {
             Family::CentreOfMass => Frame::CentreOfMass,
@@ -101,7 +103,7 @@ impl Question {
     }
 
     /// Whether an answer shows which misconception it fits, if any, and cannot simply be copied
-    /// from the text: only such questions are asked.
+    /// from the text. Only questions for which this is true are asked.
     pub(crate) fn is_clear(&self) -> bool {
         let revealed = match &self.form {
             Form::Number { quantity, truth } => self.text.contains(&quantity.print(*truth)),
@@ -157,8 +159,8 @@ impl Question {
         self.beliefs.iter().map(|belief| belief.misconception)
     }
 
-    /// How far an answer may be from a misconception's answer and still fit it, as a share of the
-    /// largest tolerance: 1 except for small angles, shares and e.
+    /// How far an answer may be from a misconception's answer and still fit it, as a fraction of
+    /// the largest tolerance: 1 except for small angles, shares and e.
     pub(in crate::quiz) fn width(&self, belief: &WrongAnswer) -> f64 {
         match (&self.form, belief.said) {
             (Form::Number { quantity, .. }, Response::Number(x)) => quantity.width(x),

@@ -48,7 +48,7 @@ impl Ray {
 ///
 /// Angles in radians with the signs of physics: scattering angle θ₁ of the striker positive
 /// anticlockwise, recoil angle θ₂ of the target positive clockwise, both from the striker's
-/// original direction. `None` is a disc that stays still.
+/// original direction. `None` means that the disc stays still.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Rays {
     /// Scattering angle θ₁.
@@ -76,7 +76,7 @@ impl Rays {
         angles.all(|angle| is_within(deg_from_rad(angle), -most, most))
     }
 
-    /// Both in degrees, with names and signs as `carrom solve` gives them.
+    /// Both angles in degrees, with the names and signs that `carrom solve` uses.
     pub fn json(&self) -> Value {
         json!({
             "theta1_deg": self.striker.map(deg_from_rad),

@@ -23,7 +23,7 @@ pub struct Topic(Cow<'static, str>);
 struct TopicRow {
     id: String,
     name: String,
-    /// The generated families that ask about it, by their ids.
+    /// The ids of the generated families that ask about this topic.
     families: String,
     chapter: String,
     page: String,
@@ -36,7 +36,8 @@ static ROWS: LazyLock<Vec<TopicRow>> = LazyLock::new(|| {
 });
 
 impl Topic {
-    /// The topic of an id. An unknown id belongs to a question in words and is its own name.
+    /// The topic with this id. An unknown id belongs to a question in words and also serves as the
+    /// name.
     pub fn with_id(id: impl Into<Cow<'static, str>>) -> Self {
         Self(id.into())
     }
@@ -71,7 +72,7 @@ impl Topic {
         }
     }
 
-    /// The generated families that ask about it.
+    /// The generated families that ask about this topic.
     pub(in crate::quiz) fn families_of_figures(&self) -> Vec<Family> {
         let families = self.known().map_or("", |row| &row.families);
         families.split(' ').filter_map(Family::with_id).collect()
@@ -83,7 +84,7 @@ impl Topic {
         taught.map(|row| Self::with_id(row.id.as_str()))
     }
 
-    /// The page that teaches it; `None` for a teacher's own subjects.
+    /// The page that teaches this topic; `None` for a teacher's own subjects.
     pub fn taught_on(&self) -> Option<Passage> {
         let TopicRow { chapter, page, .. } = self.known()?;
         Some(Passage { chapter, page })

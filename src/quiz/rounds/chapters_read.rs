@@ -6,8 +6,8 @@ use std::fmt;
 use super::review;
 use crate::quiz::question::{Dice, Question, Topic};
 
-/// The chapters of the program by their ids, each with its letter in codes. The letters never
-/// change: a new chapter gets the next one.
+/// The ids of the built-in chapters, each with its letter in codes. The letters never change: a new
+/// chapter gets the next one.
 const LETTERS: [(char, &str); 12] = [
     ('a', "momentum-is-a-vector"),
     ('b', "the-line-of-impact"),
@@ -23,13 +23,13 @@ const LETTERS: [(char, &str); 12] = [
     ('l', "when-energy-is-lost"),
 ];
 
-/// Some chapters, at least one of which teaches a topic of questions. In codes they are letters:
-/// `read-abd-7` asks about the chapters 1, 2 and 4.
+/// Some chapters, at least one of which teaches a topic that questions ask about. In codes they are
+/// letters: `read-abd-7` asks about chapters 1, 2 and 4.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ChaptersRead(BTreeSet<char>);
 
 impl ChaptersRead {
-    /// The chapters of these ids; `None` if no question is about any of them.
+    /// The chapters with these ids; `None` if no question is about any of them.
     pub(crate) fn of<'a>(ids: impl IntoIterator<Item = &'a str>) -> Option<Self> {
         let letter = |id| {
             let found = LETTERS.iter().find(|(_, known)| *known == id);
@@ -38,7 +38,8 @@ impl ChaptersRead {
         Self::of_letters(ids.into_iter().filter_map(letter))
     }
 
-    /// The chapters of the letters in a code; `None` if the letters are invalid or not in order.
+    /// The chapters that the letters in a code stand for; `None` if the letters are invalid or not
+    /// in order.
     pub(super) fn parse(letters: &str) -> Option<Self> {
         let chapters = Self::of_letters(letters.chars())?;
         (chapters.to_string() == letters).then_some(chapters)
@@ -51,14 +52,14 @@ impl ChaptersRead {
         taught.then_some(chapters)
     }
 
-    /// The topics that they teach.
+    /// The topics that these chapters teach.
     fn topics(&self) -> impl Iterator<Item = Topic> {
         let ids = LETTERS.iter().filter(|(letter, _)| self.0.contains(letter));
         ids.flat_map(|(_, id)| Topic::taught_in(id))
     }
 
-    /// Up to this many questions about what they teach, every topic once before any is repeated,
-    /// easy ones first.
+    /// Up to this many questions about what these chapters teach: every topic once before any is
+    /// repeated, easy ones first.
     pub(super) fn questions(&self, count: usize, dice: &mut Dice) -> Vec<Question> {
         let topics: Vec<Topic> = self.topics().collect();
         let mut order: Vec<Topic> = Vec::new();

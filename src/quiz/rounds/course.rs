@@ -10,7 +10,7 @@ use crate::quiz::concepts::Library;
 use crate::quiz::families;
 use crate::quiz::question::{Family, Misconception, Topic};
 
-/// The prefix of the letters of chapters in codes.
+/// The prefix of chapter letters in codes.
 const READ: &str = "read";
 
 /// What a round is made of.
@@ -18,7 +18,7 @@ const READ: &str = "read";
 pub struct Course {
     /// Which questions it asks.
     pub kind: CourseKind,
-    /// How many of them.
+    /// How many questions it asks.
     pub count: usize,
 }
 
@@ -33,7 +33,8 @@ pub enum CourseKind {
     Mixed,
     /// All kinds, mixed so that every misconception is tested often enough to be detected.
     Even,
-    /// Finding out what a student believes: each question is chosen by the answers before it.
+    /// Finding out what a student believes: each question is chosen according to the answers before
+    /// it.
     FindOut,
     /// Questions that can show a misconception.
     Check(Misconception),
@@ -43,8 +44,8 @@ pub enum CourseKind {
     Topic(Family),
     /// The topics that these chapters teach.
     Read(ChaptersRead),
-    /// A question about each of these topics, which are due for review, the longest due first; if
-    /// there are many, about the first of them.
+    /// A question about each of these topics, which are due for review, longest overdue first; if
+    /// there are too many, only about the first of them.
     Review(Vec<Topic>),
     /// A teacher's own questions in words. A code that has just been read has none yet:
     /// [`Code::with_own`] adds them.
@@ -94,7 +95,7 @@ impl CourseKind {
         }
     }
 
-    /// The kind of an `id`; a review has none, because it belongs to one player.
+    /// The kind with this `id`; a review has none, because it belongs to one player.
     pub fn with_id(id: &str) -> Option<Self> {
         let topics = Self::topics().map(Self::Topic);
         let checks = Misconception::ALL.iter().copied().map(Self::Check);
@@ -117,9 +118,9 @@ impl CourseKind {
 }
 
 impl Course {
-    /// The most questions in a round.
+    /// The most questions a round may have.
     pub const MOST: usize = 60;
-    /// The most questions in a review; the remaining topics are left for the next.
+    /// The most questions a review may have; the remaining topics are left for the next review.
     pub const REVIEWED: usize = 10;
 
     /// A round of the usual length.
@@ -128,8 +129,8 @@ impl Course {
         Self { kind, count }
     }
 
-    /// A round of this many questions, clamped from 1 to [`Course::MOST`]; ten hits are always ten,
-    /// and a review has one question per topic.
+    /// A round of this many questions, clamped to between 1 and [`Course::MOST`]; ten hits are
+    /// always ten, and a review has one question per topic.
     pub fn of(kind: CourseKind, count: usize) -> Self {
         let count = match kind {
             CourseKind::Hits | CourseKind::Review(_) => kind.length(),
@@ -180,7 +181,7 @@ pub enum NoCode {
     )]
     Count,
     /// The number of ten hits is fixed.
-    #[error("expected the code of ten hits without a number of questions, as in hits-7")]
+    #[error("expected no number of questions in the code of ten hits, as in hits-7")]
     Hits,
     /// A review depends on one player's answers.
     #[error(
@@ -191,7 +192,7 @@ pub enum NoCode {
 }
 
 impl Code {
-    /// The code of the ten hits of a seed.
+    /// The code of the ten hits for a seed.
     pub fn hits(seed: u64) -> Self {
         Self {
             course: Course::new(CourseKind::Hits),
@@ -199,7 +200,7 @@ impl Code {
         }
     }
 
-    /// Reads a code; `None` if it is not one. Case and surrounding blanks do not matter.
+    /// Reads a code; `None` if the text is not a code. Case and surrounding blanks do not matter.
     pub fn parse(text: &str) -> Option<Self> {
         Self::read(text).ok()
     }
@@ -207,7 +208,7 @@ impl Code {
     /// Reads a code. Case and surrounding blanks do not matter.
     ///
     /// # Errors
-    /// If it is not a code, the reason.
+    /// Returns the reason if the text is not a code.
     pub fn read(text: &str) -> Result<Self, NoCode> {
         let text = text.trim().to_ascii_lowercase();
         let (name, seed) = text.rsplit_once('-').unwrap_or(("hits", &text));
@@ -239,7 +240,7 @@ impl Code {
     /// opened again. The name is returned in its standard spelling.
     ///
     /// # Errors
-    /// If it is not such a name, the reason.
+    /// Returns the reason if the text is neither.
     pub(crate) fn read_noted(text: &str) -> Result<(String, Option<Self>), NoCode> {
         match Self::read(text) {
             Ok(code) => Ok((code.to_string(), Some(code))),
@@ -264,7 +265,7 @@ impl Code {
     /// The code, if its questions are the same for everyone, whatever they answer.
     ///
     /// # Errors
-    /// If the questions depend on the answers, the reason in words.
+    /// Returns the reason in words if the questions depend on the answers.
     pub(crate) fn same_for_all(self) -> Result<Self, String> {
         match self.course.follows_answers() {
             true => Err(format!(
@@ -278,7 +279,7 @@ impl Code {
     /// The code with a teacher's own questions, if it requires them.
     ///
     /// # Errors
-    /// If it requires them and there are none, the reason in words.
+    /// Returns the reason in words if it requires them and there are none.
     pub fn with_own(mut self, own: &Arc<Library>) -> Result<Self, String> {
         if let CourseKind::Own(library) = &mut self.course.kind {
             if own.concepts.is_empty() {

@@ -1,9 +1,10 @@
-//! Finding out what a student believes: each question is chosen by the answers before it.
+//! Finding out what a student believes: each question is chosen according to the answers before it.
 //!
 //! The student is assumed to hold one of the misconceptions, or none. The answers determine the
 //! probability of each. Some candidates are drawn with the dice, and the round asks the one whose
-//! answer is expected to give the most information, in bits (D. V. Lindley, 1956). It ends when one
-//! misconception is established, when none is left, or after as many questions as the course has.
+//! answer is expected to give the most information, in bits (D. V. Lindley, 1956). The round ends
+//! when one misconception is established, when all are ruled out, or after as many questions as the
+//! course has.
 
 use crate::quiz::misconceptions::{Clue, Evidence, SLIP, evidence};
 use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Question};
@@ -12,9 +13,9 @@ use crate::quiz::question::{Dice, Difficulty, Family, Fit, Misconception, Questi
 const NONE_BEFORE: f64 = 0.25;
 /// How many times as likely a common misconception is as any other.
 const COMMON: f64 = 5.0;
-/// The probability at which a named misconception is established.
+/// The probability at which a named misconception is considered established.
 const CLEAR: f64 = 0.95;
-/// The probability of "none" at which no misconception is considered left.
+/// The probability of "none" at which all misconceptions are considered ruled out.
 const NONE_LEFT: f64 = 0.9;
 /// The smallest number of questions before the round can end.
 const FEWEST: usize = 3;
@@ -125,8 +126,8 @@ fn bits(p: f64) -> f64 {
     if p > 0.0 { -p * p.log2() } else { 0.0 }
 }
 
-/// Whether these answers settle the result: one misconception is named and established, or none is
-/// left. `in_codes` are the same answers with misconceptions as codes count them.
+/// Whether these answers settle the result: one misconception is named and established, or all are
+/// ruled out. `in_codes` are the same answers with misconceptions as codes count them.
 pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
     if clues.len() < FEWEST {
         return false;
@@ -138,8 +139,8 @@ pub(super) fn is_settled(clues: &[Clue], in_codes: &[Clue]) -> bool {
         || posterior.none >= NONE_LEFT
 }
 
-/// The most informative question after these answers, with misconceptions as codes count them, of
-/// those drawn with the dice; no question of `asked` is repeated.
+/// Of the questions drawn with the dice, the most informative one after these answers, with
+/// misconceptions as codes count them; no question in `asked` is repeated.
 pub(super) fn ask(asked: &[Question], in_codes: &[Clue], dice: &mut Dice) -> Option<Question> {
     let posterior = Posterior::new(&evidence(in_codes));
     let hardest = match asked.len() < BEFORE_HARD {

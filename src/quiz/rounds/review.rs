@@ -26,8 +26,8 @@ pub(super) fn questions(
     while !left.is_empty() {
         let last = questions.last().map(|question| question.family);
         let another = |family: &Family| Some(*family) != last;
-        // A topic about which only the last family asks is postponed, unless nothing else is
-        // left.
+        // A topic about which only the family of the previous question asks is postponed, unless
+        // nothing else is left.
         let next = left.iter().position(|(_, all)| all.iter().any(another));
         let (topic, mut families) = left.remove(next.unwrap_or(0));
         dice.shuffle(&mut families);
@@ -104,7 +104,7 @@ mod tests {
         }
         let all = ["from-angle", "speeds", "unequal-masses", "where-to"];
         assert_eq!(met.into_iter().collect::<Vec<_>>(), all);
-        // A topic with only one family is asked about all the same; an unknown topic is left out.
+        // A topic with only one family is still asked about; an unknown topic is left out.
         let same = ["striker-speed", "target-speed", "a-chapter"].map(Topic::with_id);
         assert_eq!(
             questions(&same, Topic::families, &mut Dice::new(7)).len(),

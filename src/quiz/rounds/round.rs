@@ -99,7 +99,7 @@ impl Round {
         }
     }
 
-    /// The ten hits of a seed.
+    /// The ten hits for a seed.
     pub fn hits(seed: u64) -> Self {
         Self::new(Course::new(CourseKind::Hits), seed)
     }
@@ -109,10 +109,10 @@ impl Round {
         Self::new(code.course, code.seed)
     }
 
-    /// Another version of it, for pupils who sit side by side: each question is of the same topic,
-    /// difficulty and form with other numbers; a question in words is replaced by another about the
-    /// same subject, or has its choices in another order. Versions are numbered from 1, which is
-    /// the round itself; the same number gives the same version.
+    /// Another version of the round, for pupils who sit side by side: each question has the same
+    /// topic, difficulty and form but other numbers; a question in words is replaced by another
+    /// about the same subject, or has its choices in another order. Versions are numbered from 1,
+    /// which is the round itself; the same number gives the same version.
     #[must_use]
     pub fn version(&self, number: u64) -> Self {
         let Code { course, seed } = &self.code;
@@ -147,7 +147,7 @@ impl Round {
             let concept = library.concepts.iter().find(|it| it.id == id)?;
             return concept::question(concept, dice);
         }
-        // In a round of ten hits a kind may have another difficulty than in its family.
+        // In a round of ten hits a kind may have a different difficulty from the one in its family.
         let difficulty = match draw < VERSION_DRAWS / 2 {
             true => asked.difficulty,
             false => *dice.pick(&Difficulty::ALL)?,
@@ -159,8 +159,8 @@ impl Round {
         })
     }
 
-    /// The code that fixes it; the code of a review cannot be opened, because a review belongs to
-    /// one player.
+    /// The code that fixes the round; the code of a review cannot be opened, because a review
+    /// belongs to one player.
     pub fn code(&self) -> &Code {
         &self.code
     }

@@ -30,7 +30,7 @@ pub(super) enum EndPage {
     Items,
 }
 
-/// What keys do after the last question.
+/// The key actions after the last question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum EndAction {
@@ -82,19 +82,20 @@ fn board(play: &Stage) -> View<'_, ClassAction> {
     }
 }
 
-/// A misconception in a class, with the number of teams that hold it by the evidence of their votes
-/// before and after the discussion, and the number of votes that fit it.
+/// A misconception in a class: the number of teams whose votes show it, before and after the
+/// discussion, and the number of votes that fit it.
 struct ClassBelief {
     misconception: Misconception,
     teams: [usize; 2],
     votes: [usize; 2],
-    /// The evidence of all teams that have any, before the discussion.
+    /// The total evidence in the votes before the discussion.
     weight: f64,
 }
 
-/// The class's misconceptions: first those that most teams hold, then those with the most evidence.
+/// The class's misconceptions, ordered by the number of teams that hold them and, in a tie, by the
+/// evidence.
 fn held(round: &ClassRound) -> Vec<ClassBelief> {
-    // Counted hands have no names, so they are weighed question by question.
+    // Counted hands have no names, so their evidence is weighed question by question.
     let all = match round.way() {
         WayOfVoting::Tally => round.questions().len(),
         WayOfVoting::Teams | WayOfVoting::Devices => round.participants().len(),
@@ -192,7 +193,7 @@ fn write_items(round: &ClassRound, panel: &mut Panel<ClassAction>) {
     }
     panel.gap();
     panel.paragraph(
-        "\"right\": how many votes were right. \"degrees off\": the mean error of angles; of two \
+        "\"right\": how many votes were right. \"degrees off\": the mean error of angles; for two \
          rays the larger error counts. \"tells apart\": how well a question separates the better \
          teams from the others, -1 to 1; it requires ten teams. \"gain\": the share of the \
          possible improvement that the discussion achieved.",

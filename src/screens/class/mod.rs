@@ -45,14 +45,14 @@ use tally::CountAction;
 use unfinished::{Unfinished, UnfinishedEnd};
 use vote::VoteAction;
 
-/// What keys do in a class round. Each page has actions of its own, and so does each step at which
-/// there is something to do.
+/// The key actions in a class round. Each page has actions of its own, and so does each step at
+/// which there is something to do.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum ClassAction {
     SetUp(SetUpAction),
     Earlier(KeptAction),
     Unfinished(ListAction),
-    /// On the pages about pupils on devices of their own.
+    /// On the pages about pupils on their own devices.
     Hosting(HostingAction),
     /// At any step.
     Round(RoundAction),
@@ -66,7 +66,7 @@ pub(crate) enum ClassAction {
     End(EndAction),
 }
 
-/// What keys do at any step of a class round.
+/// The key actions at any step of a class round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum RoundAction {
@@ -84,7 +84,7 @@ pub(crate) enum RoundAction {
     ToTheShot,
     /// show a one-minute countdown, or add half a minute
     Countdown,
-    /// show only the question's text, as large as it fits
+    /// show only the question's text, as large as possible
     WordsAlone,
     /// show pupils' names on the scoreboard, or the results of each question
     BoardNames,
@@ -179,7 +179,7 @@ impl Class {
             }
             ClassScene::Play(play) => {
                 let what = match play.unsaved {
-                    true => "It is not saved and would be lost. e writes its tables.",
+                    true => "It is not saved and would be lost. The e key writes its tables.",
                     false => "It is saved, and you can resume it later.",
                 };
                 Next::Confirm(Confirmation::new(

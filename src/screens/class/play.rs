@@ -1,4 +1,4 @@
-//! A round in progress, and the way through its steps.
+//! A round in progress, and the navigation through its steps.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -44,7 +44,7 @@ pub(super) struct ClassPlay {
     pub(super) host_page: Option<HostPage>,
 }
 
-/// The actions at a step at which there is more to do than continue.
+/// The state of a step at which there is more to do than continue.
 #[derive(Debug, Clone)]
 enum ClassPhase {
     Look,
@@ -138,7 +138,7 @@ impl ClassPlay {
         self.flush(cx);
     }
 
-    /// Passes on the requests of the session.
+    /// Passes on the requests that the session has made.
     fn flush(&mut self, cx: &mut Context) {
         for effect in self.stage.session.take_effects() {
             match effect {
@@ -161,7 +161,7 @@ impl ClassPlay {
         }
     }
 
-    /// Handles news from pupils on devices.
+    /// Handles messages from pupils on devices.
     pub(super) fn take_news(&mut self, news: &[HostNews], cx: &mut Context) {
         self.stage.session.take_news(news);
         self.flush(cx);
@@ -180,8 +180,8 @@ impl ClassPlay {
         self.flush(cx);
     }
 
-    /// The next or the previous step of the question, by `beside`; on devices, predicting and
-    /// voting are one step.
+    /// The next or the previous step of the question, as `beside` returns it; on devices,
+    /// predicting and voting are one step.
     fn step_beside(&self, beside: impl Fn(ClassStep) -> Option<ClassStep>) -> Option<ClassStep> {
         let skips = self.stage.session.round().way() == WayOfVoting::Devices;
         match beside(self.stage.step())? {
@@ -218,8 +218,8 @@ impl ClassPlay {
         }
     }
 
-    /// The question `by` questions further; the end follows the last. `None` if it has not been
-    /// reached yet.
+    /// The question `by` questions further; the end of the round comes after the last question.
+    /// `None` if it has not been reached yet.
     fn leads_to(&self, by: isize) -> Option<usize> {
         let from = self.stage.number() + usize::from(self.is_over());
         let to = from.checked_add_signed(by)?;
@@ -250,7 +250,7 @@ impl ClassPlay {
                     && !self.unsaved
                 {
                     cx.notify(format!(
-                        "This round cannot be saved: {reason}. You can continue, but it would be lost when you leave. e writes its tables."
+                        "This round cannot be saved: {reason}. You can continue, but it would be lost when you leave. The e key writes its tables."
                     ));
                 }
                 self.unsaved = saved.is_err();
@@ -420,7 +420,7 @@ impl ClassPlay {
             RoundAction::Tables => {
                 cx.ask(StoreRequest::ExportClass(self.stage.session.shared_round()));
             }
-            // The screen handles these.
+            // The screen itself handles these.
             RoundAction::Pause | RoundAction::Light | RoundAction::Leave => {}
         }
     }
@@ -489,7 +489,7 @@ impl ClassPlay {
         self.stage.step_view(heading, beside, draw, words)
     }
 
-    /// Handles a key if it edits text; returns whether it does.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         let page = self.host_page.as_mut();
         match &mut self.phase {
@@ -531,7 +531,7 @@ impl ClassPlay {
             ClassPhase::Shot(shown) => shown.reveal.wake(pace),
             _ => None,
         };
-        // Until the next lower second is shown.
+        // Until the countdown shows the next second.
         let left = self.stage.countdown.filter(|left| !left.is_zero());
         let second = left.map(|left| match left.subsec_nanos() {
             0 => Duration::from_secs(1),

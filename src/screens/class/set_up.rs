@@ -13,7 +13,7 @@ use crate::screens::Context;
 use crate::widgets::Outcome;
 use crate::widgets::input::{KeyTable, ListAction, ListView, TextField};
 
-/// The message for a text that is not a code.
+/// The message for an invalid code.
 const NO_CODE: &str = "expected the code of a round, such as mixed-7, or 7 for ten hits";
 /// The largest number of letters in a name or a code while it is typed.
 const LONGEST: usize = 2 * LONGEST_NAME;
@@ -51,7 +51,7 @@ pub(super) enum SetUpRow {
     Start,
     /// Starts the round with hands or cards that are counted.
     Tally,
-    /// Starts the round with everyone on a device of their own.
+    /// Starts the round with everyone on their own device.
     Devices,
     /// The list of earlier rounds.
     Earlier,
@@ -68,7 +68,7 @@ pub(super) enum RoundKind {
     Code,
 }
 
-/// What keys do on the set-up page.
+/// The key actions on the set-up page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum SetUpAction {
@@ -185,7 +185,7 @@ impl SetUp {
             SetUpRow::Start | SetUpRow::Tally | SetUpRow::Devices => "start",
             SetUpRow::Earlier => "open the list",
         };
-        // In a text field, these keys go to its ends.
+        // In a text field, these keys move the cursor to its ends.
         let ends = match at {
             SetUpRow::Team(_) | SetUpRow::Class | SetUpRow::Kind(RoundKind::Code) => {
                 [Key::Home, Key::End].as_slice()
@@ -200,7 +200,7 @@ impl SetUp {
             .when(matches!(at, SetUpRow::Team(_)))
     }
 
-    /// Handles a key if it edits text; returns whether it does.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         if let (SetUpRow::Add, Key::Char(c)) = (self.at(), key)
             && !c.is_whitespace()
@@ -363,7 +363,7 @@ fn left_out(own: &Library) -> Option<String> {
     Some(match own.problems.len() {
         1 => format!("Left out of your own questions: {first}"),
         all => format!(
-            "Files of your own questions with faults are left out. carrom concept check lists all \
+            "Files with faults in your own questions are left out. carrom concept check lists all \
              {all} faults. The first: {first}"
         ),
     })

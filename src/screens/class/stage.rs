@@ -53,7 +53,8 @@ impl Stage {
         panel
     }
 
-    /// The view of a step: its name and instruction, the picture, and the text as large as it fits.
+    /// The view of a step: its name and instruction, the picture, and the text as large as
+    /// possible.
     pub(super) fn step_view<'s>(
         &self,
         heading: Option<Heading>,

@@ -42,8 +42,8 @@ pub(super) fn view<'s>(play: &'s Stage, question: &'s Question) -> View<'s, Clas
     }
 }
 
-/// Writes the most frequent directions of each ray, the number of voters without a vote, and the
-/// advice.
+/// Writes the most frequent directions of each ray, the number of participants who have not voted,
+/// and the advice.
 fn write_more(play: &Stage, question: &Question, panel: &mut Panel<ClassAction>) {
     let votes: Vec<_> = play.round().said(play.number(), Vote::First).collect();
     let advice = Advice::of(play.round(), play.number());
@@ -97,7 +97,7 @@ fn draw(play: &Stage, question: &Question, area: Rect, buf: &mut Buffer, look: &
         }
         _ if is_tally => return draw_question(area, buf, look, question, None),
         Form::Number { quantity, .. } => quantity.unit(),
-        Form::Shot(_) => "mm, a minus for the left",
+        Form::Shot(_) => "mm, negative to the left",
     };
     let rows = match question::beside(question) {
         Beside::Nothing => 0,
@@ -140,7 +140,7 @@ fn listed(question: &Question, votes: &[Response], ray: Ray) -> String {
     words.collect::<Vec<_>>().join(", ") + more
 }
 
-/// The number of directions of a disc above which not every one is labelled.
+/// If a disc has more directions than this, not all of them are labelled.
 const MANY_WAYS: usize = 8;
 
 /// Draws all rays, from the position where the two discs will collide.
@@ -178,7 +178,7 @@ fn draw_fan(collision: &Collision, votes: &[Response], area: Rect, buf: &mut Buf
     picture.draw(buf, look);
 }
 
-/// Bars on a number line, higher for more equal answers.
+/// Bars on a number line: the more answers are equal, the higher the bar.
 fn draw_line(unit: &str, votes: &[Response], area: Rect, buf: &mut Buffer, look: &Look) {
     let numbers = votes.iter().filter_map(|said| match said {
         Response::Number(x) => Some(*x),

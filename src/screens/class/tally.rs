@@ -24,7 +24,7 @@ pub(super) struct Tally {
     field: TextField,
 }
 
-/// What keys do while votes are counted.
+/// The key actions while votes are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum CountAction {
@@ -119,7 +119,7 @@ impl Tally {
                 "Who has changed their mind? Show your card once more.",
             ),
         };
-        // Until the second vote is counted, the first is shown.
+        // Until the second vote is counted, the first one is shown.
         let shown = (self.vote == Vote::Second).then_some(Vote::First);
         let mut words = play.words();
         question::write(play, question, shown, |_| None, &mut words);

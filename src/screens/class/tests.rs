@@ -96,7 +96,7 @@ fn illegible(play: &ClassPlay, cx: &Context, rows: u16) -> Vec<String> {
 
 /// Each of thirty-two pupils can be scrolled into view.
 #[test]
-fn a_long_board_is_scrolled_to_its_end() {
+fn a_long_scoreboard_can_be_scrolled_to_its_end() {
     let names = (0..32).map(|pupil| format!("Pupil {pupil:02}"));
     let code = Code::parse("from-angle2-7").unwrap();
     let mut round = ClassRound::new(code, names.collect());

@@ -40,7 +40,8 @@ pub(super) enum UnfinishedEnd {
 }
 
 impl Unfinished {
-    /// Looks for an interrupted round, with this code and of this class if they are given.
+    /// Looks for an interrupted round; if a code or a class is given, for one with this code or of
+    /// this class.
     pub(super) fn ask(code: Option<Code>, name: &str, cx: &mut Context) -> Self {
         cx.ask(StoreRequest::ListClasses);
         Self {

@@ -1,4 +1,4 @@
-//! The page on which the teams give one of their two votes on a question, one after the other.
+//! The page on which the teams, one after another, give one of their two votes on a question.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -13,7 +13,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::panels::Heading;
 use crate::widgets::{AnswerAction, AnswerInput, Outcome, Role, draw_question};
 
-/// Answers closer to each other than this are the same, in units of the tolerance.
+/// Answers that differ by less than this, in units of the tolerance, count as the same.
 const SAME: f64 = 1e-6;
 
 /// Who has voted, and the team that is voting now.
@@ -34,7 +34,7 @@ struct Booth {
     is_open: bool,
 }
 
-/// What keys do while teams vote.
+/// The key actions while teams vote.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum VoteAction {
@@ -54,8 +54,8 @@ pub(crate) enum VoteAction {
 
 impl TeamVotes {
     /// For the first vote, the mark starts at the first team without a vote. After the discussion
-    /// every team keeps its vote unless it changes it, so the mark starts at the row that continues
-    /// the round.
+    /// every team keeps its vote unless it votes again, so the mark starts at the row that
+    /// continues the round.
     pub(super) fn new(round: &ClassRound, question: usize, vote: Vote) -> Self {
         let mut votes = Self {
             vote,
@@ -131,7 +131,7 @@ impl TeamVotes {
             }
             (VoteAction::Vote(action), Some(booth)) => {
                 let outcome = booth.input.act(action);
-                // A choice requires only one key.
+                // A choice requires only one key press.
                 if matches!(action, AnswerAction::Choose(_)) || outcome == Outcome::Done(()) {
                     self.give(session);
                 }
@@ -258,12 +258,12 @@ impl TeamVotes {
 }
 
 impl Booth {
-    /// Whether the answer has to be typed; a choice requires only one key.
+    /// Whether the answer has to be typed; a choice requires only one key press.
     fn is_typed(&self) -> bool {
         !matches!(self.input, AnswerInput::Choice { .. })
     }
 
-    /// Writes the name of the team and its input. What is typed is shown only on request.
+    /// Writes the team's name and input. What is typed is shown only on request.
     fn write(&self, name: &str, form: &Form, foot: &mut Panel<VoteAction>) {
         if let Form::Choice { options, .. } = form {
             foot.line(name, Role::Title);

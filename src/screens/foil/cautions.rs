@@ -1,11 +1,11 @@
-//! Warnings if a fixed point charge is not a good model of the nucleus.
+//! Warnings where a fixed point charge is not a good model of the nucleus.
 
 use super::setup::{FoilSetup, Obstacle};
 use crate::physics::rutherford::{ALPHA_MASS_NUMBER, FM, recoil_share, touching_distance};
 use crate::widgets::Role;
 use crate::widgets::panel::Panel;
 
-/// The smallest error of the fixed-nucleus model that is reported, as a share. Copper (6 %) and
+/// The smallest error of the fixed-nucleus model that is reported, as a fraction. Copper (6 %) and
 /// aluminium (15 %) exceed it; silver (4 %), platinum and gold (2 %) do not.
 const REPORTED: f64 = 0.05;
 

@@ -45,7 +45,7 @@ const METALS: [ShownMetal; 2] = [
 /// The title of the picture.
 pub(super) fn title(levelled: bool) -> &'static str {
     if levelled {
-        "how far off the law"
+        "deviation from the law"
     } else {
         "their counts against the law"
     }
@@ -136,7 +136,7 @@ fn levels(plot: &mut Plot, look: Look, metal: &ShownMetal, series: &Series) {
     plot.label(&legend, at, &[LabelSide::Right], role);
 }
 
-/// A share as per cent with its sign.
+/// A fraction as a percentage with its sign.
 fn signed(share: f64) -> String {
     format!("{:+.0}%", 100.0 * share).replace('-', "−")
 }
@@ -166,9 +166,10 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
     let ((low, high), (silver_low, silver_high)) = (gold.band(), silver.band());
     panel.paragraph(
         format!(
-            "The counts for gold go from {least} to {}, a factor of {}, and stay between {} and {} \
-             of the law. Silver: {} to {}. Both are too high at small angles; Geiger and Marsden \
-             thought that this was probably within their errors. The second plot enlarges this.",
+            "The counts for gold go from {least} to {}, a factor of {}, and deviate by {} to {} \
+             from the law. Silver: {} to {}. Both are too high at small angles; Geiger and Marsden \
+             thought that this was probably within their errors. The second plot shows the \
+             deviations.",
             words::count(most as u64),
             words::count(words::rounded(most / least) as u64),
             signed(low),
@@ -205,7 +206,7 @@ pub(super) fn write(panel: &mut Panel<FoilAction>) {
     );
 }
 
-/// The one count whose scale is known: 1913, gold of 2.1·10⁻⁵ cm, 45°, a screen of 1 mm²
+/// The only count whose scale is known: from 1913, with gold of 2.1·10⁻⁵ cm, 45°, a screen of 1 mm²
 /// at 1 cm.
 fn absolute_check() -> String {
     let share = Rutherford::radium_c_on_gold().share_into(

@@ -24,7 +24,7 @@ const SEED: u64 = 1913;
 /// The number of steps by which `<` and `>` change the offset.
 const LEAP: i8 = 10;
 
-/// Actions of keys on a page of the foil that is a figure.
+/// The key actions on a page of the foil that is shown as a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum FoilFigureAction {
@@ -46,7 +46,7 @@ pub(crate) struct FoilFigure(FoilScreen);
 
 impl FoilFigure {
     /// A page in its initial state, with the counts of 1913 relative to the law if `levelled`. A
-    /// beam is computed at once, or visibly if it is `watched`.
+    /// beam is computed at once, or frame by frame if it is `watched`.
     pub(crate) fn new(page: FoilPage, levelled: bool, watched: bool) -> Self {
         let mut setup = FoilSetup {
             particles_exponent: PARTICLES_EXPONENT,
@@ -133,7 +133,7 @@ impl FoilFigure {
         })
     }
 
-    /// Handles the mouse over its picture; returns whether it was used.
+    /// Handles the mouse over the figure's picture; returns whether the mouse was used.
     pub(crate) fn mouse(&mut self, mouse: &Mouse, area: Rect) -> bool {
         match self.0.page {
             FoilPage::Tracks => self.0.move_particle(mouse, area),
@@ -141,12 +141,12 @@ impl FoilFigure {
         }
     }
 
-    /// Computes the particles between two pictures.
+    /// Computes the particles for the next frame.
     pub(crate) fn advance(&mut self) {
         self.0.throw_on();
     }
 
-    /// The delay until the figure next needs time.
+    /// The time until the figure must next be advanced.
     pub(crate) fn wake(&self) -> Option<Duration> {
         self.is_running().then_some(Duration::ZERO)
     }
@@ -172,13 +172,13 @@ mod tests {
             |degrees| expected_at(&run.law, CountedFor::Steradian, run.thrown(), degrees).unwrap();
         assert_eq!((at(15.0) / at(150.0)).round(), 2999.0);
         assert_eq!((at(60.0) / at(120.0)).round(), 9.0);
-        // At half of a small angle there are about sixteen times as many.
+        // At half of a small angle the count is about sixteen times as high.
         for small in [4.0, 10.0, 20.0] {
             let times = at(small / 2.0) / at(small);
             assert!((times - 16.0).abs() < 0.4, "{times}");
         }
-        // The bars have the same scale. Where many particles are counted the bars meet the curve,
-        // except for the curvature of the law within 5°.
+        // The bars have the same scale. Where many particles are counted, the bars meet the curve,
+        // apart from the curvature of the law within 5°.
         for bin in 2..6 {
             let bar = run.counts.bins[bin] as f64 / CountedFor::Steradian.in_bin(bin);
             let bent = bar / at(5.0 * bin as f64 + 2.5);

@@ -2,12 +2,11 @@
 
 use crate::beams::{BINS, Counts, Sampler, ScatteringLaw};
 
-/// The number of pictures over which a beam runs, so that the counts grow visibly: about four
+/// The number of frames over which a beam runs, so that the counts grow visibly: about four
 /// seconds.
 const PICTURES: u64 = 240;
 
-/// The largest number of particles computed between two pictures: less than ten milliseconds of
-/// work.
+/// The largest number of particles computed per frame: less than ten milliseconds of work.
 const MOST: u64 = 2_000_000;
 
 /// A beam and its progress.
@@ -53,7 +52,7 @@ impl BeamRun {
         !self.halted && !self.is_over()
     }
 
-    /// Computes the particles between two pictures.
+    /// Computes the particles for the next frame.
     pub(super) fn advance(&mut self) {
         if self.is_running() {
             let thrown = self.thrown();
@@ -76,7 +75,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_beam_ends_with_all_its_particles_for_any_slices() {
+    fn a_beam_of_any_size_sends_all_its_particles() {
         for particles in [1, 239, 1000, 1_000_000] {
             let law = FoilSetup::default().law();
             let mut run = BeamRun::new(law, 3, particles, None);

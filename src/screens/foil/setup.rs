@@ -26,7 +26,7 @@ pub(crate) struct FoilSetup {
     pub energy_mev: f64,
     /// Thickness of the foil in µm.
     pub thickness_um: f64,
-    /// Offset from the centre of a hard target, as a share of the touching distance.
+    /// Offset from the centre of a hard target, as a fraction of the touching distance.
     pub offset_share: f64,
     /// Offset from a nucleus in fm.
     pub offset_fm: f64,
@@ -79,7 +79,7 @@ impl FoilSetup {
         }
     }
 
-    /// The unit of the counts: only the angle on a board, which has no solid angle.
+    /// The unit of the counts; `None` on a board, where there is no solid angle.
     pub(crate) fn counted_for(&self) -> Option<CountedFor> {
         (self.beam == Beam::Space).then_some(self.counted_for)
     }

@@ -81,7 +81,7 @@ fn path(setup: &FoilSetup, offset: f64, reach: f64) -> Path {
     }
 }
 
-/// Straight on to the touching distance 1, then away like light from a mirror.
+/// A straight line to the touching distance 1, then away like light reflected by a mirror.
 fn hard_path(offset: f64, reach: f64) -> Path {
     let start = dvec2(-reach, offset);
     if offset.abs() > 1.0 {
@@ -212,11 +212,11 @@ fn write_nucleus<A>(setup: &FoilSetup, set: &Path, panel: &mut Panel<A>) {
     let twice = 2.0 * setup.offset_fm.abs();
     let text = if twice < 0.1 {
         "Straight on: the α-particle is slowed, stops for an instant at d, where all its energy \
-         has gone into the repulsion, and flies straight back."
+         is potential energy, and flies straight back."
             .into()
     } else {
         format!(
-            "Both are positive, so they repel: the α-particle is slowed, deflected and sped up \
+            "Two positive charges repel: the α-particle is slowed, deflected and sped up \
              again, on a hyperbola. tan(Θ/2) = d/2b, here {d:.1}/{twice:.1}."
         )
     };
@@ -249,7 +249,7 @@ mod tests {
 
     /// The drawn path leaves at the angle given by the law.
     #[test]
-    fn the_last_piece_of_a_path_has_the_angle_of_the_law() {
+    fn a_drawn_path_ends_at_the_scattering_angle() {
         for (obstacle, offsets) in [
             (Obstacle::Hard, [-0.9, -0.3, 0.0, 0.5, 1.0, 1.2]),
             (Obstacle::Nucleus, [-50.0, -3.0, 0.0, 5.0, 20.0, 60.0]),
@@ -280,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cell_of_the_picture_sets_an_offset() {
+    fn the_offset_set_by_a_click_is_drawn_in_the_clicked_row() {
         let area = Rect::new(1, 2, 48, 19);
         let nucleus = setup(Obstacle::Nucleus, 0.0);
         for row in area.top()..area.bottom() {

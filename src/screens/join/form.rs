@@ -114,7 +114,7 @@ impl JoinForm {
         ListView::keys(enter).without_keys(ends)
     }
 
-    /// Handles a key if it edits text; returns whether it does.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         let typed = self.field().is_some_and(|field| field.update(key));
         if typed {

@@ -48,7 +48,7 @@ impl JoinedClass {
         joined
     }
 
-    /// Applies a new state. An answer that is being typed is kept as long as the class is at the
+    /// Applies a new state. An answer that is being typed is kept as long as the class stays at the
     /// same step.
     pub(super) fn take(&mut self, state: PupilState, pace: HitPace) {
         let same = (self.state.q, self.state.step) == (state.q, state.step);

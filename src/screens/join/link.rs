@@ -175,7 +175,7 @@ impl Link {
     }
 
     /// Sends an unconfirmed vote again after the connection was lost, once its question is asked
-    /// again: a restarted host first gathers the class.
+    /// again: a restarted host first waits for the class.
     fn say_again(&mut self, state: &PupilState, cx: &mut Context) {
         let open = state.step.vote();
         match &self.pending {

@@ -151,7 +151,7 @@ impl Join {
         let revealed = match hand_in.value() {
             Ok(file) => match link.hand_in(file, cx) {
                 true => return,
-                false => "There are too many answers to send. On the page Progress, h writes them to a file for your teacher.".to_owned(),
+                false => "There are too many answers to send. On the Progress page, the h key writes them to a file for your teacher.".to_owned(),
             },
             Err(reason) => format!("Your answers cannot be sent: {reason}"),
         };

@@ -174,7 +174,7 @@ fn write_step(
         }
         (Doing::Watch(_), _) | (_, ClassStep::Scores) => write_result(joined, question, panel),
         (Doing::Look, step) => {
-            // A text that is too long is truncated at its end, so the instruction comes first.
+            // Text that is too long is truncated at its end, so the instruction comes first.
             let words = match step {
                 ClassStep::Describe => "Read it with the class. The vote comes soon.",
                 ClassStep::Predict => "Decide in silence. The vote comes soon.",

@@ -47,7 +47,7 @@ enum LabPhase {
     Watch(Box<Watch>),
 }
 
-/// What keys do in the lab.
+/// The key actions in the lab.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum LabAction {

@@ -7,11 +7,12 @@ use crate::widgets::Role;
 use crate::widgets::input::{CollisionField, EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::widgets::panel::Panel;
 
-/// The lightest mystery coin in g, and the step and number of the heavier ones.
+/// The smallest mass of a mystery coin and the step to the next one, in g, and the number of
+/// masses.
 const LIGHTEST_G: f64 = 4.0;
 const STEP_G: f64 = 0.5;
 const COINS: u64 = 60;
-/// The tolerance of an answer, as a share of the mass.
+/// The tolerance of an answer, as a fraction of the mass.
 const NEAR: f64 = 0.05;
 
 /// A coin whose mass is hidden until it has been weighed.
@@ -22,8 +23,8 @@ pub(super) struct Mystery {
 }
 
 impl Mystery {
-    /// Sets up a coin whose mass follows from `seed`, at rest, smooth and without loss; its mass is
-    /// never that of the striker.
+    /// Sets up a smooth coin at rest, without energy loss. Its mass follows from `seed` and is
+    /// never the striker's.
     pub(super) fn put_out(setup: &mut CollisionSpec, seed: u64) -> Self {
         let mass = LIGHTEST_G + STEP_G * (seed % COINS) as f64;
         let same = (mass - setup.m1_g).abs() < STEP_G / 2.0;
@@ -47,8 +48,8 @@ impl Mystery {
         CollisionField::CoinSpeed,
     ];
 
-    /// The keys that enter the mass while the collision is watched. A sign or a point only
-    /// continues a number, because otherwise it has another meaning there.
+    /// The keys that enter the mass while the collision is watched. The keys for a sign or a point
+    /// only continue a number, because otherwise they have another meaning there.
     pub(super) fn keys(&self) -> KeyTable<EntryAction> {
         let table = KeyTable::new("mystery");
         match (self.is_open(), self.entry.is_open()) {
@@ -79,14 +80,14 @@ impl Mystery {
     ) {
         let (Some(theta1), Some(theta2)) = (outcome.theta1, outcome.theta2) else {
             panel.paragraph(
-                "There are not two angles to read. Hit the coin off-centre to weigh it.",
+                "You need two angles to weigh the coin: hit it off-centre.",
                 Role::Text,
             );
             return;
         };
         let Some(ratio) = mass_ratio_from_angles(theta1, theta2, setup.restitution) else {
             panel.paragraph(
-                "These angles do not give a mass: try an offset well between head-on and a graze.",
+                "These angles do not give a mass: try an offset between head-on and a graze.",
                 Role::Text,
             );
             return;

@@ -59,7 +59,7 @@ const DRAG: &str = "Drag the coin up or down to set the offset.";
 /// The smallest number of rows of a picture with room for the curves.
 const ROOM_FOR_CURVES: u16 = 18;
 
-/// The collision of the settings, explained to its end.
+/// The collision with the current settings, explained to its end.
 fn live_hit(lab: &Lab) -> Watch {
     let layers = Overlays::default().without([Overlay::Triangle, Overlay::Trails]);
     Watch::revealed(lab.settings.setup.collision()).with_layers(layers)

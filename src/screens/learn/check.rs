@@ -47,10 +47,10 @@ pub fn check(chapter: &Chapter) -> Vec<FileError> {
     faults
 }
 
-/// One answer for each different feedback.
+/// One answer for each possible feedback.
 fn answers(asked: &CheckpointKind) -> Vec<Response> {
     match asked {
-        // Straight ahead, half and half, bounced back: each has a long explanation.
+        // Straight ahead, at 45° and backwards: each has a long explanation.
         CheckpointKind::Rays => {
             let rays = |degrees: f64| Rays::new(degrees.to_radians(), degrees.to_radians());
             let rays = [0.0, 45.0, 150.0].map(rays);
@@ -74,7 +74,7 @@ fn too_long(
     let mut cx = Context::new(settings, 0);
     cx.body = BODY;
     let (rows, room) = reading.rows(&cx);
-    // The page is drawn too, so that a panic or a missing figure is found.
+    // The page is drawn too, so that a panic or a missing figure is detected.
     let mut buf = Buffer::empty(Rect::new(0, 0, 80, 24));
     reading.draw(&mut buf, &cx);
     let what = match answer {
@@ -91,7 +91,7 @@ fn too_long(
     })
 }
 
-/// The end of an error message, which names the choice.
+/// The last words of an error message: the choice that it is about.
 fn line_of(said: Option<Response>) -> String {
     match said {
         Some(Response::Choice(line)) => format!(" on choice {}", line + 1),

@@ -9,7 +9,7 @@ use crate::widgets::{Charset, Role, formula};
 /// The style of text.
 #[derive(Clone, Copy)]
 pub(super) struct Prose<'a> {
-    /// The collision of the live numbers.
+    /// The collision from which the live numbers are computed.
     pub figure: Option<&'a Collision>,
     /// The charset, which determines how many rows a formula takes.
     pub charset: Charset,
@@ -20,7 +20,7 @@ impl Prose<'_> {
         self.write_in(None, blocks, panel);
     }
 
-    /// Writes blocks of text that have been read, all in a faint style.
+    /// Writes blocks of text that the student has already read, all in a faint style.
     pub(super) fn write_dimmed<A>(self, blocks: &[TextBlock], panel: &mut Panel<A>) {
         self.write_in(Some(Role::Dim), blocks, panel);
     }

@@ -49,9 +49,9 @@ pub(crate) enum QuizAction {
     LookBack(ListAction),
     /// start another round of the same kind
     Another,
-    /// open the page of the chapters that explains it
+    /// open the chapter page that explains the answer
     ReadUp,
-    /// check with two questions whether you still believe it
+    /// check with two questions whether you still have the misconception
     Check,
     /// scroll a text that is longer than its panel
     Scroll(i16),
@@ -290,7 +290,7 @@ impl Quiz {
         }
     }
 
-    /// Closes an answered question: goes to the next one, or back to the list in which it was
+    /// Closes an answered question: goes to the next one, or back to the list from which it was
     /// `opened`.
     fn put_away(&mut self, opened: Option<usize>, layers: Option<Overlays>) {
         self.layers = layers.unwrap_or(self.layers);
@@ -469,7 +469,7 @@ impl Screen for Quiz {
         vec![
             "Answer each question, choose how sure you are, then watch what happens and read why. An exam gives no feedback until the end, and neither does the round that finds out what you believe: there your answers decide the next question. Rims are smooth unless a question says otherwise.",
             "Rays: angles are measured from the striker's original direction. The striker's angle is positive on the side away from the coin, the coin's angle on the coin's side; a minus sign means the other side. Shots: set the offset that sends the disc along the dashed path to the mark.",
-            "A ray is right if its error is at most 4°, and so is a shot that sends its disc within 4° of the path. An angle, a share or e entered as a number is right within a tenth of the true value, but never with an error above 4°, 4 % or 0.04; any other number within a twentieth.",
+            "A ray is right if its error is at most 4°, and so is a shot that sends its disc within 4° of the path. An angle, a percentage or e entered as a number is right if it is within a tenth of the true value, but never with an error above 4°, 4 % or 0.04; any other number must be within a twentieth.",
             "A ray within 2° earns full credit, a ray that is 30° off earns none. \"Sure\" earns the most points if you are right and loses the most if you are wrong, so an honest answer is the best one. Your points may fall below zero: otherwise a wrong \"sure\" would cost nothing there.",
             "After a wrong answer carrom names the page of a chapter that explains it. When you leave that page, you are back where you were.",
             "After the last question you can open each one again; if you leave an exam, it shows your answers. The code at the top fixes the questions: with the same code a friend gets the same round.",

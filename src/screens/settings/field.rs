@@ -61,7 +61,7 @@ pub(super) static SETTINGS: [Setting; 8] = [
         words: &["full", "reduced"],
         shown: (
             "motion",
-            "Reduced: nothing slides. Pictures jump from before the contact to the contact, and then to the result. The help of every screen shows the key that switches it.",
+            "Reduced: nothing slides. Pictures jump from before the contact to the contact, and then to the result. The help of every screen shows the key for it.",
         ),
         at: |settings| settings.reduced_motion.into(),
         choose: |settings, at| settings.reduced_motion = at > 0,

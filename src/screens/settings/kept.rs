@@ -1,4 +1,4 @@
-//! The settings that are saved from one start to the next, in `settings.toml`.
+//! The settings that are kept from one run to the next, in `settings.toml`.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use crate::widgets::Depth;
 const FORMAT: u32 = 1;
 /// The size of the largest file that is read, in bytes.
 const LARGEST: usize = 64 * 1024;
-/// The largest length of a name in the file.
+/// The greatest length of a name in the file.
 const LONGEST: usize = 200;
 const PLAYER_ID: &str = "player";
 
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn a_screen_without_colours_stays_without() {
+    fn a_screen_without_colours_stays_colourless() {
         let file = b"format = 1\ncolours = \"256\"\n";
         let kept = KeptSettings::read("settings.toml", file).unwrap();
         assert_eq!(kept.over(Settings::default()).depth, Depth::None);
@@ -170,7 +170,7 @@ mod tests {
         assert!(over.reduced_motion && !over.predict && over.player == "Ada");
     }
 
-    /// Earlier versions accepted such a name.
+    /// Earlier versions accepted an invisible name.
     #[test]
     fn an_invisible_name_is_ignored_and_the_other_settings_are_kept() {
         let file = "format = 1\ncharset = \"unicode\"\nplayer = \"\u{2800}\"\n";

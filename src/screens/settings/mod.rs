@@ -34,7 +34,7 @@ pub(crate) struct SettingsScreen {
 pub(crate) enum SettingsAction {
     /// choose a setting and change it
     Set(FormAction),
-    /// go to the next value; for the player's name, type it
+    /// go to the next value, or type the player's name
     Enter,
     /// use the typed name
     Take,
@@ -111,7 +111,7 @@ impl Screen for SettingsScreen {
 
     fn act(&mut self, action: SettingsAction, cx: &mut Context) -> Next {
         match action {
-            // A click elsewhere uses the typed name.
+            // A click elsewhere accepts the typed name.
             SettingsAction::Set(action) => {
                 self.take(cx);
                 self.form.act(action, &mut cx.settings);

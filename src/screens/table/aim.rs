@@ -18,8 +18,8 @@ const FIRST_SPEED: f64 = 2.5;
 pub(super) struct Aim {
     /// The position of the striker, in metres from the centre of the board.
     pub(super) place: DVec2,
-    /// Direction in degrees, 0 to 360, as the player at that side sees it: 90 is straight
-    /// across the board. Shown and typed directions refer to the screen instead.
+    /// Direction in degrees, 0 to 360, as the player at that seat sees it: 90 is straight across
+    /// the board. Shown and typed directions refer to the screen instead.
     direction_deg: f64,
     /// Speed in m/s.
     pub(super) speed: f64,
@@ -88,7 +88,7 @@ impl Aim {
         self.direction_deg = hundredths / 100.0;
     }
 
-    /// Aims at a point of the board.
+    /// Aims at a point on the board.
     pub(super) fn point_at(&mut self, at: DVec2, seat: Seat) {
         if let Some(way) = (at - self.place).try_normalize() {
             self.set_direction(seat.turn_back(way).to_angle().to_degrees());
@@ -142,8 +142,8 @@ impl Aim {
     }
 }
 
-/// The direction of a step to the right or up on the screen: along the base lines of a seat,
-/// or simply to the right in practice.
+/// The direction of a step to the right or up on the screen: along the base lines of a seat, or
+/// simply to the right in a practice game.
 pub(super) fn along_the_screen(seat: Seat, rules: Rules) -> DVec2 {
     match seat {
         Seat::East | Seat::West if rules != Rules::Practice => DVec2::Y,

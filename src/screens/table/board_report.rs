@@ -14,7 +14,7 @@ pub(super) struct BoardReport {
     pub(super) run: Vec<ByTeam<u8>>,
 }
 
-/// The figures of a team on a board.
+/// The figures of a team for a board.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct TeamReport {
     pub(super) strokes: u32,
@@ -28,7 +28,7 @@ pub(super) struct TeamReport {
 }
 
 impl TeamReport {
-    /// The share of strokes that pocketed a piece of the team, in per cent.
+    /// The percentage of strokes that pocketed a piece of the team.
     pub(super) fn share(&self) -> u32 {
         (100 * self.pocketing + self.strokes / 2) / self.strokes.max(1)
     }
@@ -72,7 +72,7 @@ impl BoardReport {
 }
 
 /// The rank of a stroke: first by what it pocketed, then by how difficult that was; 0 if it
-/// pocketed nothing, or also the striker.
+/// pocketed nothing, or if it also pocketed the striker.
 fn rank(past: &Past) -> f64 {
     let Some(Story {
         first_hit: Some(hit),

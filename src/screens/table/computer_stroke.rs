@@ -19,7 +19,7 @@ pub(super) struct ComputerStroke {
     pub(super) aim: Aim,
     /// The first contact of the intended stroke.
     pub(super) preview: Option<Preview>,
-    /// The coin that it was meant to pocket, and the pocket.
+    /// The coin that the stroke was meant to pocket, and the pocket.
     pub(super) pointer: Option<Pointer>,
 }
 

@@ -85,7 +85,7 @@ impl GameHistory {
         })
     }
 
-    /// Whether the game has changed since the last call.
+    /// Whether the game has changed since this function was last called.
     pub(super) fn take_unsaved(&mut self) -> bool {
         mem::take(&mut self.unsaved)
     }

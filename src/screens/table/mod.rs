@@ -20,6 +20,7 @@ use ratatui::layout::Rect;
 
 use super::{Context, Next, Route, Screen, View};
 use crate::messages::{Input, Mouse};
+use crate::numbers::fixed;
 use crate::widgets::input::{FormAction, KeyTable, RayAction};
 use active_game::{
     ActiveGame, AimAction, ArrangeAction, GameAction, OverAction, Playing, ShowAction, StrokeAction,
@@ -44,7 +45,7 @@ enum TablePage {
     Playing(Box<Playing>),
 }
 
-/// Actions of keys at the table: each page and each phase of a game has actions of its own.
+/// The key actions at the table: each page and each phase of a game has actions of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TableAction {
     /// On the page of a new game.
@@ -113,7 +114,8 @@ impl Screen for Table {
             TablePage::Playing(playing) => &playing.game.options,
         };
         let rules = <&str>::from(options.rules);
-        format!("{rules}   {}", words::masses(options.set))
+        let (masses, e) = (words::masses(options.set), fixed(options.restitution, 2));
+        format!("{rules}   {masses}   e = {e}")
     }
 
     fn keys(&self, _cx: &Context) -> KeyTable<TableAction> {
@@ -132,7 +134,10 @@ impl Screen for Table {
         match (&mut self.page, action) {
             (TablePage::NewGame(page), TableAction::NewGame(action)) => match action {
                 NewGameAction::Agree(action) => page.form.act(action, &mut page.options),
-                NewGameAction::Play => *self = Self::playing(page.options, cx.next_seed()),
+                NewGameAction::Play => {
+                    page.form.commit(&mut page.options);
+                    *self = Self::playing(page.options, cx.next_seed());
+                }
                 NewGameAction::SavedGames => {
                     let saved = SavedGames::ask(page.options, cx);
                     self.page = TablePage::SavedGames(Box::new(saved));

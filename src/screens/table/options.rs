@@ -7,7 +7,7 @@ use crate::game::{Company, Game, GameSetup, Hands, PieceSet, Rules, SavedGame, S
 use crate::numbers::capital;
 
 /// Everything that can be chosen for a game.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
     /// The rules.
     pub rules: Rules,
@@ -20,6 +20,8 @@ pub struct Options {
     pub strengths: [Strength; 4],
     /// The pieces.
     pub set: PieceSet,
+    /// Coefficient of restitution of two discs.
+    pub restitution: f64,
     /// Whether the players call the first impact before each stroke.
     pub call: bool,
     /// Aids while aiming.
@@ -36,6 +38,7 @@ impl Default for Options {
             players: [Person, Computer, Computer, Computer],
             strengths: [Strength::default(); 4],
             set: PieceSet::default(),
+            restitution: GameSetup::default().restitution,
             call: false,
             aids: Aids::default(),
         }
@@ -60,6 +63,7 @@ impl Options {
                 Rules::Tournament | Rules::Friendly => self.hands,
             },
             set: self.set,
+            restitution: self.restitution,
             first_breaker: Seat::South,
             seed: Some(seed),
         }
@@ -74,6 +78,7 @@ impl Options {
             players: company.players,
             strengths: company.strengths,
             set: setup.set,
+            restitution: setup.restitution,
             call: company.call,
             aids: company.aids,
         }
@@ -89,7 +94,7 @@ impl Options {
         }
     }
 
-    /// The player at a seat; in practice always a person.
+    /// The player at a seat; in a practice game always a person.
     pub fn player(&self, seat: Seat) -> Player {
         match self.rules {
             Rules::Practice => Player::Person,
@@ -102,7 +107,7 @@ impl Options {
         self.strengths[seat as usize]
     }
 
-    /// The team whose people call the strokes from a seat: their own strokes, and those of a
+    /// The team whose human players call the strokes from a seat: their own strokes, and those of a
     /// computer that plays against them.
     pub(super) fn caller(&self, game: &Game, seat: Seat) -> Team {
         let own = game.team(seat);

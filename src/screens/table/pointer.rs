@@ -13,14 +13,14 @@ pub(super) struct Pointer {
     /// The index of the coin in the game: the one that is pocketed, otherwise the one that is hit
     /// first.
     pub(super) coin: usize,
-    /// The corners of its path into the pocket; empty if it is not pocketed.
+    /// The corners of the coin's path into the pocket; empty if the coin is not pocketed.
     pub(super) way: Vec<DVec2>,
     /// The middle of the pocket.
     pub(super) pocket: Option<DVec2>,
 }
 
 impl Pointer {
-    /// The coin and pocket of this story of a stroke in `game`; `None` if no coin is hit.
+    /// The coin and pocket in this story of a stroke in `game`; `None` if the stroke hits no coin.
     pub(super) fn of(story: &Story, stroke: &Strike, game: &Game) -> Option<Self> {
         let Some(fall) = story.fall else {
             return Some(Self {

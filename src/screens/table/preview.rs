@@ -51,7 +51,7 @@ pub(super) struct FirstHit {
 }
 
 impl Preview {
-    /// The path of `strike` up to its first contact; `None` if it cannot be played.
+    /// The path of `strike` up to its first contact; `None` if the stroke cannot be played.
     pub(super) fn of(strike: &Strike, game: &Game) -> Option<Self> {
         let shot = strike.shot(game).ok()?;
         let first = first_hit(&shot);
@@ -121,6 +121,27 @@ mod tests {
         let reach = hit.impact.collision.contact_distance();
         let end = preview.way.last().unwrap();
         assert!((end.distance(hit.at) - reach).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_preview_has_the_restitution_of_the_game() {
+        let strike = Strike {
+            place: DVec2::new(0.0, -0.2526),
+            velocity: DVec2::new(0.0, 4.0),
+            call: None,
+        };
+        for restitution in [1.0, 0.5, 0.0] {
+            let game = Game::new(GameSetup {
+                restitution,
+                ..GameSetup::default()
+            });
+            let preview = Preview::of(&strike, &game).unwrap();
+            let collision = preview.first_hit().unwrap().impact.collision;
+            let outcome = collision.outcome();
+            let separation = (outcome.v2 - outcome.v1).length();
+            let approach = collision.u1.length();
+            assert!((separation - restitution * approach).abs() < 1e-12);
+        }
     }
 
     #[test]

@@ -33,11 +33,11 @@ pub(super) struct SavedGames {
     watch: Option<u64>,
 }
 
-/// Actions of keys on the page.
+/// The key actions on the page of saved games.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum SavedGamesAction {
-    /// choose a saved game, resume or remove it
+    /// choose a saved game, then resume or remove it
     Saved(KeptAction),
     /// watch the whole game again, stroke by stroke
     WatchAll,

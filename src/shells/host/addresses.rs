@@ -1,4 +1,4 @@
-//! The addresses of this computer in the local network.
+//! The addresses of this computer on the local network.
 
 use std::net::{IpAddr, Ipv4Addr, SocketAddrV4, UdpSocket};
 

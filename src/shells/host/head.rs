@@ -17,7 +17,7 @@ pub(crate) const TALK: &str = "/class";
 pub(super) enum HttpRequest {
     /// The page.
     Page {
-        /// Whether it may be compressed.
+        /// Whether the response may be compressed.
         gzip: bool,
         /// The tag of the page in the browser's cache.
         known: Option<String>,

@@ -25,7 +25,7 @@ use crate::shells::lock;
 const HEAD_TIME: Duration = Duration::from_secs(5);
 /// The time limit for joining.
 const JOIN_TIME: Duration = Duration::from_secs(10);
-/// The silences after which a device is pinged, and after which it counts as lost.
+/// How long a device may be silent before it is pinged, and before it counts as lost.
 const PING: Duration = Duration::from_secs(20);
 const GONE: Duration = Duration::from_secs(65);
 /// The time limits for sending one part of the page, and for all of it.
@@ -65,8 +65,8 @@ fn answer(board: &Arc<Switchboard>, line: &Arc<Line>) -> io::Result<()> {
                 send(line, head.as_bytes(), body)
             }
             None => {
-                let words = "This carrom has no page for browsers. On a computer with carrom: \
-                             carrom join and this address.";
+                let words = "This host has no page for browsers. On a computer with carrom, run \
+                             carrom join with this address.";
                 refuse(line, 200, words)
             }
         },
@@ -128,7 +128,7 @@ fn send(line: &Line, head: &[u8], body: &[u8]) -> io::Result<()> {
         left(end)?;
         (&line.stream).write_all(piece)?;
     }
-    // Without this the device might lose bytes that it has not read.
+    // Without this, the device might lose bytes that it has not read.
     line.stream.shutdown(std::net::Shutdown::Write)?;
     drain(line, Duration::from_secs(2));
     Ok(())

@@ -1,10 +1,10 @@
-//! A server in the local network, with which the teacher's carrom serves a class on its own
+//! A server on the local network, with which the teacher's carrom serves a class on its own
 //! devices.
 //!
-//! It listens when a screen requests it ([`HostCall::Open`]), serves the page to browsers and
-//! communicates with pupils by WebSocket. It knows the code of the class and the limits, but
-//! nothing about questions and votes: pupils' messages go to the screen as [`HostNews`], and the
-//! screen's states go to the pupils.
+//! The server starts listening when a screen requests it ([`HostCall::Open`]), serves the page to
+//! browsers and communicates with pupils by WebSocket. It knows the code of the class and the
+//! limits, but nothing about questions and votes: pupils' messages go to the screen as
+//! [`HostNews`], and the screen's states go to the pupils.
 //!
 //! One thread accepts connections; each connection has a thread that reads and, once it has joined,
 //! one that writes from an outbox, in which a newer state replaces an unsent older one: a slow
@@ -32,7 +32,7 @@ use switchboard::Switchboard;
 pub(crate) const PORT: u16 = 8090;
 /// How many ports are tried.
 const PORTS: u16 = 10;
-/// How long a carrom or a round that has just ended may take to release its port.
+/// How long a program or a round that has just ended may take to release its port.
 const LETTING_GO: Duration = Duration::from_millis(300);
 /// How many connections may wait to be accepted. A whole class may join at the same moment.
 #[cfg(unix)]
@@ -119,7 +119,7 @@ impl Host {
         };
         let page = match &self.options.page {
             Some(page) => page.clone(),
-            None => Err("this carrom contains no page for browsers".into()),
+            None => Err("this program contains no page for browsers".into()),
         };
         let shown = page.as_ref().map(|_| ()).map_err(Clone::clone);
         let board = Arc::new(Switchboard::new(
@@ -169,7 +169,7 @@ impl Drop for Host {
     }
 }
 
-/// Opens a port, waiting this long while it is in use.
+/// Opens a port; waits up to this long if it is in use.
 fn bind(port: u16, patience: Duration) -> io::Result<TcpListener> {
     let end = Instant::now() + patience;
     loop {

@@ -193,7 +193,7 @@ impl Switchboard {
             line.close();
             hang_up(&line.stream);
         }
-        // A connection wakes the accepting thread, so that it notices the end.
+        // A connection wakes the accepting thread, so that the thread notices the end.
         let own = (std::net::Ipv4Addr::LOCALHOST, self.port);
         let _ = TcpStream::connect_timeout(&own.into(), Duration::from_secs(1));
     }
@@ -204,7 +204,7 @@ impl Line {
         self.joined.load(Ordering::SeqCst)
     }
 
-    /// Notes that the device has joined.
+    /// Records that the device has joined.
     pub(super) fn join(&self) {
         self.joined.store(true, Ordering::SeqCst);
     }

@@ -1,4 +1,4 @@
-//! Removes the parts of texts that are only for users of a keyboard, a mouse or a screen.
+//! Removes the parts of a text that are only for users of a keyboard, a mouse or a screen.
 
 /// The mark before the name of a key in a text that is not yet in spoken form.
 pub(super) const KEY: char = '\u{e0f0}';

@@ -8,13 +8,13 @@ pub(super) fn aloud(formula: &Formula) -> String {
     spoken_formula(&linear(formula))
 }
 
-/// A formula in one line, with fractions in words and with Unicode symbols.
+/// A formula on one line, with fractions in words and with Unicode symbols.
 fn linear(formula: &Formula) -> String {
     let mut line = String::new();
     let (mut after_fraction, mut after_factor) = (false, false);
     for term in &formula.0 {
         let node = &term.node;
-        // Without these words a listener would take terms after a fraction for part of its
+        // Without these words, a listener would take terms after a fraction for part of its
         // denominator, and a fraction or a root after a factor for something separate.
         line += match () {
             () if after_fraction && is_factor(node) => " × ",
@@ -29,12 +29,12 @@ fn linear(formula: &Formula) -> String {
     line.trim().to_owned()
 }
 
-/// Whether it ends in a function without its argument.
+/// Whether the formula ends in a function without its argument.
 fn awaits(formula: &Formula) -> bool {
     formula.0.last().is_some_and(|term| is_named(&term.node))
 }
 
-/// Whether it is the name of a function, with or without a power.
+/// Whether the node is the name of a function, with or without a power.
 fn is_named(node: &Node) -> bool {
     match node {
         Node::Word(word) => is_function(word),
@@ -43,7 +43,7 @@ fn is_named(node: &Node) -> bool {
     }
 }
 
-/// Whether it is a factor after another factor: anything but an operator.
+/// Whether the node is a factor after another factor: anything but an operator.
 fn is_factor(node: &Node) -> bool {
     match node {
         Node::Word(word) => word.starts_with(char::is_alphanumeric),
@@ -53,7 +53,7 @@ fn is_factor(node: &Node) -> bool {
 
 fn of_node(node: &Node) -> String {
     match node {
-        // A word of more than one letter is a unit.
+        // A word with more than one letter is a unit.
         Node::Word(word) if word.chars().count() > 1 => unit_name(word),
         Node::Word(word) => word.clone(),
         Node::Group(inside) => format!("({})", linear(inside)),

@@ -23,7 +23,7 @@ const OFFERED: [&str; 2] = ["ray.stays-still", "shot.impacts"];
 /// The row of the key for the next question.
 pub(super) const ON: &str = "quiz.go-on";
 
-/// The placeholder of an empty text.
+/// The placeholder in an empty text field.
 pub(super) const OPEN: char = '_';
 
 /// A screen, or a layer over it, in lines.
@@ -50,7 +50,7 @@ pub(super) struct PlainPage {
 pub(super) struct PlainSection {
     /// The title of the frame.
     pub title: String,
-    /// Its first text, which identifies its subject.
+    /// The first text in the frame, which identifies the frame's subject.
     pub subject: String,
     /// Its text.
     pub lines: Vec<String>,
@@ -69,7 +69,7 @@ pub(super) struct PlainOption {
     pub cell: Option<(u16, u16)>,
     /// The key that chooses it.
     pub key: Option<Key>,
-    /// Whether it is currently chosen.
+    /// Whether the option is currently chosen.
     pub(crate) is_chosen: bool,
 }
 
@@ -93,9 +93,9 @@ pub(super) enum Asked {
     Nothing,
     /// As a number with this name and unit.
     Number(String, String),
-    /// As an angle with this name, of a disc that may stay still.
+    /// As an angle with this name, for a disc that may stay still.
     Angle(String),
-    /// As a text with this name.
+    /// As text with this name.
     Text(String),
 }
 
@@ -244,7 +244,7 @@ impl PlainOption {
         })
     }
 
-    /// Whether it has a value that can be set.
+    /// Whether the option has a value that can be set.
     pub(super) fn is_field(&self) -> bool {
         matches!(self.kind, OptionKind::Field(_) | OptionKind::Text(_))
     }
@@ -289,8 +289,8 @@ fn is_by_other_means(row: &KeyRow<()>) -> bool {
     is && !OFFERED.contains(&row.id.as_str())
 }
 
-/// Labels for items without one: numbers, or letters if numbers can be typed. If the answers have
-/// letters, or the choices are the numbers of the confidence, the actions get no labels.
+/// Labels for items without a label: numbers, or letters if numbers can be typed. If the answers
+/// have letters, or the choices are the numbers of the confidence, the actions get no labels.
 fn label(options: &mut [PlainOption], types: bool) {
     let own: Vec<_> = options.iter().map(|it| it.label.clone()).collect();
     let last: usize = own
@@ -419,7 +419,7 @@ fn sections(sheet: &Sheet, options: &[PlainOption], rows: &[KeyRow<()>]) -> Vec<
     sheet.sections.iter().map(section).collect()
 }
 
-/// Whether it is the head row of a table.
+/// Whether the row is the head row of a table.
 fn is_head(item: &Item) -> bool {
     match &item.words {
         Words::Columns { values, .. } => {
@@ -508,7 +508,7 @@ fn text(words: &Words, is_help: bool) -> Option<String> {
     })
 }
 
-/// A text as it is read aloud, without drawing characters. File names stay unchanged.
+/// Text as it is read aloud, without drawing characters. File names stay unchanged.
 pub(super) fn read(text: &str) -> String {
     let word = |word: &str| match is_path(word) {
         true => verbatim(word),

@@ -139,7 +139,7 @@ impl PlainReader {
         if let (Some(option), false) = (&labelled, self.is_text()) {
             return self.choose(&option.clone(), holder);
         }
-        // A single letter may be the requested text, such as a name.
+        // A single letter may be the text that was asked for, such as a name.
         let is_text = self.is_text();
         match lower.as_str() {
             "q" | "h" | "r" if is_text => {}
@@ -213,7 +213,7 @@ impl PlainReader {
         options.find(is).or_else(numbered).cloned()
     }
 
-    /// The option with this name, or with words that start with these.
+    /// The option with this name, or the one whose words start with these words.
     fn named(&self, words: &str) -> Option<PlainOption> {
         let meant: Vec<_> = words.split_whitespace().collect();
         let is_name = meant
@@ -341,7 +341,7 @@ impl PlainReader {
         }
     }
 
-    /// Whether it is still the same screen.
+    /// Whether the screen is still the same.
     fn is_the_same(&mut self, holder: &dyn AppHolder) -> bool {
         let now = self.look(holder.app());
         now.title == self.page.title && now.layer == self.page.layer
@@ -600,7 +600,7 @@ fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> 
         }
         for line in &section.lines {
             let is_known = known.contains(&line) || said.contains(line);
-            // The same letter may belong to an answer of another question.
+            // The same letter may belong to an answer to another question.
             let is_entry = now.has_entry(line);
             let was_entry = before.has_entry(line);
             if !is_known || is_new || is_fresh && is_entry || was_entry && !is_entry {
@@ -618,7 +618,7 @@ fn changes(before: &PlainPage, now: &PlainPage, said: &[String]) -> Vec<String> 
     lines
 }
 
-/// A line with each number replaced by one character.
+/// A line with each number replaced with one character.
 fn without_figures(line: &str) -> String {
     let mut text: String = line
         .chars()

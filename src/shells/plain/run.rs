@@ -21,14 +21,14 @@ enum Heard {
     Line(String),
     /// An input for the app.
     Input(Input),
-    /// There is news of the class that this carrom serves.
+    /// There is news from the class that this program serves.
     Hosted,
     /// The input has ended.
     Ended,
 }
 
-/// Runs the app on `input` and `output` until the player quits or the input ends. `host` has the
-/// options for serving a class.
+/// Runs the app on `input` and `output` until the player quits or the input ends. `host` contains
+/// the options for serving a class.
 ///
 /// # Errors
 /// If a line cannot be written, or the last changes cannot be saved.
@@ -136,7 +136,7 @@ fn say(output: &mut dyn Write, lines: &[String]) -> io::Result<()> {
         .write_all(text.as_bytes())
         .and_then(|()| output.flush())
     {
-        // The reader of the output has stopped.
+        // The program that reads the output has stopped.
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         said => said,
     }

@@ -8,7 +8,7 @@ use crate::files::read_line;
 /// The longest input line, in bytes; the rest of it is skipped.
 const LONGEST: usize = 1000;
 
-/// The help on words that are understood at any time.
+/// The help on the words that are understood at any time.
 const ALWAYS: &str = "At any time: repeat reads the question again, help explains how to answer, \
                       quit saves your answers and ends carrom.";
 
@@ -32,7 +32,7 @@ pub enum Leave {
 impl From<io::Error> for Leave {
     fn from(error: io::Error) -> Self {
         match error.kind() {
-            // The reader of the output has stopped.
+            // The program that reads the output has stopped.
             io::ErrorKind::BrokenPipe => Self::Ended,
             _ => Self::Failed(error),
         }
@@ -52,7 +52,7 @@ impl<'a> Talk<'a> {
     pub fn say(&mut self, text: &str) -> Result<(), Leave> {
         for line in text.lines() {
             let line = spoken(line);
-            // A line of a working that continues the line before it.
+            // A line of the working that continues the line before it.
             let line = match line.strip_prefix("equals ") {
                 Some(rest) => format!("This equals {rest}"),
                 None => line,
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_are_read_with_any_line_ends_and_bytes() {
+    fn lines_with_any_line_endings_and_bytes_are_read() {
         assert_eq!(
             hear_all(b" 60 \r\nstill\n\nlast"),
             ["60", "still", "", "last"]

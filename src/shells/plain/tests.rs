@@ -1,4 +1,4 @@
-//! Checks that all texts of questions and chapters can be read aloud.
+//! Checks that all questions and chapters can be read aloud.
 
 use super::by_words::by_words;
 use super::formula::aloud;
@@ -40,7 +40,7 @@ fn every_question_is_read_aloud_completely() {
 }
 
 #[test]
-fn no_formula_of_the_chapters_is_spoken_with_a_unit() {
+fn no_symbol_in_a_chapter_formula_is_read_as_a_unit() {
     let units = ["metre", "gram", "second", "joule", "volt", "percent"];
     let mut formulas = 0;
     let chapters = &ChapterLibrary::embedded_once().chapters;

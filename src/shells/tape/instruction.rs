@@ -47,6 +47,6 @@ pub enum ScreenSetting {
     Charset(Charset),
     /// The number of colours.
     Color(Depth),
-    /// The time in seconds since the start of 1970: noon of a day, UTC.
+    /// The time in seconds since the start of 1970: noon on a day, UTC.
     Day(i64),
 }

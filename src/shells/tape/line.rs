@@ -4,17 +4,17 @@ use std::fmt;
 
 use crate::files::{LONGEST_QUOTE, escape_control, quoted};
 
-/// A part of a line: a bare word or a text in quotes. `Display` writes it as messages quote it.
+/// A part of a line: a bare word or a string in quotes. `Display` writes it as messages quote it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Token {
     /// A run of characters without a space.
     Word(String),
-    /// A text in double quotes, with its escapes resolved.
+    /// A string in double quotes, with its escapes resolved.
     Text(String),
 }
 
 impl Token {
-    /// The word; `None` for a text in quotes.
+    /// The word; `None` for a string in quotes.
     pub(super) fn word(&self) -> Option<&str> {
         match self {
             Self::Word(word) => Some(word),
@@ -60,7 +60,7 @@ pub(super) fn parts(line: &str) -> Result<Vec<Token>, String> {
     Ok(parts)
 }
 
-/// The text up to the closing quote, and what comes after it.
+/// The string up to the closing quote, and what comes after it.
 fn text(inner: &str) -> Result<(String, &str), String> {
     let mut text = String::new();
     let mut letters = inner.chars();
@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn words_texts_and_comments_are_distinguished() {
+    fn words_strings_and_comments_are_distinguished() {
         let expected = vec![word("Expect"), Token::Text("a # \"b\"\n\\".into())];
         assert_eq!(parts(r#" Expect  "a # \"b\"\n\\" # c "d"#), Ok(expected));
         assert_eq!(parts("   # all of it"), Ok(vec![]));
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn invalid_texts_are_refused() {
+    fn invalid_strings_are_refused() {
         for (line, message) in [
             ("Type \"60", "expected a closing double quote"),
             ("Type \"60\\", "expected a closing double quote"),

@@ -1,6 +1,6 @@
 //! Tapes: scripts that play carrom without a terminal, on simulated time.
 //!
-//! Each line has one instruction. `#` starts a comment, and texts are in double quotes (with the
+//! Each line has one instruction. `#` starts a comment, and strings are in double quotes (with the
 //! escapes `\"`, `\\`, `\n` and `\t`). `Run` is optional and must come first.
 //!
 //! ```text
@@ -8,7 +8,7 @@
 //! Set Size 100x30              columns x rows (default: 80x24)
 //! Set Charset ascii            or unicode
 //! Set Color none               or 16, 256, truecolor
-//! Set Day 2026-01-05           sets the clock to noon of this day for everything that is saved
+//! Set Day 2026-01-05           sets the clock to noon on this day for everything that is saved
 //!                              or opened from now on (default: no clock)
 //! Type "60"                    one key per character
 //! Right 5                      a key by its name, and how many times (default: 1): Up

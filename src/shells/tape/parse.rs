@@ -48,8 +48,8 @@ impl Tape {
         Ok(tape)
     }
 
-    /// Adds a line. `names` has the names of the screenshots so far, which must differ, and their
-    /// lines.
+    /// Adds a line. `names` contains the names of the screenshots so far, which must differ, and
+    /// their lines.
     fn add(
         &mut self,
         line: usize,
@@ -63,7 +63,7 @@ impl Tape {
         let arguments = Arguments { of: first, rest };
         if *first == Token::Word("Run".into()) {
             if self.run.is_some() || !self.steps.is_empty() {
-                return Err("Run must be the first instruction, and only once".into());
+                return Err("Run must be the first instruction and may appear only once".into());
             }
             let [run] = arguments.exactly("the arguments after carrom in quotes")?;
             self.run = Some((line, quoted(run, "the arguments in quotes")?));
@@ -71,7 +71,7 @@ impl Tape {
         }
         let instruction = instruction(&arguments)?;
         if let Instruction::Screenshot(name) = &instruction {
-            // Some file systems do not distinguish upper case from lower case.
+            // Some file systems do not distinguish between upper and lower case.
             if let Some(before) = names.insert(name.to_lowercase(), line) {
                 return Err(format!(
                     "Screenshot: the name {name} is taken by line {before}"
@@ -83,7 +83,7 @@ impl Tape {
     }
 }
 
-/// The words and texts after the first word of a line.
+/// The words and strings after the first word of a line.
 struct Arguments<'a> {
     of: &'a Token,
     rest: &'a [Token],
@@ -195,7 +195,7 @@ fn setting(arguments: &Arguments) -> Result<ScreenSetting, String> {
     })
 }
 
-/// Noon of a day, such as 2026-01-05, in seconds since the start of 1970 (UTC).
+/// Noon on a day, such as 2026-01-05, in seconds since the start of 1970 (UTC).
 fn noon(day: &str) -> Option<i64> {
     let date: Date = day.parse().ok()?;
     let noon = date.at(12, 0, 0, 0).to_zoned(TimeZone::UTC).ok()?;

@@ -23,7 +23,7 @@ pub enum PlayError {
         /// What is wrong with the arguments.
         message: String,
     },
-    /// The screen does not show what it must.
+    /// The screen does not show the expected text.
     #[error(
         "{line}: Expect: the screen does not show {}\n\n{screen}",
         quoted(text)
@@ -36,7 +36,7 @@ pub enum PlayError {
         /// The screen.
         screen: String,
     },
-    /// The screen shows what it must not.
+    /// The screen shows a text that must not appear.
     #[error("{line}: Refuse: the screen shows {}\n\n{screen}", quoted(text))]
     Refuse {
         /// Number of the line, from 1.
@@ -46,7 +46,7 @@ pub enum PlayError {
         /// The screen.
         screen: String,
     },
-    /// There is an instruction after carrom has quit.
+    /// An instruction follows after carrom has quit.
     #[error("{line}: carrom quit in line {left}, so no instruction can follow")]
     Left {
         /// Number of the line, from 1.

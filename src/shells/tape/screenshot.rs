@@ -11,7 +11,7 @@ pub struct Screenshot {
     pub name: String,
     /// The contents of every cell.
     pub cells: Buffer,
-    /// The text of the screen in blocks.
+    /// The text of the screen, as blocks.
     pub sheets: Vec<Sheet>,
 }
 

@@ -35,8 +35,8 @@ pub fn report_crashes(folder: Option<PathBuf>) {
                 "carrom: stopped by an internal error: {}; {saved}",
                 what(info)
             );
-            // Standard error may be closed with its window, and a panic in this hook ends the
-            // process at once.
+            // Standard error may have been closed with its window, and a panic in this hook ends
+            // the process at once.
             let _ = writeln!(io::stderr(), "{line}");
         }
     }));

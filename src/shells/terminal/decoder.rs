@@ -17,8 +17,8 @@ pub(super) const LARGEST_PASTE: usize = 1 << 16;
 /// The start of a paste, after the control sequence introducer, and its end.
 const PASTE: &[u8] = b"200~";
 const PASTE_END: &[u8] = b"\x1b[201~";
-/// The most bytes of a control sequence that are kept. The longest that a terminal sends has about
-/// 20.
+/// The most bytes of a control sequence that are kept. The longest sequence that a terminal sends
+/// has about 20 bytes.
 const LONGEST_SEQUENCE: usize = 64;
 /// How long a single Escape waits for more bytes. Every sequence begins with Escape, and a slow
 /// connection may split a sequence.
@@ -57,7 +57,7 @@ impl Decoder {
         }
     }
 
-    /// Notes that nothing has arrived for [`Self::patience`].
+    /// Records that nothing has arrived for [`Self::patience`].
     pub(super) fn pause(&mut self, events: &mut VecDeque<Event>) {
         if let Some(paste) = self.paste.take() {
             paste.end(events);
@@ -132,7 +132,7 @@ impl Decoder {
 }
 
 impl Paste {
-    /// Adds a byte; returns whether it was the last of the paste.
+    /// Adds a byte; returns whether it was the last byte of the paste.
     fn take(&mut self, byte: u8, events: &mut VecDeque<Event>) -> bool {
         if byte == CTRL_C {
             // Ctrl+C within a paste discards the paste.
@@ -262,7 +262,7 @@ fn control_sequence(sequence: &[u8]) -> Option<Event> {
             letter => KeyCode::Char(letter),
         },
         b'Z' => KeyCode::BackTab,
-        // With numbers it reports the cursor's position.
+        // With numbers, it reports the cursor's position.
         b'R' if !first.is_empty() => return None,
         last => cursor_key(*last)?,
     };
@@ -317,7 +317,7 @@ fn mouse(bits: u8, column: u16, row: u16, is_released: bool) -> Option<Event> {
         0 if is_released => MouseEventKind::Up(MouseButton::Left),
         0 if is_moved => MouseEventKind::Drag(MouseButton::Left),
         0 => MouseEventKind::Down(MouseButton::Left),
-        // Old reports do not contain which button was released.
+        // Old reports do not say which button was released.
         3 if !is_moved => MouseEventKind::Up(MouseButton::Left),
         4 if !is_moved => MouseEventKind::ScrollUp,
         5 if !is_moved => MouseEventKind::ScrollDown,
@@ -465,7 +465,7 @@ mod tests {
     }
 
     #[test]
-    fn a_paste_is_one_text_even_if_it_contains_key_sequences() {
+    fn a_paste_is_one_event_even_if_it_contains_key_sequences() {
         let text = "two\r\nlines \x1b[A \x1b[201 \x1b\x1b[20 ä";
         let bytes = format!("\x1b[200~{text}\x1b[201~q");
         let expected = [Event::Paste(text.into()), key(KeyCode::Char('q'))];

@@ -8,7 +8,7 @@ use crate::files::UnplacedFile;
 /// How many names are tried before giving up.
 const MOST: u32 = 1000;
 
-/// Writes a text to a file with this name in the current folder. If the file exists, a number is
+/// Writes text to a file with this name in the current folder. If the file exists, a number is
 /// added to the name, so nothing is ever overwritten. Returns the file's path, or why it could not
 /// be written.
 pub(in crate::shells) fn write(name: &str, content: &str) -> Result<String, String> {

@@ -15,7 +15,7 @@ use crossterm::terminal::{
 };
 use crossterm::{execute, queue};
 
-/// Whether carrom has set up the terminal. It is global because a process has one terminal, and
+/// Whether carrom has set up the terminal. This is global because a process has one terminal, and
 /// because the panic hook and the watchdog use it.
 static HELD: AtomicBool = AtomicBool::new(false);
 
@@ -74,8 +74,8 @@ pub(super) fn restore() {
     if !HELD.swap(false, Ordering::SeqCst) {
         return;
     }
-    // This comes first because it cannot block. A terminal that accepts no more output would
-    // otherwise stay in raw mode.
+    // Raw mode is left first because that cannot block. A terminal that accepts no more output
+    // would otherwise stay in raw mode.
     let _ = disable_raw_mode();
     if let Ok(mut out) = unlocked_stdout() {
         let _ = queue!(

@@ -7,7 +7,7 @@ use std::sync::mpsc::Sender;
 
 use crate::messages::{Input, Key};
 
-/// The most keys that may wait. Nobody types as many between two frames.
+/// The most keys that may wait. Nobody types that many between two frames.
 const MOST_WAITING: usize = 1000;
 
 /// Sends messages from the keyboard and from signals, and counts those not yet received.
@@ -46,7 +46,7 @@ impl Inbox {
         self.sender.send(message).is_ok()
     }
 
-    /// Notes that a message was received; returns whether it should be handled.
+    /// Records that a message was received; returns whether it should be handled.
     pub(super) fn take(&self, message: &Message) -> bool {
         if message.is_typed() {
             self.waiting.fetch_sub(1, Ordering::SeqCst);
@@ -64,23 +64,23 @@ impl Inbox {
 pub(super) enum Message {
     /// An input for the app.
     Input(Input),
-    /// There is news of the class that this carrom serves.
+    /// There is news from the class that this program serves.
     Hosted,
     /// The terminal can no longer be read.
     Lost(io::Error),
-    /// The signal with this number requests that carrom ends.
+    /// The signal with this number requests that carrom end.
     #[cfg(unix)]
     Leave(i32),
     /// The player has pressed Ctrl+Z to return to the shell.
     #[cfg(unix)]
     Stop,
-    /// carrom was stopped and runs again.
+    /// carrom was stopped and is running again.
     #[cfg(unix)]
     Continue,
 }
 
 impl Message {
-    /// Whether it is an input from the user.
+    /// Whether the message is an input from the user.
     fn is_typed(&self) -> bool {
         matches!(
             self,
@@ -88,7 +88,7 @@ impl Message {
         )
     }
 
-    /// Whether it requires carrom to quit at once.
+    /// Whether the message requires carrom to quit at once.
     fn leaves(&self) -> bool {
         match self {
             Self::Input(Input::Key(Key::Ctrl('c'))) => true,
@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn a_burst_of_keys_is_limited() {
+    fn excess_keys_in_a_burst_are_dropped() {
         assert_eq!(counted((0..5).map(|_| key('a'))), 5);
         assert_eq!(counted((0..100_000).map(|_| key('a'))), MOST_WAITING);
         let sizes = (0..5000).map(|_| Message::Input(Input::Resize(80, 24)));

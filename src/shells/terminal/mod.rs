@@ -50,7 +50,7 @@ use store_worker::StoreWorker;
 /// Why the terminal could not be used.
 #[derive(Debug, Error)]
 pub enum TerminalError {
-    /// It could not be switched to raw mode or the alternate screen.
+    /// The terminal could not be switched to raw mode or the alternate screen.
     #[error("cannot set up the terminal: {0}")]
     SetUp(#[source] io::Error),
     /// A frame could not be written to it.
@@ -72,16 +72,16 @@ pub enum Ending {
 
 /// A terminal that collects each frame in memory and writes it at once.
 ///
-/// It is never dropped. When dropped, ratatui shows the cursor, which the guard does already. If
-/// the terminal is closed, ratatui prints an error to standard error, which is closed too, and
-/// panics.
+/// The terminal is never dropped. When dropped, it would show the cursor, which the guard already
+/// does. If its window is closed, ratatui would print an error to standard error, which is closed
+/// too, and panic.
 type FixedTerminal = ManuallyDrop<Terminal<CrosstermBackend<BufWriter<Stdout>>>>;
 
-/// The largest screen that is drawn, in columns and rows. It limits the memory, because a terminal
-/// may report any size. The rest of a larger terminal stays empty.
+/// The largest screen that is drawn, in columns and rows. This limits the memory, because a
+/// terminal may report any size. The rest of a larger terminal stays empty.
 const LARGEST: (u16, u16) = (1000, 500);
 
-/// How long keys may be processed without a new frame.
+/// The longest time for which keys are processed without a new frame.
 const UNSEEN: Duration = Duration::from_millis(50);
 
 /// The area that is drawn in a terminal of this size.
@@ -95,7 +95,7 @@ fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHan
 }
 
 /// Runs `app` in the terminal until the player quits. The app's data is kept in `store`, and `host`
-/// has the options for serving a class. The terminal is restored however the run ends.
+/// contains the options for serving a class. The terminal is restored however the run ends.
 ///
 /// # Errors
 /// If the terminal cannot be used, or can no longer be used.
@@ -190,7 +190,7 @@ impl TerminalRun {
     /// next frame.
     fn wait(&self) -> Result<Option<Message>, TerminalError> {
         let gone = || TerminalError::Read(io::ErrorKind::BrokenPipe.into());
-        // While the terminal is released nobody sees the game, so nothing moves.
+        // While the terminal is released, nobody sees the game, so nothing moves.
         let until = (self.guard.holds())
             .then(|| self.pace.next(self.app.wake()))
             .flatten();
@@ -295,7 +295,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_huge_screen_is_drawn_in_part() {
+    fn only_part_of_a_huge_screen_is_drawn() {
         assert_eq!(drawn(80, 24), Rect::new(0, 0, 80, 24));
         assert_eq!(drawn(300, 100), Rect::new(0, 0, 300, 100));
         let most = drawn(u16::MAX, u16::MAX);

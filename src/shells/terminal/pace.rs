@@ -27,7 +27,7 @@ impl Pace {
         }
     }
 
-    /// Notes that the app has changed.
+    /// Records that the app has changed.
     pub(super) fn outdated(&mut self) {
         self.outdated = true;
     }
@@ -48,13 +48,14 @@ impl Pace {
         self.outdated && self.earliest <= now
     }
 
-    /// Notes that a frame is drawn `now`.
+    /// Records that a frame is drawn `now`.
     pub(super) fn drawn(&mut self, now: Instant) {
         self.outdated = false;
         self.earliest = now + FRAME;
     }
 
-    /// When to check again if nothing happens before; `wake` is the time that the app requested.
+    /// When to check again if nothing happens before then; `wake` is the time that the app
+    /// requested.
     pub(super) fn next(&self, wake: Option<Duration>) -> Option<Instant> {
         if self.outdated {
             return Some(self.earliest);
@@ -92,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fast_app_gets_sixty_frames_per_second_and_a_slow_one_what_it_requests() {
+    fn a_fast_app_gets_sixty_frames_per_second_and_a_slow_one_as_many_as_it_requests() {
         let start = Instant::now();
         let mut pace = Pace::new(start);
         pace.drawn(start);

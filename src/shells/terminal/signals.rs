@@ -20,9 +20,9 @@ const PATIENCE: Duration = Duration::from_millis(300);
 
 /// Starts the thread that waits for signals.
 ///
-/// It is also a watchdog. The drawing thread may be stuck while it writes to a blocked terminal,
-/// and the reading thread spins once its window is closed. Therefore this thread restores the
-/// terminal and ends the process if it is still running after [`PATIENCE`].
+/// This thread is also a watchdog. The drawing thread may be stuck while it writes to a blocked
+/// terminal, and the reading thread spins once its window is closed. Therefore this thread restores
+/// the terminal and ends the process if it is still running after [`PATIENCE`].
 pub(super) fn watch(inbox: Inbox) -> io::Result<()> {
     let mut signals = Signals::new([SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT, SIGWINCH])?;
     let wait = move || {
@@ -49,7 +49,7 @@ pub(super) fn watch(inbox: Inbox) -> io::Result<()> {
     spawn("signals", wait).map(drop)
 }
 
-/// Ends the process with the exit status of one that a signal ended.
+/// Ends the process with the exit status of a process that was ended by a signal.
 fn end(signal: i32) -> ! {
     // Writing to a stuck terminal would hold up this thread as well.
     let (done, restored) = mpsc::channel();
@@ -61,8 +61,8 @@ fn end(signal: i32) -> ! {
     process::exit(128 + signal)
 }
 
-/// Whether there is a shell that could continue a stopped carrom. A shell with job control puts
-/// every job in its own process group.
+/// Whether there is a shell that could continue carrom after it was stopped. A shell with job
+/// control puts every job in its own process group.
 pub(super) fn can_stop() -> bool {
     getsid(None).is_ok_and(|session| session != getpgrp())
 }
@@ -70,6 +70,6 @@ pub(super) fn can_stop() -> bool {
 /// Stops the whole job until it is continued, which arrives as [`Message::Continue`]. If only
 /// carrom stopped, the program that started it, such as `cargo run`, would keep the shell waiting.
 pub(super) fn stop() {
-    // It fails only if the group does not exist, but this process is in it.
+    // This fails only if the group does not exist, but this process belongs to the group.
     let _ = kill_current_process_group(Signal::STOP);
 }

@@ -55,8 +55,8 @@ impl StoreWorker {
         })
     }
 
-    /// Passes a request to the thread. Returns `true` if it takes so long that the screen should
-    /// show it. The result always arrives as an input.
+    /// Passes a request to the thread. Returns `true` if the request takes so long that the screen
+    /// should show this. The result always arrives as an input.
     pub(super) fn ask(&mut self, request: &StoreCall, sender: &Sender<Message>) -> bool {
         let (done, wait) = mpsc::channel();
         let job = Job {
@@ -100,7 +100,7 @@ impl Drop for StoreWorker {
         if !thread.is_finished() {
             say("saving the last changes ...");
         }
-        // If the thread has panicked, that has been reported.
+        // If the thread has panicked, the panic has already been reported.
         let _ = thread.join();
     }
 }
@@ -117,7 +117,7 @@ fn tell(answer: StoreAnswer, sender: &Sender<Message>) {
 
 /// Prints a message after the screen has been restored.
 fn say(words: &str) {
-    // Standard error may be closed with its window; then the message cannot be shown.
+    // Standard error may have been closed with its window; then the message cannot be shown.
     let _ = writeln!(io::stderr(), "carrom: {}", escape_control(words, 400));
 }
 

@@ -35,7 +35,7 @@ pub fn check(env: impl Fn(&str) -> Option<String>) -> Result<(), Unusable> {
     }
 }
 
-/// The value of `TERM` if it rules a game out. Windows neither sets nor needs `TERM`.
+/// The value of `TERM` if carrom cannot be played with it. Windows neither sets nor needs `TERM`.
 fn dumb(env: impl Fn(&str) -> Option<String>) -> Option<String> {
     match env("TERM").filter(|term| !term.is_empty()) {
         None => cfg!(unix).then(|| "not set".into()),
@@ -48,7 +48,7 @@ fn dumb(env: impl Fn(&str) -> Option<String>) -> Option<String> {
 /// `TERM_PROGRAM` find a font for every glyph, but the old console has no braille. `env` reads an
 /// environment variable.
 pub fn charset(env: impl Fn(&str) -> Option<String>) -> Charset {
-    // POSIX: the first of these that is set decides.
+    // POSIX: the first of these variables that is set decides.
     let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
         .iter()
         .find_map(|name| env(name).filter(|value| !value.is_empty()));
@@ -76,7 +76,7 @@ pub fn charset(env: impl Fn(&str) -> Option<String>) -> Charset {
 pub fn depth(env: impl Fn(&str) -> Option<String>) -> Depth {
     match env("NO_COLOR") {
         Some(set) if !set.is_empty() => return Depth::None,
-        // The library that detects colours would take this as a request for colours.
+        // The library that detects colours would take an empty value as a request for colours.
         Some(_) => return depth_by_name(env),
         None => {}
     }
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_locale_that_is_set_decides() {
+    fn the_first_locale_variable_that_is_set_decides() {
         assert_eq!(charset(from(&[("LANG", "de_DE.UTF-8")])), Charset::Unicode);
         assert_eq!(charset(from(&[("LC_CTYPE", "C.utf8")])), Charset::Unicode);
         let overruled = from(&[("LANG", "de_DE.UTF-8"), ("LC_ALL", "C")]);

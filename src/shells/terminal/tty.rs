@@ -24,10 +24,10 @@ pub(super) struct EventSource {
 }
 
 impl EventSource {
-    /// Starts to read from standard input, which is a terminal.
+    /// Starts reading from standard input, which is a terminal.
     ///
     /// A separate thread reads, because the decoder needs a time limit and not every system can
-    /// wait for a terminal with one.
+    /// wait for a terminal with a time limit.
     pub(super) fn open() -> io::Result<Self> {
         let terminal = File::from(io::stdin().as_fd().try_clone_to_owned()?);
         let (sender, bytes) = mpsc::sync_channel(READ_AHEAD);

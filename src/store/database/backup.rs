@@ -19,7 +19,8 @@ const DRAFT: &str = ".progress-backup.db";
 /// The start of the copies' names; the day follows.
 const START: &str = "progress-backup-";
 
-/// Makes this day's copy of an undamaged database, unless it exists. The caller must hold the lock.
+/// Makes today's copy of an undamaged database, unless the copy already exists. The caller must
+/// hold the lock.
 pub(super) fn keep(
     connection: &Connection,
     folder: &Path,

@@ -1,7 +1,7 @@
 //! The tables of bookmarks.
 //!
-//! Only changes are written, row by row. So if several carroms run at once, all pages seen and all
-//! answers are kept, and the last one to turn a page decides where the chapter opens.
+//! Only changes are written, row by row. So if several copies of carrom run at once, all pages seen
+//! and all answers are kept, and the last copy to turn a page decides where the chapter opens.
 
 use std::collections::BTreeMap;
 

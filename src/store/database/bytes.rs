@@ -11,7 +11,7 @@ use crate::progress::Attempt;
 /// which is a separate file and does not exist here; 1 means no such log.
 const WAYS_OF_WRITING: std::ops::Range<usize> = 18..20;
 
-/// Adds everything but the answers of one database to another.
+/// Adds everything except the answers from one database to another.
 const TAKE_IN: &str = "
     INSERT INTO star (player, pack, level, stars)
         SELECT player, pack, level, stars FROM opened.star WHERE true
@@ -26,10 +26,10 @@ const TAKE_IN: &str = "
         WHERE page_seen.answer IS NULL AND excluded.answer IS NOT NULL;";
 
 impl Database {
-    /// A database in memory with the contents of these bytes. A database that a newer carrom has
-    /// written stays unchanged, and refuses every request. If the bytes are damaged, all readable
-    /// rows are copied and a notice reports it. Also returns whether they were damaged, because the
-    /// caller has to keep them under the name `kept`.
+    /// A database in memory with the contents of these bytes. A database that a newer version of
+    /// carrom has written stays unchanged, and refuses every request. If the bytes are damaged, all
+    /// readable rows are copied and a notice reports it. Also returns whether they were damaged,
+    /// because the caller has to keep them under the name `kept`.
     ///
     /// # Errors
     /// The reason why the bytes cannot be used: they are not carrom's, or too damaged.
@@ -66,16 +66,16 @@ impl Database {
         })
     }
 
-    /// Adds everything from another database, given as bytes, that this one does not have.
+    /// Adds everything that this database does not have from another database, given as bytes.
     ///
     /// # Errors
-    /// If the bytes are damaged, not carrom's, or from a newer carrom; then nothing is added.
+    /// If the bytes are damaged, not carrom's, or from a newer version; then nothing is added.
     pub(in crate::store) fn take_in(&mut self, bytes: &[u8]) -> Result<(), String> {
         let reported = |trouble: DatabaseError| trouble.to_string();
         let mut other = open(bytes).map_err(reported)?;
         let (theirs, _) = tables::attempts(&other, None).map_err(|error| reported(error.into()))?;
         let own = self.attempts(None)?;
-        // This makes sure that the tables exist.
+        // This ensures that the tables exist.
         self.change(|transaction| {
             let fresh = theirs.iter().filter(|attempt| !own.contains(attempt));
             fresh
@@ -100,7 +100,7 @@ fn open(bytes: &[u8]) -> Result<Connection, DatabaseError> {
     connection.deserialize_read_exact("main", &*bytes, bytes.len(), false)?;
     schema::prepare(&mut connection)?;
     schema::check(&connection)?;
-    // This connection stays open as long as the page.
+    // This connection stays open for as long as the page is open.
     limits::unlimit_work(&mut connection)?;
     Ok(connection)
 }
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn useless_bytes_are_refused_and_newer_ones_left_unchanged() {
+    fn unusable_bytes_are_refused_and_those_of_a_newer_version_left_unchanged() {
         let whole = with(&[1], 1).bytes().unwrap().unwrap();
         assert!(Database::of_bytes(b"no database", "aside").is_err());
         assert!(with(&[2], 1).take_in(&whole[..whole.len() / 2]).is_err());

@@ -10,22 +10,22 @@ use super::schema::VERSION;
 /// Why a request to the database failed.
 #[derive(Debug, Error)]
 pub(super) enum DatabaseError {
-    /// It is damaged, with SQLite's message.
+    /// The database is damaged; this is SQLite's message.
     #[error("it is damaged; SQLite reports: {0}")]
     Damaged(String),
-    /// It is damaged and was not repaired, for this reason.
+    /// The database is damaged and was not repaired, for this reason.
     #[error("it is damaged and could not be repaired: {0}")]
     Unmended(Box<DatabaseError>),
-    /// It is not a carrom database, for this reason.
+    /// The file is not a carrom database, for this reason.
     #[error("it is not a carrom database: {0}")]
     NotOurs(String),
-    /// Its name belongs to something that is not a file.
+    /// Something that is not a file has its name.
     #[error("{0}")]
     NoFile(String),
-    /// A newer carrom has written it.
+    /// A newer version of carrom has written it.
     #[error(
-        "it was written by a newer carrom (format {0}, and this one knows formats up to \
-         {VERSION}), so it is left as it is"
+        "a newer version of carrom wrote it (format {0}; this one knows formats up to {VERSION}), so \
+         it is left unchanged"
     )]
     Newer(i64),
     /// Part of the data is in its log, and nothing can be written.

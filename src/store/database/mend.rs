@@ -30,7 +30,7 @@ pub(super) const ENDINGS: [&str; 4] = ["-journal", "-wal", "-shm", ""];
 pub(super) struct Draft(PathBuf);
 
 impl Draft {
-    /// A draft with this name beside a file. Any draft that a killed carrom left there is removed.
+    /// A draft with this name beside a file. Any draft that a killed process left there is removed.
     pub(super) fn beside(path: &Path, name: &str) -> io::Result<Self> {
         let draft = Self(path.with_file_name(name));
         remove(&draft.0)?;
@@ -49,8 +49,8 @@ impl Drop for Draft {
     }
 }
 
-/// Replaces a database that is damaged for that reason (`trouble`) by a repaired one; returns a
-/// notice of what was saved. The caller must hold the lock.
+/// Replaces a damaged database with a repaired one; `trouble` is the damage that was found. Returns
+/// a notice of what was saved. The caller must hold the lock.
 pub(super) fn mend(folder: &Path, trouble: &DatabaseError) -> Result<String, DatabaseError> {
     let damaged = path(folder);
     if !schema::is_ours(&damaged) {
@@ -64,8 +64,8 @@ pub(super) fn mend(folder: &Path, trouble: &DatabaseError) -> Result<String, Dat
 /// The notice about a repaired database.
 fn notice(saved: &str, kept: &str, trouble: &DatabaseError) -> String {
     format!(
-        "The file with your answers was damaged and is repaired. {saved} The damaged file is \
-         kept as {kept} ({trouble})."
+        "The file with your answers was damaged and has been repaired. {saved} The damaged file \
+         is kept as {kept} ({trouble})."
     )
 }
 
@@ -161,7 +161,7 @@ fn refilled(
     Ok(saved)
 }
 
-/// The version of a damaged database, or the likeliest one.
+/// The version of a damaged database, or its likeliest version.
 fn version_of_damaged(old: &Connection) -> Result<i64, DatabaseError> {
     limits::distrust(old)?;
     // Without these settings SQLite does not read a truncated file.
@@ -189,7 +189,8 @@ fn finish(connection: &Connection) -> Result<(), DatabaseError> {
 fn put_in_place(damaged: &Path, draft: &Path) -> io::Result<PathBuf> {
     let kept = free_place(damaged);
     let folder = damaged.parent().unwrap_or(Path::new("."));
-    // The name always has a database: the damaged one has two names until the new one replaces it.
+    // There is always a database under this name: the damaged one has two names until it is
+    // replaced.
     if fs::hard_link(damaged, &kept).is_err() {
         fs::copy(damaged, &kept).inspect_err(|_| drop(fs::remove_file(&kept)))?;
     }

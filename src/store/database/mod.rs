@@ -1,7 +1,7 @@
 //! Stores every answer, every level won and every bookmark in an SQLite database.
 //!
-//! Several carroms may use the database at once, any of them may be killed at any moment, and
-//! the file may be damaged or of another version. So:
+//! Several copies of carrom may use the database at once, any of them may be killed at any moment,
+//! and the file may be damaged or of another version. So:
 //!
 //! - each request is one transaction, which is on the disk when the request is done (write-ahead
 //!   log, `synchronous = FULL`);
@@ -9,8 +9,8 @@
 //! - it is checked once a day and whenever carrom starts. An undamaged database is copied; a
 //!   damaged one is repaired: its readable rows go into a new file, and the damaged file is
 //!   kept under another name;
-//! - a database that a newer carrom has written, or a file that is not a carrom database, is
-//!   refused and not changed at all;
+//! - a database that a newer version of carrom has written, or a file that is not a carrom
+//!   database, is refused and not changed at all;
 //! - a read-only database, such as a copy on a read-only disk, can be read, and reading
 //!   changes nothing.
 //!
@@ -44,7 +44,7 @@ use error::DatabaseError;
 const WAIT: Duration = Duration::from_secs(2);
 /// How long carrom retries while the database is busy.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Both limits after a failure, so that the player does not wait so long at every answer.
+/// Both limits after a failure, so that the player does not have to wait so long for every answer.
 const LITTLE: Duration = Duration::from_millis(500);
 /// The lock file for using or replacing the database.
 const LOCK: &str = ".progress.lock";
@@ -66,12 +66,12 @@ pub(super) struct Database {
 }
 
 enum Location {
-    /// In memory, so lost when the process ends; opened when it is first needed.
+    /// In memory, and therefore lost when the process ends; opened when it is first needed.
     Memory(Option<Connection>),
     /// `progress.db` in this folder.
     Folder(PathBuf),
-    /// The bytes of a database with this format number, which is newer than those that this carrom
-    /// knows.
+    /// The bytes of a database with this format number, which is newer than those that this version
+    /// of carrom knows.
     Newer(i64, Vec<u8>),
 }
 
@@ -189,7 +189,7 @@ impl Database {
         };
         look_at_file(&path(&folder))?;
         if self.only_looks {
-            // The lock keeps others from writing meanwhile. Without it the database is read
+            // The lock keeps others from writing meanwhile. Without the lock, the database is read
             // nevertheless.
             let _turn = FolderLock::alone(&folder, LOCK);
             return self.look_up_in(&folder, act);
@@ -293,8 +293,9 @@ fn is_look_up(behavior: TransactionBehavior) -> bool {
     matches!(behavior, TransactionBehavior::Deferred)
 }
 
-/// Fails if the path has something that cannot be a database for this carrom. It is read as an
-/// ordinary file, because SQLite would wait for a pipe, and create files beside foreign files.
+/// Fails if the path has something that cannot be a database for this version of carrom. It is read
+/// as an ordinary file, because SQLite would wait for a pipe, and create files beside foreign
+/// files.
 fn look_at_file(path: &Path) -> Result<(), DatabaseError> {
     match fs::metadata(path) {
         Ok(about) if !about.is_file() => {
@@ -340,7 +341,7 @@ fn size(path: &Path) -> u64 {
 
 /// Whether a folder has room for the files that SQLite creates beside a database.
 fn has_room(folder: &Path) -> bool {
-    // The index of the log alone has 32 KiB.
+    // The index of the log alone takes up 32 KiB.
     let tried = UnplacedFile::write(folder, &" ".repeat(1 << 16));
     !tried.is_err_and(|error| error::is_full(&error))
 }

@@ -14,7 +14,7 @@ use rusqlite::types::ValueRef;
 const PAGE: usize = 4096;
 /// The size of the file's header, which precedes the header of the first page.
 const FILE_HEADER: usize = 100;
-/// The position in the file's header of the number of the first page in the list of unused pages.
+/// Where the file's header gives the number of the first page in the list of unused pages.
 const UNUSED: usize = 32;
 /// The most bytes that are read, as a multiple of the file's size, so that overlapping cells and
 /// merging chains do not multiply the work. An undamaged file is read twice.
@@ -156,7 +156,7 @@ impl<F: Read + Seek> Pages<F> {
         unused
     }
 
-    /// The whole row of which this part is on the cell's page.
+    /// The whole row, given the part that is on the cell's page.
     fn record(&mut self, part: &Payload) -> Option<Vec<u8>> {
         if part.length > self.size() {
             return None;
@@ -230,7 +230,7 @@ impl Page {
         })
     }
 
-    /// The number of each page below it; `None` if it cannot be read.
+    /// The number of each page below this one; `None` if the number cannot be read.
     fn children(&self) -> impl Iterator<Item = Option<u32>> {
         let below = self
             .starts()
@@ -317,7 +317,7 @@ fn integer(bytes: &[u8]) -> i64 {
         .fold(sign, |number, byte| number << 8 | i64::from(*byte))
 }
 
-/// A number of one to nine bytes, with seven bits in each but the ninth, and the bytes after it.
+/// A number of one to nine bytes, with seven bits in each except the ninth, and the bytes after it.
 fn varint(bytes: &[u8]) -> Option<(i64, &[u8])> {
     let mut number = 0;
     for (place, byte) in bytes.iter().enumerate().take(9) {

@@ -228,7 +228,7 @@ impl Columns {
 }
 
 impl Saved {
-    /// Counts the lost answers: those that only the list has, and, if the list cannot be read
+    /// Counts the lost answers: those that are only in the list, and, if the list cannot be read
     /// either, the gaps between the saved ones.
     fn count_lost_answers<F: Read + Seek>(
         &mut self,

@@ -3,7 +3,7 @@
 //! `user_version` is the version of a file. A step leads from each version to the next. A step is
 //! never changed once it is released; a change is a new step. Each step from the fourth on must
 //! change the schema, so that a number that is too high for the schema is known to be damaged and
-//! not that of a newer carrom.
+//! not that of a newer version of carrom.
 
 use std::fs::File;
 use std::io::Read;
@@ -59,16 +59,16 @@ pub(super) fn prepare(connection: &mut Connection) -> Result<(), DatabaseError> 
 
 fn upgrade(connection: &mut Connection) -> Result<(), DatabaseError> {
     let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
-    // Another carrom may have upgraded it in the meantime.
+    // Another process may have upgraded it in the meantime.
     let found = examine(&transaction)?;
     take_steps(&transaction, found, VERSION)?;
     transaction.commit()?;
     Ok(())
 }
 
-/// The version of a database that this carrom can read. The number must fit the schema, and the
-/// schema must be one that carrom creates, because a view instead of a table could make any query
-/// endless. The caller must begin a transaction, so that both are read at the same time.
+/// The version of a database that this version of carrom can read. The number must fit the schema,
+/// and the schema must be one that carrom creates, because a view instead of a table could make any
+/// query endless. The caller must begin a transaction, so that both are read at the same time.
 pub(super) fn examine(connection: &Connection) -> Result<i64, DatabaseError> {
     let found = version(connection)?;
     let items = items(connection)?;
@@ -156,7 +156,7 @@ fn known() -> rusqlite::Result<&'static [Vec<SchemaItem>]> {
     Ok(KNOWN.get_or_init(|| known))
 }
 
-/// Whether a schema differs from another in so few letters that it must be a damaged copy of it.
+/// Whether a schema differs from another in so few letters that it must be a damaged copy.
 fn is_nearly(items: &[SchemaItem], known: &[SchemaItem]) -> bool {
     let text =
         |items: &[SchemaItem]| -> Vec<u8> { items.iter().flat_map(|it| it.text.clone()).collect() };
@@ -223,7 +223,7 @@ pub(super) fn check(connection: &Connection) -> Result<(), DatabaseError> {
     let found: String = connection.query_row("PRAGMA integrity_check(1)", [], |row| row.get(0))?;
     match found.as_str() {
         "ok" => Ok(()),
-        // This part names the database of the connection, but there is only one.
+        // SQLite's report begins with the name of the database, but a connection here has only one.
         _ => Err(DatabaseError::Damaged(
             found.replace("*** in database main ***", "").trim().into(),
         )),

@@ -123,7 +123,7 @@ fn is_nonsense(error: &rusqlite::Error) -> bool {
     )
 }
 
-/// A text, even if its bytes are damaged.
+/// A string, even if its bytes are damaged.
 struct LossyText(String);
 
 impl FromSql for LossyText {

@@ -179,7 +179,7 @@ fn bookmarks_are_merged_in_the_database_as_in_memory() {
 }
 
 #[test]
-fn forgetting_removes_nothing_else() {
+fn only_the_given_part_of_the_bookmarks_is_deleted() {
     let mut database = Database::in_memory();
     for (player, chapter) in [("Ada", "shots"), ("Ada", "atoms"), ("Bo", "shots")] {
         let answer = answered("One", Response::Choice(0), true);
@@ -356,7 +356,12 @@ fn long_rows_and_rows_in_the_log_of_a_damaged_database_are_saved() {
     fs::write(&log, written.1).unwrap();
     let mut database = scratch.database();
     assert_eq!(database.attempts(Some(&long.player)).unwrap(), [long]);
-    assert!(database.take_notice().unwrap().contains("is repaired"));
+    assert!(
+        database
+            .take_notice()
+            .unwrap()
+            .contains("has been repaired")
+    );
     let of_the_log: Vec<_> = (1001..=1040).map(|number| attempt("Bo", number)).collect();
     assert_eq!(database.attempts(Some("Bo")).unwrap(), of_the_log);
 }
@@ -407,7 +412,12 @@ fn a_damaged_database_behind_a_link_is_repaired_at_the_target() {
     let mut database = scratch.database();
     let answers = database.attempts(None).unwrap().len();
     assert!((150..200).contains(&answers), "{answers}");
-    assert!(database.take_notice().unwrap().contains("is repaired"));
+    assert!(
+        database
+            .take_notice()
+            .unwrap()
+            .contains("has been repaired")
+    );
     database.record(&attempt("Bo", 1)).unwrap();
     assert!(link.is_symlink());
     assert_eq!(scratch.names(), ["progress.db"]);
@@ -585,7 +595,8 @@ fn a_schema_that_is_not_ours_is_refused_before_it_is_queried() {
     }
 }
 
-/// A flipped bit in the format number once made an undamaged file look like that of a newer carrom.
+/// A flipped bit in the format number once made an undamaged file look like that of a newer version
+/// of carrom.
 #[test]
 fn a_flipped_bit_of_the_format_number_is_repaired() {
     let (scratch, sound) = filled("version");
@@ -637,7 +648,7 @@ fn a_database_with_statistics_is_accepted() {
 
 /// One invalid row does not hide the others.
 #[test]
-fn an_invalid_row_hides_no_other() {
+fn an_invalid_row_does_not_hide_the_others() {
     let (scratch, _) = filled("nonsense");
     let strange = Connection::open(scratch.path()).unwrap();
     strange
@@ -684,9 +695,9 @@ fn answers_out_of_range_are_left_out_and_counted_in_a_notice() {
 }
 
 #[test]
-fn a_newer_database_is_refused_untouched() {
+fn a_newer_database_is_refused_and_left_unchanged() {
     let (scratch, _) = filled("newer");
-    // The second time, the last changes are still in the log, as a killed carrom leaves them.
+    // The second time, the last changes are still in the log, as a killed process leaves them.
     for in_log in [false, true] {
         let newer = Connection::open(scratch.path()).unwrap();
         if in_log {
@@ -715,7 +726,10 @@ fn a_newer_database_is_refused_untouched() {
         ];
         for refusal in refusals {
             let message = refusal.unwrap_err();
-            assert!(message.contains("newer carrom (format 99"), "{message}");
+            assert!(
+                message.contains("newer version of carrom wrote it (format 99"),
+                "{message}"
+            );
         }
         assert_eq!(database.take_notice(), None);
         assert!(files() == before, "the files were changed");
@@ -773,7 +787,7 @@ fn a_database_of_each_older_format_opens() {
         let old = Connection::open(scratch.path()).unwrap();
         old.execute_batch(sql).unwrap();
         drop(old);
-        // A database that cannot be written to is read in the same way.
+        // A database that cannot be written to is read with the same result.
         let unwritten = unchanged::open(&scratch.path(), true).unwrap();
         let found = tables::attempts(&unwritten, None).unwrap();
         assert_eq!(found, (vec![attempt("Ada", 5)], 0));

@@ -36,7 +36,7 @@ pub(super) fn open(path: &Path, checked: bool) -> Result<Connection, DatabaseErr
     Ok(connection)
 }
 
-/// The version of a database that this carrom can read. No file is created or changed.
+/// The version of a database that this version of carrom can read. No file is created or changed.
 pub(super) fn examine(path: &Path) -> Result<i64, DatabaseError> {
     schema::examine(&*connection(path)?.unchecked_transaction()?)
 }

@@ -22,7 +22,7 @@ pub enum AnswerInput {
     Number(NumberInput),
     /// A choice from a list.
     Choice {
-        /// The index of the chosen one; `None` while there is none.
+        /// The index of the chosen option; `None` until one is chosen.
         chosen: Option<usize>,
         /// The number of choices.
         count: usize,
@@ -31,7 +31,7 @@ pub enum AnswerInput {
     Shot(NumberInput),
 }
 
-/// Actions of keys on an answer.
+/// The key actions for entering an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum AnswerAction {
@@ -43,7 +43,7 @@ pub(crate) enum AnswerAction {
     Move(isize),
     /// choose an answer by its letter or number
     Choose(usize),
-    /// choose an answer and give it
+    /// choose and give an answer
     Give(usize),
     /// give the chosen answer
     Enter,
@@ -151,9 +151,9 @@ impl AnswerInput {
         Outcome::Used
     }
 
-    /// Points at a place in the question's picture, in cells of the screen, with the button just
-    /// pressed (`pressed`) or held down: turns a ray, or drags the coin sideways. Returns whether
-    /// there is anything to point at.
+    /// Points at a place in the question's picture, in cells of the screen, with the mouse button
+    /// just pressed (`pressed`) or held down: turns a ray, or drags the coin sideways. Returns
+    /// whether there is anything to point at.
     pub(crate) fn point(
         &mut self,
         question: &Question,
@@ -187,8 +187,8 @@ impl AnswerInput {
         }
     }
 
-    /// Writes the answer so far, with all choices. The gaps between choices have the priority
-    /// `apart`, if there are any.
+    /// Writes the answer so far, with all choices. Any gaps between the choices have the priority
+    /// `apart`.
     pub(crate) fn write(&self, form: &Form, apart: Option<u8>, panel: &mut Panel<AnswerAction>) {
         match (self, form) {
             (Self::Rays(rays), Form::Rays { target, .. }) => {
@@ -210,7 +210,8 @@ impl AnswerInput {
         }
     }
 
-    /// The action that continues: with the other ray, or by giving the answer.
+    /// The action of the next prompt: entering the typed number, going to the other ray, or giving
+    /// the answer.
     fn go_on(&self) -> AnswerAction {
         match self {
             Self::Rays(rays) => AnswerAction::Ray(rays.go_on()),
@@ -241,7 +242,7 @@ impl AnswerInput {
             (Self::Rays(rays), Form::Rays { target, .. }) => rays.about(target),
             (Self::Number(number), _) => number.about(),
             (Self::Shot(_), _) => {
-                "The offset: millimetres from the striker's path to the coin's centre, a minus for the left.".into()
+                "The offset: millimetres from the striker's path to the coin's centre, negative to the left.".into()
             }
             _ => "Choose one answer.".into(),
         }

@@ -1,4 +1,4 @@
-//! Answering a question, then choosing a confidence: shared by all screens that do both.
+//! Answering a question, then choosing a confidence level: shared by all screens that do both.
 
 use strum::{EnumMessage, IntoStaticStr};
 
@@ -17,7 +17,7 @@ pub(crate) struct Asking {
     sure: Option<Confidence>,
 }
 
-/// Actions of keys on a question being answered.
+/// The key actions for a question being answered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum AskingAction {
@@ -105,7 +105,7 @@ impl Asking {
         said.map_or(Outcome::Ignored, Outcome::Done)
     }
 
-    /// Writes the levels of confidence, with their columns under `heads`.
+    /// Writes the confidence levels, with their columns under `heads`.
     pub(crate) fn write_confidence(
         &self,
         heads: &[&str],

@@ -57,7 +57,7 @@ pub fn draw_question(
 }
 
 /// What the picture shows beyond the text of the question. The text describes the whole collision
-/// unless it gives no numbers: then all information is in the picture.
+/// unless it gives no numbers; in that case all information is in the picture.
 fn shows(question: &Question) -> Vec<String> {
     match &question.picture {
         Illustration::Before { collision, shown } if !shown.figures => seen(collision, shown.angle),
@@ -72,7 +72,7 @@ fn seen(collision: &Collision, line: bool) -> Vec<String> {
     let side = if share < 0.0 { "left" } else { "right" };
     let place = format!(
         "Seen along the striker's path, the target's centre lies to the {side} of the path, by \
-         about {percent:.0} percent of the two radii together."
+         about {percent:.0} percent of the sum of the radii."
     );
     let alpha = collision.alpha().filter(|_| line).map(|alpha| {
         let alpha = (alpha.abs().to_degrees() / 5.0).round() * 5.0;
@@ -125,7 +125,7 @@ mod tests {
 
     /// The picture gives the angles, but neither masses nor speeds.
     #[test]
-    fn a_collision_that_was_observed_shows_only_its_angles() {
+    fn an_observed_collision_shows_only_its_angles() {
         let collision = hit(30.0);
         let outcome = collision.outcome();
         let picture = drawn(Illustration::After { collision }, number());

@@ -34,7 +34,7 @@ pub(crate) fn after_picture(area: Rect, collision: &Collision) -> Picture {
         let role = [Role::StrikerOut, Role::CoinOut][body];
         let Some(direction) = scale.direction(after[body]) else {
             let below = centre + radius * DVec2::NEG_Y;
-            sketch.label("stands still", below, DVec2::NEG_Y, role);
+            sketch.label("at rest", below, DVec2::NEG_Y, role);
             continue;
         };
         let rim = centre + radius * direction;

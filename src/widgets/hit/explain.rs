@@ -19,7 +19,7 @@ pub(crate) fn explain(watch: &Watch) -> (&'static str, String) {
         }
         Meeting::Miss => format!(
             "A miss. The offset of {:.1} mm is more than r₁ + r₂ = {:.1} mm, so the discs do not \
-             touch: the striker goes straight on, and the coin stays as it was.",
+             touch: the striker goes straight on, and the coin is unaffected.",
             tidy(mm_from_m(collision.offset.abs())),
             tidy(mm_from_m(collision.contact_distance()))
         ),
@@ -55,8 +55,8 @@ fn stuck(watch: &Watch) -> String {
     };
     format!(
         "The collision is perfectly inelastic: the discs move on together, and their centre of \
-         mass moves at V = {:.2} m/s.{turning} This is not the same as e = 0 with smooth rims: \
-         then the discs would still slip past each other.",
+         mass moves at V = {:.2} m/s.{turning} This is not the same as e = 0 with smooth rims, \
+         where the discs still slip past each other.",
         outcome.v1.length()
     )
 }

@@ -7,7 +7,8 @@ use crate::numbers::{Intermediate, true_minus};
 use crate::physics::{Bond, Collision, CollisionOutcome, Frame, Meeting};
 use crate::widgets::Role;
 
-/// The seconds to look at the picture, and to read one word: 150 words per minute.
+/// The time to look at the picture and the time to read one word (150 words per minute), in
+/// seconds.
 const LOOK: f64 = 3.0;
 const WORD: f64 = 0.4;
 /// The shortest duration of a step, in seconds.
@@ -22,7 +23,7 @@ pub(crate) enum ExplanationStep {
     Contact,
     /// Line of impact and tangent.
     Line,
-    /// The initial velocities, resolved along both.
+    /// The initial velocities, resolved along n and t.
     Split,
     /// The target's final velocity.
     Coin,
@@ -48,10 +49,10 @@ impl ExplanationStep {
         match self {
             Self::Contact => "contact",
             Self::Line => "line of impact",
-            Self::Split => "the split",
-            Self::Coin => "what was hit",
-            Self::Striker => "what hit it",
-            Self::Whole => "the whole",
+            Self::Split => "the components",
+            Self::Coin => "the struck disc",
+            Self::Striker => "the striking disc",
+            Self::Whole => "the result",
         }
     }
 }
@@ -86,8 +87,8 @@ impl<'a> StepWords<'a> {
         }
     }
 
-    /// The seconds that a step lasts without a key press: time to read its text and to find it in
-    /// the picture.
+    /// The seconds that a step lasts without a key press: enough to read its text and look at the
+    /// picture.
     pub(super) fn hold(&self, step: ExplanationStep) -> f64 {
         let words = self.of(step).split_whitespace().count() as f64;
         (LOOK + WORD * words).max(SHORTEST)
@@ -105,7 +106,7 @@ impl<'a> StepWords<'a> {
         format!("{number} of {}: {name}", steps.len())
     }
 
-    /// The text of a step. Each screen explains the last one in its own way.
+    /// The text of a step. Each screen explains the last step in its own way.
     pub(super) fn of(&self, step: ExplanationStep) -> String {
         let sticks = self.collision.bond == Bond::Stick;
         match step {
@@ -135,8 +136,8 @@ impl<'a> StepWords<'a> {
         }
     }
 
-    /// Whether the target is at rest before the collision and velocities have their names from the
-    /// laboratory frame.
+    /// Whether the target is at rest before the collision and the velocities have their
+    /// laboratory-frame names.
     fn is_plain(&self) -> bool {
         self.frame == Frame::Laboratory && self.collision.u2 == DVec2::ZERO
     }
@@ -288,7 +289,7 @@ fn names(faces: [Face; 2]) -> [&'static str; 2] {
     };
     match faces.map(name) {
         ["striker", other] => ["striker", other],
-        [one, other] if one == other => ["disc that struck", "disc that was struck"],
+        [one, other] if one == other => ["striking disc", "struck disc"],
         both => both,
     }
 }
@@ -310,7 +311,7 @@ mod tests {
 
     /// 4 m/s at 30°: u₁ₙ = 3.46, u₁ₜ = 2; then 2 m₁/(m₁ + m₂) and (m₁ − m₂)/(m₁ + m₂) of u₁ₙ.
     #[test]
-    fn the_numbers_are_those_of_the_closed_forms() {
+    fn the_numbers_agree_with_the_closed_forms() {
         let lab = |m2, step| words(&hit(15.0, m2, 30.0), Frame::Laboratory, step);
         assert!(lab(15.0, ExplanationStep::Split).contains("u₁ₙ = 3.46 m/s along n"));
         assert!(lab(15.0, ExplanationStep::Split).contains("u₁ₜ = 2.00 m/s along t"));
@@ -359,7 +360,7 @@ mod tests {
     }
 
     #[test]
-    fn head_on_no_component_along_t_is_mentioned() {
+    fn for_a_head_on_collision_no_component_along_t_is_mentioned() {
         let head_on = hit(15.0, 15.0, 0.0);
         assert!(words(&head_on, Frame::Laboratory, ExplanationStep::Split).contains("all along n"));
         let striker = words(&head_on, Frame::Laboratory, ExplanationStep::Striker);

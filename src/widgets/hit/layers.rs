@@ -11,7 +11,7 @@ pub enum Overlay {
     Split,
     /// Velocities before and after.
     Velocities,
-    /// Arcs of θ₁ and θ₂, and the square corner.
+    /// Arcs of θ₁ and θ₂, and the right-angle mark.
     Angles,
     /// The triangle of momenta.
     Triangle,
@@ -29,7 +29,7 @@ impl Overlay {
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Lines => "line of impact",
-            Self::Split => "split of u",
+            Self::Split => "components of u",
             Self::Velocities => "velocities",
             Self::Angles => "angles",
             Self::Triangle => "momentum triangle",

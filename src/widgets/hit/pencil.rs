@@ -40,14 +40,14 @@ fn along(collision: &Collision) -> DVec2 {
 }
 
 /// Two discs that are about to collide, with an empty protractor around the striker's position at
-/// contact. Both final paths begin in its middle; the target's path does too, because it runs along
+/// contact. Both final paths begin in its middle, even the target's, because that path runs along
 /// the line through both centres.
 pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Picture {
     let unit = collision.striker.radius.max(collision.target.radius);
     let (c1, c2) = collision.placed_at_contact();
     let radius = collision.contact_distance() + collision.target.radius + 0.45 * unit;
     let fastest = collision.u1.length().max(collision.u2.length());
-    // The distance is large enough for the arrow to be outside the protractor, too.
+    // The distance is so large that the arrow, too, is outside the protractor.
     let time = (radius + 2.9 * unit) / fastest;
     let places: [DVec2; 2] = match time.is_finite() {
         true => collision.positions_before(time).into(),
@@ -90,7 +90,7 @@ pub(crate) fn protractor_picture(collision: &Collision, given: Markings) -> Pict
 }
 
 /// A shot whose offset the student chooses: the striker on its path, a perpendicular scale of
-/// offsets in millimetres, true to the size of the discs, and the required path of one disc. The
+/// offsets in millimetres, at the scale of the discs, and the required path of one disc. The
 /// student marks the target's position on the scale; its head-on position at 0 is dotted.
 pub(crate) fn scale_picture(aim: &AimTask) -> Picture {
     let collision = aim.with(0.0);

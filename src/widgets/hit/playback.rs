@@ -1,4 +1,4 @@
-//! The clock of a collision: up to the contact, step by step at the contact, and onwards.
+//! The clock of a collision: up to the contact, step by step at the contact, and beyond it.
 
 use std::time::Duration;
 
@@ -9,13 +9,13 @@ pub(crate) const FRAME: Duration = Duration::from_micros(16_667);
 const APPROACH: f64 = 1.1;
 /// The time over which motion slows down before the contact and speeds up after it, in seconds.
 const EASE: f64 = 0.35;
-/// A step in time, as a share of the shot's duration.
+/// A small step in time, as a fraction of the shot's duration.
 const STEP: f64 = 1.0 / 96.0;
 
 /// How a collision is played.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum HitPace {
-    /// The discs move, and each step of the explanation lasts as long as reading it takes.
+    /// The discs move, and each step of the explanation lasts long enough to be read.
     #[default]
     Flowing,
     /// The discs move, and each step waits for a key.
@@ -34,15 +34,15 @@ enum PlaybackStage {
     Contact { step: usize, stood: f64 },
     /// Running on from the contact; seconds on the screen so far.
     Departure(f64),
-    /// Halted by the player at this time of the shot, before or after the contact.
+    /// Halted by the player at this time in the shot, before or after the contact.
     Halted(f64),
 }
 
 /// The clock of a collision.
 ///
-/// `contact` and `end` are times of the shot, in its own seconds. The picture is always derived
-/// from the stage, so that steps, scrubbing and slow motion only set one number. At the contact
-/// the clock stops for the steps of the explanation.
+/// `contact` and `end` are times in the shot, in its own seconds. The picture is always derived
+/// from the stage, so that steps, scrubbing and slow motion only set one number. At the contact the
+/// clock stops for the steps of the explanation.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Playback {
     pub(super) contact: f64,
@@ -82,7 +82,7 @@ impl Playback {
         self.holds.len().saturating_sub(1)
     }
 
-    /// The time of the shot to show, in its own seconds.
+    /// The time in the shot to show, in its own seconds.
     pub(crate) fn time(&self) -> f64 {
         match self.stage {
             PlaybackStage::Approach(s) => {
@@ -112,12 +112,12 @@ impl Playback {
         1.0 / self.rate()
     }
 
-    /// Seconds on the screen before the slowing down begins.
+    /// Seconds on the screen before the motion slows down.
     fn coasting(&self) -> f64 {
         APPROACH - EASE / 2.0
     }
 
-    /// The delay until the clock next needs time; `None` while it waits for a key, or is over.
+    /// The delay until the clock next has to advance; `None` while it waits for a key, or is over.
     pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match self.stage {
             PlaybackStage::Approach(_) => Some(FRAME),
@@ -168,7 +168,8 @@ impl Playback {
         self.step_reached() == Some(self.last())
     }
 
-    /// Advances by `passed` on the screen. Time left over at the end of a step goes to the next.
+    /// Advances by `passed` on the screen. Time left over at the end of a step is carried over to
+    /// the next.
     pub(crate) fn advance(&mut self, passed: Duration, pace: HitPace) {
         if self.wake(pace).is_none() {
             return;
@@ -207,8 +208,8 @@ impl Playback {
         };
     }
 
-    /// Continues: during the approach it jumps to the contact, there it goes to the next step, and
-    /// from a halt or from the last step it runs to the end.
+    /// Continues: during the approach it jumps to the contact, at the contact it goes to the next
+    /// step, and from a halt or from the last step it runs to the end.
     pub(crate) fn go_on(&mut self) {
         self.stage = match self.stage {
             PlaybackStage::Approach(_) => PlaybackStage::at_step(0),
@@ -262,7 +263,7 @@ impl Playback {
         }
     }
 
-    /// Halts, and moves by this share of the shot's duration. A move across the contact stops
+    /// Halts, and moves by this fraction of the shot's duration. A move across the contact stops
     /// there: forwards at the first step of the explanation, backwards at the last.
     pub(crate) fn scrub(&mut self, share: f64) {
         let from = self.time();
@@ -322,7 +323,7 @@ mod tests {
     }
 
     #[test]
-    fn it_slows_down_before_the_contact_and_each_step_lasts_for_its_time() {
+    fn it_slows_down_before_the_contact_and_each_step_lasts_its_full_time() {
         let mut clock = clock(HitPace::Flowing);
         let mut last = -1.0;
         while !clock.has_met() {
@@ -344,7 +345,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_that_wait_for_a_key_need_no_time_and_do_not_advance_with_it() {
+    fn steps_that_wait_for_a_key_never_advance_by_themselves() {
         for pace in [HitPace::Waiting, HitPace::Still] {
             let mut clock = clock(pace);
             run(&mut clock, pace, 10.0);

@@ -72,7 +72,7 @@ impl Reveal {
         }
     }
 
-    /// The delay until the picture next needs time; `None` while nothing moves.
+    /// The delay until the picture next has to change; `None` while nothing moves.
     pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         self.watch.as_ref().and_then(|watch| watch.wake(pace))
     }

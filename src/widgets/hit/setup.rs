@@ -12,7 +12,7 @@ use crate::widgets::{RayInput, Role};
 
 pub(crate) use crate::quiz::Markings;
 
-/// The smallest and the greatest length of the faster arrow, in radii of the larger disc.
+/// The least and the greatest length of the faster disc's arrow, in radii of the larger disc.
 const SHORTEST: f64 = 0.5;
 const LONGEST: f64 = 1.1;
 
@@ -34,8 +34,8 @@ pub(crate) fn setup_picture(
 /// The title of [`contact_picture`].
 pub(crate) const CONTACT: &str = "the contact, enlarged";
 
-/// The striker, as an outline, where it meets the target, and its path to there: an aim at a
-/// board on which the discs are small.
+/// The striker's outline where it meets the target, and its path to that point: this shows the aim
+/// on a board with small discs.
 pub(crate) fn contact_picture(area: Rect, faces: [Face; 2], collision: &Collision) -> Picture {
     let [striker, target]: [DVec2; 2] = collision.placed_at_contact().into();
     let [r1, r2] = [collision.striker, collision.target].map(|disc| disc.radius);

@@ -11,24 +11,25 @@ use crate::widgets::picture::{DrawLayer, Label, LabelSide, Pen, Picture};
 const LONGEST: f64 = 2.8;
 /// The length of the longest arrow of a velocity with components, in the same radii.
 const LONGEST_ROOTED: f64 = 2.9;
-/// The length of the longest component along n that begins at a centre, as a share of the distance
-/// to the other centre, where the other disc's component begins.
+/// The length of the longest component along n that begins at a centre, as a fraction of the
+/// distance to the other centre, where the other disc's component begins.
 const LONGEST_ALONG: f64 = 0.96;
-/// How far to the side of its disc the leading disc's arrow is drawn, in the same radii.
+/// The distance from the leading disc's rim to its arrow, which is drawn at its side, in the same
+/// radii.
 const BESIDE: f64 = 0.4;
 /// The room for the head of an arrow, in the same radii.
 const HEAD: f64 = 0.3;
 /// The radius of an arc, in radii of its disc.
 const ARC: f64 = 1.55;
-/// The smallest angle that has an arc, in radians.
+/// The smallest angle for which an arc is drawn, in radians.
 const LEAST_ARC: f64 = 1e-6;
 /// The tolerance of a right angle, in radians.
 const SQUARE: f64 = 1e-9;
-/// The share of the greatest speed below which a disc counts as at rest.
+/// The fraction of the greatest speed below which a disc counts as at rest.
 const STILL: f64 = 1e-9;
 /// A speed below this, in m/s, is printed as 0.00.
 const LEAST_SPEED: f64 = 0.005;
-/// The width and height of the triangle of momenta, as shares of the picture.
+/// The width and height of the triangle of momenta, as fractions of the picture's.
 const INSET: DVec2 = DVec2::new(0.26, 0.30);
 
 /// The scale of velocity arrows.
@@ -54,7 +55,7 @@ impl ArrowScale {
         Self::scaled(room.fold(LONGEST * stage.unit(), f64::min), fastest)
     }
 
-    /// The largest scale at which velocities drawn at their roots stay within the picture, and a
+    /// The largest scale at which velocities attached at their roots stay within the picture, and a
     /// component `along` the line of impact that begins at one centre ends before the other.
     pub(super) fn fit_rooted(
         stage: &HitLayout,
@@ -167,7 +168,7 @@ impl Sketch {
         self.angle(name, turn, middle, middle - centre);
     }
 
-    /// Whether there is an arc from one direction to another.
+    /// Whether an arc is drawn from one direction to another.
     pub(super) fn has_arc(from: DVec2, to: DVec2) -> bool {
         from.angle_to(to).abs() >= LEAST_ARC
     }
@@ -178,7 +179,7 @@ impl Sketch {
         self.label(text, at, towards, Role::Arc);
     }
 
-    /// Draws the square corner between two final paths at the striker's centre: both lines pass
+    /// Draws the right-angle mark between two final paths at the striker's centre: both lines pass
     /// through it, one along the tangent, the other along the line of impact.
     pub(super) fn square_corner(&mut self, v1: DVec2, v2: DVec2, pen: Pen) {
         if let (Some(a), Some(b)) = (v1.try_normalize(), v2.try_normalize())
@@ -258,7 +259,7 @@ impl Sketch {
         let (text, anchor, towards) = match tip {
             Some(tip) => (format!("{name} = {:.2} m/s", v.length()), tip, v),
             None => (
-                format!("{name} = 0: it stands still"),
+                format!("{name} = 0: at rest"),
                 centre + room * DVec2::NEG_Y,
                 DVec2::NEG_Y,
             ),
@@ -285,7 +286,7 @@ impl Sketch {
         match some.collect::<Vec<_>>().as_slice() {
             [] => {
                 let below = self.stage.centres[body] + self.stage.radius(body) * DVec2::NEG_Y;
-                let text = format!("{} = 0: it stands still", whole.name);
+                let text = format!("{} = 0: at rest", whole.name);
                 self.label(text, below, DVec2::NEG_Y, whole.role);
             }
             [part] => {
@@ -304,8 +305,8 @@ impl Sketch {
                     let closing = pen.on(DrawLayer::Construction);
                     self.picture.line(end(part.v), end(whole.v), closing);
                 }
-                // The longest arrow is drawn first, because all share cells near the root. Its name
-                // is written last, because it can be at either end.
+                // The longest arrow is drawn first, because all arrows share cells near the root.
+                // Its name is written last, because it can be at either end.
                 let pen = Pen::new(whole.role).bold();
                 self.picture.arrow(tail, end(whole.v), pen);
                 for part in both {

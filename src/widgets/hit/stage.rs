@@ -14,7 +14,7 @@ const HALF_HEIGHT: f64 = 3.3;
 /// otherwise be too small to be round.
 const LOW_HALF_HEIGHT: f64 = 2.9;
 
-/// The share of the picture's half height that is certainly visible.
+/// The fraction of half the picture's height that is certainly visible.
 const IN_SIGHT: f64 = 0.92;
 
 /// The number of rows below which a picture counts as low.
@@ -88,7 +88,8 @@ impl HitLayout {
         self.collision.side()
     }
 
-    /// Whether the other disc is straight ahead of one disc in a direction, at these positions.
+    /// Whether, at these positions, the other disc is straight ahead of a disc moving in a
+    /// direction.
     pub(super) fn is_towards(&self, places: [DVec2; 2], body: usize, direction: DVec2) -> bool {
         let other = places[1 - body] - places[body];
         let direction = direction.normalize_or_zero();

@@ -110,7 +110,7 @@ fn every_collision_can_be_printed_before_and_after_the_contact() {
 }
 
 #[test]
-fn a_collision_that_was_observed_shows_only_its_angles() {
+fn an_observed_collision_shows_only_its_angles() {
     for collision in collisions() {
         // At twice the speed and with twice the masses it looks the same.
         let heavier = |disc: Disc| Disc {
@@ -131,7 +131,7 @@ fn a_collision_that_was_observed_shows_only_its_angles() {
 }
 
 #[test]
-fn a_shot_to_set_has_its_angle_and_a_scale_true_to_size() {
+fn a_shot_to_set_up_shows_its_angle_and_a_scale_in_true_size() {
     for (m1, r1, m2, r2) in PIECES {
         let (striker, target) = (Disc::from_g_mm(m1, r1), Disc::from_g_mm(m2, r2));
         for turn in 0..12 {
@@ -165,7 +165,7 @@ fn a_shot_to_set_has_its_angle_and_a_scale_true_to_size() {
 }
 
 #[test]
-fn letters_and_numbers_are_those_of_the_collision() {
+fn letters_and_numbers_match_the_collision() {
     let piece = Disc::from_g_mm(15.0, 15.0);
     let hit = Collision::at_angle(piece, piece, dvec2(4.0, 0.0), 30_f64.to_radians());
     // 4 m/s sin 30° and cos 30°.
@@ -205,7 +205,7 @@ fn a_disc_at_rest_and_a_miss_are_labelled() {
     let piece = Disc::from_g_mm(15.0, 15.0);
     let head_on = Collision::at_offset(piece, piece, dvec2(4.0, 0.0), 0.0);
     let found = labels(&revealed(&head_on));
-    let still = "v₁ = 0: it stands still".to_owned();
+    let still = "v₁ = 0: at rest".to_owned();
     assert!(found.contains(&still), "{found:?}");
     let miss = Collision::at_offset(piece, piece, dvec2(4.0, 0.0), 0.04);
     assert!(!labels(&revealed(&miss)).iter().any(|it| it.contains('α')));

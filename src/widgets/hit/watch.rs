@@ -14,7 +14,7 @@ use crate::quiz::{AimTask, Rays};
 use crate::widgets::panels::{impact_angle, masses, offset, separation};
 use crate::widgets::{Role, input::KeyTable, panel::Panel, picture::Picture};
 
-/// The share of the shot's duration by which `<` and `>` scrub.
+/// The fraction of the shot's duration by which `<` and `>` scrub.
 const SCRUB: f64 = 1.0 / 16.0;
 
 /// A collision being watched.
@@ -36,11 +36,11 @@ pub(crate) struct Watch {
     switched: Option<Overlay>,
 }
 
-/// Actions of keys on a collision that is being watched.
+/// The key actions for a collision that is being watched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum WatchAction {
-    /// go on: to the contact, through the explanation step by step, and to the end
+    /// go on to the contact, through the explanation step by step, and to the end
     GoOn,
     /// move one step back or forward; at the contact, through the explanation
     Step(i8),
@@ -50,7 +50,7 @@ pub enum WatchAction {
     Start,
     /// skip to the last step of the explanation, then to the end
     End,
-    /// play it again
+    /// replay the collision
     Again,
     /// switch between the laboratory, centre-of-mass and coin frames
     Frame,
@@ -127,7 +127,7 @@ impl Watch {
         Self { frame, ..self }
     }
 
-    /// This collision with other pieces than a striker and a coin.
+    /// This collision with pieces other than a striker and a coin.
     #[must_use]
     pub(crate) fn with_faces(self, faces: [Face; 2]) -> Self {
         Self { faces, ..self }
@@ -199,7 +199,7 @@ impl Watch {
     }
 
     /// The title of the picture: `name` in the laboratory frame, otherwise the frame. After a layer
-    /// was switched on or off, the title names that layer.
+    /// has been switched on or off, the title names that layer.
     pub(crate) fn title(&self, name: &str) -> String {
         if let Some(layer) = self.switched {
             let state = if self.layers.shows(layer) {
@@ -219,7 +219,7 @@ impl Watch {
         }
     }
 
-    /// [`Watch::title`] of a collision in slow motion.
+    /// The [`Watch::title`] of a collision in slow motion.
     pub(crate) fn slowed_title(&self) -> String {
         self.title(&format!("the hit, slowed {:.0}×", self.clock.slowed()))
     }
@@ -235,7 +235,8 @@ impl Watch {
     }
 
     /// Writes the facts of the collision, except `secret` masses, and what has been revealed so
-    /// far. Returns whether the explanation follows: once complete, in the laboratory frame.
+    /// far. Returns whether the explanation follows: in the laboratory frame, once everything is
+    /// revealed.
     pub(crate) fn write_facts<A>(&self, secret: [bool; 2], panel: &mut Panel<A>) -> bool {
         offset(&self.collision, panel);
         impact_angle(&self.collision, panel);
@@ -250,8 +251,7 @@ impl Watch {
         let seen = match self.frame {
             Frame::Laboratory => return true,
             Frame::CentreOfMass => {
-                "In this frame the discs always move in opposite directions: total momentum is \
-                 zero."
+                "Here the discs always move in opposite directions: the total momentum is zero."
             }
             Frame::Target => {
                 "In this frame body 2 is at rest before the collision: the rules for a coin at \
@@ -328,7 +328,7 @@ impl Watch {
         self.clock.advance(passed, pace);
     }
 
-    /// The delay until the collision next needs time.
+    /// The delay until the collision next has to advance.
     pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         self.clock.wake(pace)
     }

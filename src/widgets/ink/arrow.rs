@@ -9,7 +9,7 @@ use crate::widgets::{Charset, picture::Pen};
 const HEAD_LENGTH: f64 = 3.0;
 /// The length of the head of a bold arrow, in columns.
 const BOLD_HEAD_LENGTH: f64 = 4.0;
-/// Half the width of a head, as a share of its length.
+/// Half the width of a head, as a fraction of its length.
 const HEAD_SLIMNESS: f64 = 0.45;
 
 impl Canvas {

@@ -146,7 +146,7 @@ impl Canvas {
         if !(turn.is_finite() && reach.is_finite()) {
             return;
         }
-        // Each piece is about half a column long; then the sagitta is too small to see.
+        // Each piece is about half a column long, so that the sagitta is too small to see.
         let pieces = (turn.abs() * reach * 2.0).ceil().clamp(4.0, 720.0) as u32;
         let step = DVec2::from_angle(turn / f64::from(pieces));
         let mut arm = DVec2::from_angle(from) * radius;
@@ -162,7 +162,7 @@ impl Canvas {
         self.arc((centre, radius), [0.0, TAU], pen.into());
     }
 
-    /// Keeps the cell at a point of the world free of labels.
+    /// Keeps the cell at a point in the world free of labels.
     pub(super) fn reserve(&mut self, at: DVec2) {
         if let Some(cell) = self.cell_at(self.paper(at)) {
             cell.reserved = true;
@@ -262,7 +262,7 @@ impl Canvas {
         (block.symbol, Style::new().fg(ink).bg(paper))
     }
 
-    /// Converts a point of the world to paper.
+    /// Converts a point in the world to paper.
     pub(super) fn paper(&self, world: DVec2) -> DVec2 {
         let area = self.view.area();
         let cell = self.view.to_cell(world) - dvec2(f64::from(area.x), f64::from(area.y));

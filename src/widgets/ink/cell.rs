@@ -84,7 +84,7 @@ impl Cell {
         ink.max(disc).max(self.glyph.map(|glyph| glyph.layer))
     }
 
-    /// Whether a label may use this cell, over strokes up to a layer.
+    /// Whether a label may use this cell if it may cover strokes up to the layer `over`.
     pub(super) fn is_free(&self, over: Option<DrawLayer>) -> bool {
         !self.reserved && self.cover() == 0 && self.layer() <= over
     }
@@ -116,7 +116,7 @@ impl Cell {
             self.ink &= !under(disc.bits, charset);
         }
         let [top, below] = self.discs;
-        // Of three discs, only the two that cover most are kept.
+        // Of three discs, only the two that cover the most are kept.
         let rest = [top, below].map(|it| DiscCover {
             bits: it.bits & !disc.bits,
             ..it

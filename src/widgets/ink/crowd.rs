@@ -32,9 +32,9 @@ impl Canvas {
     /// [tokens](token).
     ///
     /// A round disc is at its true position, with its letter in the cell that holds its centre.
-    /// Every token and every outline has cells of its own. If two would share a cell, the one
+    /// Every token and every outline has cells of its own. If two would share a cell, the token
     /// farther from the cell's middle moves to the nearest free cell; the queen never moves. No
-    /// stroke and no arrow hides a token, in any drawing order.
+    /// stroke or arrow hides a token, whatever the drawing order.
     pub(super) fn discs(&mut self, bodies: &[Body]) {
         let smallest = bodies.iter().map(|body| body.radius);
         let smallest = smallest.fold(f64::INFINITY, f64::min);
@@ -206,7 +206,7 @@ mod tests {
         let area = Rect::new(0, 0, 61, 31);
         for (scale, round) in [(0.33, true), (0.4, false)] {
             let mut canvas = Canvas::new(View::new(area, DVec2::ZERO, scale), Charset::Unicode);
-            // The large disc alone would be round in both.
+            // On its own, the large disc would be round at both scales.
             let large = Body::new(dvec2(6.0, 0.0), 0.9, Role::Striker, 'S');
             let mut bodies = pack();
             bodies.push(large);

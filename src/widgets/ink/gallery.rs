@@ -1,8 +1,8 @@
 //! The pictures drawn so far, for a shell that can show more than cells.
 //!
-//! A screen draws itself into cells, in which its pictures are lost. A browser can draw true
-//! circles, so its shell collects the pictures during a call that draws the screen. Only that call
-//! receives them.
+//! A screen draws itself into cells, where the shapes of its pictures are lost. A browser can draw
+//! true circles, so its shell collects the pictures during a call that draws the screen. Only that
+//! call receives them.
 
 use std::cell::{Cell, RefCell};
 

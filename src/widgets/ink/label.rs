@@ -55,8 +55,8 @@ fn is_within_reach(cell: DVec2) -> bool {
 
 impl Canvas {
     /// Writes labels after everything else, in order of priority. Each label avoids the
-    /// surroundings of the others' anchors. A label without a place nearby is shortened; if that
-    /// does not help, the whole label is placed farther away, clear of other anchors.
+    /// surroundings of the others' anchors. A label for which there is no room nearby is shortened;
+    /// if that does not help, the whole label is placed farther away, clear of other anchors.
     pub(super) fn write(&mut self, labels: &[Label]) {
         let (near, apart): (Vec<_>, Vec<_>) = labels.iter().partition(|it| it.keeps_others_off);
         let mut left = self.write_near(apart);
@@ -84,16 +84,16 @@ impl Canvas {
         labels.into_iter().filter(is_left).collect()
     }
 
-    /// Writes a text near one of the possible positions of a label, if there is room.
+    /// Writes `text` near one of the possible positions of a label, if there is room.
     fn write_at_places(&mut self, text: &str, label: &Label) -> bool {
         let mut places = label.places.iter();
         let clear = label.short.is_some();
         places.any(|(at, sides)| self.label(text, *at, sides, label.role, clear))
     }
 
-    /// Writes `text` (in the canvas's charset) beside a point of the world: on the first of
-    /// `sides` that is free, near before far; then on the other sides. If `clear` is set, not even
-    /// the ends of the label touch an arrow.
+    /// Writes `text` (in the canvas's charset) beside a point in the world: on the first of `sides`
+    /// that is free, near positions before far ones; then on the other sides. If `clear` is set,
+    /// not even the ends of the label touch an arrow.
     ///
     /// A label never leaves the area, and unless it is too wide it also leaves the first and the
     /// last column free. It never covers another label, a disc, a velocity, a reserved cell or an
@@ -126,8 +126,9 @@ impl Canvas {
         (column - i32::from(area.x), row - i32::from(area.y))
     }
 
-    /// Writes a label at the first free place, within a number of rows, beside its own anchor or
-    /// not, with the given cells at both ends, over strokes up to a layer.
+    /// Writes a label at the first of `places` that is free. Each gives the number of rows to
+    /// search, whether the label must be beside its own anchor, the cells required at both ends,
+    /// and the layer up to which it may cover strokes.
     fn label_at(
         &mut self,
         text: &str,
@@ -231,7 +232,7 @@ impl Canvas {
         })
     }
 
-    /// Whether a label fits here, on paper or `over` strokes up to a layer.
+    /// Whether a label fits here, on paper or over strokes up to the layer `over`.
     fn has_room(&self, (x, y): (i32, i32), width: i32, over: Option<DrawLayer>) -> bool {
         let is_free = |x| self.cell((x, y)).is_some_and(|cell| cell.is_free(over));
         self.is_clear_of_labels((x, y), width) && (x..x + width).all(is_free)

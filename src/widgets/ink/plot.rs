@@ -22,7 +22,7 @@ impl Canvas {
         }
     }
 
-    /// Keeps the cells of a text centred on a point free of labels.
+    /// Keeps the cells of text centred on a point free of labels.
     pub(super) fn reserve_text(&mut self, at: DVec2, text: &str) {
         let width = self.view().per_column() * text::width(text) as f64;
         let half = (width - self.view().per_column()) / 2.0 * DVec2::X;

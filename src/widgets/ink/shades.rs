@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slope_is_no_worse_than_one_colour_and_a_sliver_becomes_a_shade() {
+    fn a_slope_is_drawn_no_worse_than_in_one_colour_and_a_sliver_becomes_a_shade() {
         // No block element has the shape of a staircase of eighths.
         let slope = (0..8).fold(0, |bits, row| bits | ((1_u64 << row) - 1) << (8 * row));
         let one = shades(slope, 0);

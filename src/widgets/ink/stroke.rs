@@ -18,7 +18,7 @@ pub(super) struct StrokeSamples {
     samples: Vec<u16>,
     /// The cells that have samples, in the order of the stroke.
     touched: Vec<usize>,
-    /// The length of the stroke so far in samples, with its gaps.
+    /// The length of the stroke so far in samples, including its gaps.
     length: usize,
     /// The point that was marked last, in samples.
     last: Option<DVec2>,

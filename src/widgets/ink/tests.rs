@@ -122,7 +122,8 @@ fn a_line_reaches_both_ends_and_no_further() {
                     let middle = dvec2(f64::from(x) + 0.5, f64::from(y) + 0.5);
                     ((middle - cell) * dvec2(1.0, 2.0)).length()
                 });
-                // The nearest ink is at most in the next cell: half its diagonal and half a cell.
+                // The nearest ink is in the next cell at the farthest: half its diagonal plus half
+                // a cell away.
                 assert!(nearest.fold(f64::MAX, f64::min) < 1.9, "{charset:?} {turn}");
             }
             let (a, b) = (canvas.view().to_cell(from), canvas.view().to_cell(to));
@@ -358,7 +359,7 @@ fn unusual_sizes_and_numbers_are_drawn_without_a_panic() {
     }
 }
 
-/// Where a disc alone on a canvas is seen: the mean place of its colour, in cells.
+/// Where a lone disc on a canvas appears: the mean position of its colour, in cells.
 fn seen_at(buffer: &Buffer, role: Role) -> DVec2 {
     let theme = Theme::default();
     let channels = |Rgb(red, green, blue): Rgb| [red, green, blue].map(f64::from);
@@ -395,11 +396,11 @@ fn seen_at(buffer: &Buffer, role: Role) -> DVec2 {
 }
 
 #[test]
-fn a_round_disc_is_seen_at_its_true_position() {
+fn a_round_disc_appears_at_its_true_position() {
     let mut worst = DVec2::ZERO;
     for step in 0..400 {
         let step = f64::from(step);
-        // From a coin on the whole board at 100 × 30 to one at 200 × 60.
+        // The radius ranges from that of a coin on the whole board at 100 × 30 to that at 200 × 60.
         let radius = 1.4 + 1.4 * (step * 0.618).fract();
         let at = dvec2((step * 0.755).fract() * 9.0, (step * 0.57).fract() * 9.0);
         for letter in ['W', ' '] {

@@ -86,7 +86,7 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     },
     Row {
         name: "contact",
-        about: "slip: smooth rims push only along n; stick: they hold together",
+        about: "slip: smooth rims push only along n; stick: rims hold together",
         value: |spec| FieldValue::Choice {
             at: usize::from(spec.bond == Bond::Stick),
             count: 2,
@@ -113,14 +113,14 @@ static ROWS: [Row; CollisionField::VARIANTS.len()] = [
     },
     Row {
         name: "striker radius",
-        about: "with the coin's radius: the width of the target",
+        about: "sets the target's width, with the coin's radius",
         value: |spec| FieldValue::number(spec.r1_mm, within("r1_mm"), 0.5, " mm"),
         shown: |spec| fixed(spec.r1_mm, 2) + " mm",
         put: |spec, radius_mm| spec.r1_mm = radius_mm,
     },
     Row {
         name: "coin radius",
-        about: "with the striker's radius: the width of the target",
+        about: "sets the target's width, with the striker's radius",
         value: |spec| FieldValue::number(spec.r2_mm, within("r2_mm"), 0.5, " mm"),
         shown: |spec| fixed(spec.r2_mm, 2) + " mm",
         put: |spec, radius_mm| spec.r2_mm = radius_mm,

@@ -8,7 +8,7 @@ use super::{EntryAction, KeyTable, NumberEntry, Outcome};
 use crate::messages::Key;
 use crate::widgets::{Role, panel::Panel};
 
-/// The size of a fine step, as a share of a step.
+/// The size of a fine step, as a fraction of a step.
 const FINE: f64 = 0.1;
 /// The size of a big step, in steps.
 const BIG: f64 = 10.0;
@@ -61,7 +61,7 @@ pub(crate) enum FieldValue {
         /// The unit as written after a number: " mm", "°", or nothing.
         unit: &'static str,
     },
-    /// One of several options, counted from 0; after the last comes the first again.
+    /// One of several options, counted from 0; the last is followed by the first.
     Choice {
         /// The index of the current option.
         at: usize,
@@ -154,23 +154,23 @@ pub(crate) trait FormFields {
     fn set(&mut self, at: usize, value: f64);
 }
 
-/// Actions of keys on a form.
+/// The key actions on a form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum FormAction {
-    /// choose what to set
+    /// choose a setting
     Choose(isize),
-    /// go to the first or the last
+    /// go to the first or the last setting
     End(isize),
-    /// change it by one step
+    /// change the setting by one step
     Step(i8),
-    /// change it by a tenth of a step
+    /// change the setting by a tenth of a step
     Fine(i8),
-    /// change it by ten steps
+    /// change the setting by ten steps
     Big(i8),
     /// type a number
     Number(EntryAction),
-    /// choose this field; if it has few values, take the next one
+    /// choose this setting; if it has few values, go to the next value
     Point(usize),
 }
 
@@ -179,7 +179,7 @@ pub enum FormAction {
 pub(crate) struct SettingsForm {
     at: usize,
     entry: NumberEntry,
-    /// Whether the last typed number was out of range, and clamped.
+    /// Whether the last typed number was out of range and was clamped.
     held: bool,
 }
 
@@ -290,7 +290,7 @@ impl SettingsForm {
         }
     }
 
-    /// Selects a field, and goes to the next value of a choice.
+    /// Selects a field; a choice also goes to its next value.
     fn point(&mut self, at: usize, form: &mut impl FormFields) {
         self.select(at, form);
         let field = self.chosen(form);
@@ -330,8 +330,8 @@ impl SettingsForm {
         }
     }
 
-    /// Writes about the selected field: why it is locked, its range after a number was clamped, or
-    /// its description.
+    /// Writes a line about the selected field: why it is locked, its range after a number was
+    /// clamped, or its description.
     pub(crate) fn write_about<A>(&self, form: &impl FormFields, panel: &mut Panel<A>) {
         let Some(field) = self.chosen(form) else {
             return;

@@ -48,7 +48,7 @@ impl<A: Copy> KeyRow<A> {
         self.keys.iter().map(|(key, _)| *key)
     }
 
-    /// All its keys, shown or not.
+    /// All its keys, including those that are not shown.
     pub fn all_keys(&self) -> impl Iterator<Item = Key> + '_ {
         self.keys.iter().chain(&self.aliases).map(|(key, _)| *key)
     }
@@ -58,8 +58,8 @@ impl<A: Copy> KeyRow<A> {
         shown(&self.keys().collect::<Vec<_>>())
     }
 
-    /// Replaces the keys for the same actions, in the same order. If fewer are given, the
-    /// remaining actions have none.
+    /// Replaces the keys for the same actions, in the same order. If fewer are given, the remaining
+    /// actions have no key.
     fn rebind(&mut self, keys: &[Key]) {
         self.aliases.clear();
         let actions = self.keys.iter().map(|(_, action)| *action);
@@ -83,7 +83,7 @@ impl<A: Copy> KeyRow<A> {
 pub struct KeyTable<A> {
     group: &'static str,
     rows: Vec<KeyRow<A>>,
-    /// Whether the last call that added keys made a row; without keys it makes none.
+    /// Whether the last call for adding keys made a row; a call without keys makes none.
     added: bool,
 }
 
@@ -93,8 +93,8 @@ impl<A: KeyAction> KeyTable<A> {
         self.each([(key, action)], name)
     }
 
-    /// Adds keys for one action in several directions; its name in `keys.toml` and its help text
-    /// are those of the first.
+    /// Adds keys for one action in several directions; the first gives the row its name in
+    /// `keys.toml` and its help text.
     pub fn each<K: Into<Key>>(
         mut self,
         keys: impl IntoIterator<Item = (K, A)>,
@@ -137,7 +137,7 @@ impl<A: Copy> KeyTable<A> {
         }
     }
 
-    /// Adds other keys for the actions of the last row, which are not shown.
+    /// Adds other keys for the actions of the last row; these keys are not shown.
     pub fn or<K: Into<Key>>(mut self, aliases: impl IntoIterator<Item = (K, A)>) -> Self {
         if let Some(row) = self.rows.last_mut().filter(|_| self.added) {
             let aliases = aliases.into_iter().map(|(key, a)| (key.into(), a));
@@ -154,7 +154,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// Sets the labels of the last row's keys on buttons.
+    /// Sets the button labels of the last row's keys.
     pub fn called(mut self, words: &'static [&'static str]) -> Self {
         if let Some(row) = self.rows.last_mut().filter(|_| self.added) {
             row.words = words;
@@ -185,7 +185,7 @@ impl<A: Copy> KeyTable<A> {
         self
     }
 
-    /// Sets another id for the rows whose only shown key is this one.
+    /// Sets another id for the rows whose only shown key is `key`.
     pub(crate) fn identified(mut self, key: Key, id: &str) -> Self {
         for row in &mut self.rows {
             if let [(own, _)] = row.keys.as_slice()
@@ -282,7 +282,7 @@ impl<A: Copy> KeyTable<A> {
         keys.find_map(|(key, own)| (own == action).then_some(*key))
     }
 
-    /// All keys with an action, shown or not.
+    /// All keys with an action, including those that are not shown.
     pub fn keys(&self) -> impl Iterator<Item = Key> + '_ {
         self.rows.iter().flat_map(KeyRow::all_keys)
     }
@@ -408,7 +408,7 @@ mod tests {
     }
 
     #[test]
-    fn rebound_keys_are_taken_from_all_other_rows() {
+    fn rebound_keys_are_removed_from_all_other_rows() {
         let keys = |keys: &[char]| keys.iter().map(|c| Key::Char(*c)).collect::<Vec<_>>();
         let rebound = Rebound::from([
             ("lab.choose".to_owned(), keys(&['k', 's'])),

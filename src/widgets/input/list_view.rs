@@ -5,10 +5,10 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::{KeyTable, Outcome};
 use crate::messages::Key;
 
-/// The number of lines that a page key moves.
+/// The number of lines by which a page key moves the mark.
 const PAGE: isize = 10;
 
-/// Actions of keys on a list.
+/// The key actions on a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ListAction {

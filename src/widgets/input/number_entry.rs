@@ -14,7 +14,7 @@ pub(crate) struct NumberEntry {
     text: String,
 }
 
-/// Actions of keys on a number being typed.
+/// The key actions for a number being typed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum EntryAction {
@@ -39,7 +39,7 @@ impl NumberEntry {
         &self.text
     }
 
-    /// The typed text with a cursor behind it; `None` while there is none.
+    /// The typed text with a cursor after it; `None` while there is no text.
     pub(crate) fn shown(&self) -> Option<String> {
         self.is_open().then(|| format!("{}_", self.text))
     }
@@ -56,7 +56,8 @@ impl NumberEntry {
         value
     }
 
-    /// The keys for typing; once something has been typed, Enter enters it and Escape discards it.
+    /// The keys for typing; once something has been typed, Enter accepts the number and Escape
+    /// discards it.
     pub(crate) fn keys(&self) -> KeyTable<EntryAction> {
         let typed = |c| (Key::Char(c), EntryAction::Type(c));
         let open = self.is_open();
@@ -141,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn escape_first_discards_the_number_and_is_then_free_again() {
+    fn escape_discards_a_number_and_is_unused_without_one() {
         let (mut entry, last) = typed("12!");
         assert_eq!(last, Outcome::Used);
         assert!(!entry.is_open());

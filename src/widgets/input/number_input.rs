@@ -20,7 +20,7 @@ pub struct NumberInput {
     refused: bool,
 }
 
-/// Actions of keys on a number being entered.
+/// The key actions for a number being entered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum NumberAction {
@@ -48,7 +48,7 @@ impl NumberInput {
         Self::within(quantity, least, most)
     }
 
-    /// An input without a number yet, which is kept within these bounds.
+    /// An input without a number yet, which keeps its number within these bounds.
     pub(crate) fn within(quantity: Measure, least: f64, most: f64) -> Self {
         Self {
             quantity,

@@ -33,7 +33,7 @@ pub struct RayInput {
     refused: bool,
 }
 
-/// Actions of keys on a prediction.
+/// The key actions for a prediction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum RayAction {
@@ -43,7 +43,7 @@ pub enum RayAction {
     StaysStill,
     /// switch to the other ray
     OtherRay,
-    /// go on: to the other ray, or when both are set
+    /// go on to the other ray, or continue once both are set
     Next,
     /// type a number for the ray
     Number(EntryAction),
@@ -52,7 +52,7 @@ pub enum RayAction {
 }
 
 impl RayInput {
-    /// The hint on what can be dragged in a picture with rays.
+    /// The hint about what can be dragged in a picture with rays.
     pub(crate) const DRAG: &str = "Drag in the picture to turn the ray.";
 
     /// An input without a prediction yet. `side` is +1 if the coin is to the right of the striker's
@@ -73,14 +73,14 @@ impl RayInput {
     pub(crate) fn saying(mut self, rays: &Rays) -> Self {
         for ray in Ray::BOTH {
             let angle = rays.get(ray).map(|angle| self.side * angle.to_degrees());
-            // This removes rounding errors, so that the angle reads as it was typed.
+            // This removes rounding errors, so that the angle is shown as it was typed.
             let angle = angle.map(|angle| (angle * 1e6).round() / 1e6 + 0.0);
             self.angles_deg[ray as usize] = Some(angle);
         }
         self
     }
 
-    /// This input with only one ray to set. The other disc is taken to stay still.
+    /// This input with only one ray to set. The other disc is assumed to stay still.
     #[must_use]
     pub(crate) fn only(mut self, ray: Ray) -> Self {
         self.turning = ray;
@@ -109,7 +109,7 @@ impl RayInput {
         self.said().filter(|_| self.only.is_none())
     }
 
-    /// The rays so far; a disc whose ray is not set is taken to stay still.
+    /// The rays so far; a disc whose ray is not set is assumed to stay still.
     pub(crate) fn so_far(&self) -> Rays {
         let signed = |ray| Some((self.side * self.angle_deg(ray)?).to_radians());
         Rays {
@@ -210,7 +210,8 @@ impl RayInput {
         }
     }
 
-    /// The action that continues: with the other ray, or with the complete prediction.
+    /// The action of the next prompt: entering the typed number, going to the other ray, or giving
+    /// the prediction.
     pub(crate) fn go_on(&self) -> RayAction {
         match self.entry.is_open() {
             true => RayAction::Number(EntryAction::Enter),
@@ -381,7 +382,7 @@ mod tests {
     }
 
     #[test]
-    fn an_incomplete_number_is_used_only_if_it_is_a_number() {
+    fn a_typed_text_is_used_only_if_it_is_a_number() {
         let mut rays = RayInput::new(1.0);
         press(&mut rays, "-\t");
         assert_eq!(rays.said(), None);

@@ -1,4 +1,4 @@
-//! A line of text being typed: a name, a code.
+//! A line of text being typed, such as a name or a code.
 
 use tui_input::{Input as Line, InputRequest as Request};
 use unicode_segmentation::UnicodeSegmentation;
@@ -17,7 +17,7 @@ pub struct TextField {
 }
 
 impl TextField {
-    /// A field for at most this many letters, with this text in it.
+    /// A field for at most this many letters that already contains this text.
     pub fn new(text: &str, most: usize) -> Self {
         let text: String = text.graphemes(true).take(most).collect();
         Self {
@@ -44,8 +44,8 @@ impl TextField {
         format!("{before}_{after}")
     }
 
-    /// Handles a key: letters, keys that move the cursor by a letter, by a word or to the ends,
-    /// and keys that delete. Returns whether it was used.
+    /// Handles a key: letters, keys that move the cursor by a letter, by a word or to the ends, and
+    /// keys that delete. Returns whether the key was used.
     pub fn update(&mut self, key: Key) -> bool {
         let request = match key {
             Key::Char(c) if !c.is_control() => Request::InsertChar(c),
@@ -82,7 +82,7 @@ impl TextField {
         fits
     }
 
-    /// Inserts as much of a pasted text as there is room for. The rest, which may be long, is not
+    /// Inserts as much pasted text as there is room for. The rest, which may be long, is not
     /// examined.
     pub fn paste(&mut self, text: &str) {
         let is_letter = |letter: &&str| {
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn it_accepts_no_more_than_its_number_of_letters() {
+    fn it_accepts_no_more_letters_than_its_limit() {
         let mut field = TextField::new("e\u{301}e\u{301}e\u{301}e\u{301}", 6);
         field.paste("xyz\u{301}");
         let pile = format!("e{}", "\u{301}".repeat(1000));

@@ -1,4 +1,4 @@
-//! Names with their scores, in letters as large as they fit.
+//! Names with their scores, in the largest letters that fit.
 
 use crate::widgets::bar::bar;
 use crate::widgets::big::{Align, Big};
@@ -12,7 +12,7 @@ const LETTERS: u16 = 4;
 const LARGE: [u16; 2] = [LETTERS + 1, LETTERS + 2];
 /// Columns between a name and the points in large type.
 const APART: u16 = 3;
-/// The columns of points and gain together, beside a name.
+/// The number of columns beside a name for the points and the gain together.
 const NUMBERS: u16 = 20;
 const NUMBER: usize = 6;
 
@@ -23,9 +23,9 @@ pub(crate) struct BoardRow {
     pub name: String,
     /// The points, such as "27.5".
     pub points: String,
-    /// The points gained last, such as "+9.3".
+    /// The points gained most recently, such as "+9.3".
     pub gain: String,
-    /// The share of all possible points.
+    /// The points as a fraction of all possible points.
     pub share: f64,
 }
 

@@ -115,7 +115,7 @@ impl<A: Copy> Panel<A> {
         let below = self.below.unwrap_or(self.blocks.len());
         let mut placed = placed(pieces.collect(), self.pinned..below, area, writing);
         if self.open && placed.overflow() > 0 {
-            // The note that there is more has its own row.
+            // The note that there is more text has its own row.
             placed.area.height = placed.area.height.saturating_sub(1);
         }
         placed
@@ -319,8 +319,8 @@ impl<'p> Placed<'p> {
         targets.chain(pages.flat_map(move |pages| pages.targets(scrolled)))
     }
 
-    /// Draws the panel, scrolled by this many rows. If it does not fit, the bottom frame names the
-    /// key for the rest.
+    /// Draws the panel, scrolled by this many rows. If it does not fit, the bottom of the frame
+    /// names the key that shows the rest.
     pub(crate) fn draw(&self, scrolled: u16, buf: &mut Buffer, writing: &Writing) {
         if let Some(pages) = &self.pages {
             return pages.draw(scrolled, buf, writing);
@@ -628,7 +628,7 @@ fn write_grid(
     }
 }
 
-/// The columns beside a name in a grid, for a mark, its number and its sign.
+/// The number of columns beside a name in a grid, for the mark, number and sign of the name.
 const BESIDE_NAME: usize = 10;
 /// The largest height of a grid, in tenths of the panel's rows.
 const MOST_ROWS: usize = 3;
@@ -655,10 +655,10 @@ const BETWEEN_TABS: u16 = 2;
 /// The width of the letter and name in a line of a menu, in columns.
 const ENTRY: usize = 15;
 
-/// The width of a panel from which a table has gaps between its columns, in columns.
+/// The smallest width, in cells, of a panel in which a table has gaps between its columns.
 const WIDE_TABLE: u16 = 72;
 
-/// Writes a table: its heads, and one line per row. If there is room, there are gaps before
+/// Writes a table: its headings, and one line per row. If there is room, there are gaps before
 /// numbers, and between numbers and the text after them.
 fn write_table(
     columns: &[TableColumn],
@@ -721,7 +721,7 @@ fn write_table(
     }
 }
 
-/// Writes the possible next actions as a text: the key of each, and its description.
+/// Writes the possible next actions as running text: the key of each, and its description.
 fn write_prompts(
     prompts: &[String],
     keys: &[Option<String>],
@@ -744,7 +744,7 @@ fn write_prompts(
     let sentences: Vec<String> = prompts.iter().zip(keys).map(sentence).collect();
     let from = lines.written();
     let rows = lines.wrapped(&sentences.join(" "));
-    // The rows differ from the text only in blanks, so other letters are counted.
+    // The rows differ from the text only in blanks, so only the other letters are counted.
     let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).count();
     let mut end = 0;
     for (number, sentence) in sentences.iter().enumerate() {

@@ -22,7 +22,7 @@ use crate::widgets::flow::Run;
 pub(crate) struct Panel<A> {
     /// The title on the frame; empty for none.
     pub title: String,
-    /// The number of the subject: a new number resets the scroll position.
+    /// The number of the panel's subject: a new number resets the scroll position.
     pub subject: usize,
     /// Whether the panel starts at its top, rather than following the chosen item.
     pub(crate) from_top: bool,
@@ -41,7 +41,7 @@ pub(crate) struct Panel<A> {
 #[derive(Debug, Clone, PartialEq)]
 struct Block<A> {
     content: Content,
-    /// The actions of clicks: none or one; for the rows of a table and prompts, one each.
+    /// The actions of clicks: none or one; for the rows of a table and for prompts, one each.
     actions: Vec<A>,
     /// If there is not room for all blocks, those of the highest priority come first. Either all
     /// blocks of one priority are shown or none; a block without a priority is always shown.
@@ -55,10 +55,10 @@ enum Content {
     Gap,
     /// A heading for the next blocks, in one row.
     Heading(String),
-    /// A short text in large letters, if the panel has this many rows: the first of these texts
+    /// Short text in large letters, if the panel has this many rows: the first of these strings
     /// that fits.
     Large(Vec<String>, Role, u16),
-    /// A text in the largest letters that fit.
+    /// Text in the largest letters that fit.
     LargeText(LargeText),
     /// The next block begins a new page, in a panel of [`LargeText`].
     PageBreak,
@@ -69,9 +69,9 @@ enum Content {
     },
     /// Names with their scores, large if there is room.
     Board(Vec<BoardRow>),
-    /// A short text in one row.
+    /// Short text in one row.
     Line(String, Role),
-    /// A text that is wrapped over several rows.
+    /// Text that is wrapped over several rows.
     Paragraph(String, Role),
     /// Something to share: its description, the command that opens it, and its address.
     Code {
@@ -111,7 +111,7 @@ enum Content {
     },
     /// Several pages, one of which is open, in one row.
     Tabs { names: Vec<String>, open: usize },
-    /// A text in more than one style, after an optional mark.
+    /// Text in more than one style, after an optional mark.
     Flow(String, Vec<Run>),
     /// A formula, which may have several rows.
     Formula(Formula, Role),
@@ -121,12 +121,12 @@ enum Content {
     Field {
         name: String,
         value: String,
-        /// How its name is written while another one is chosen.
+        /// The role of its name while another setting is chosen.
         role: Role,
         chosen: bool,
         locked: bool,
     },
-    /// A text after a mark, indented so that nothing is below the mark.
+    /// Text after a mark, indented so that nothing is below the mark.
     Marked {
         mark: String,
         text: String,
@@ -138,7 +138,7 @@ enum Content {
         share: f64,
         value: String,
     },
-    /// A share of a whole and its target range, each with a text.
+    /// A share of a whole and its target range, each with a description.
     Gauge {
         share: f64,
         value: String,
@@ -165,7 +165,7 @@ enum Content {
         typed: [String; 2],
         chosen: bool,
     },
-    /// Rows of cells under column heads; each row can be chosen.
+    /// Rows of cells under column headings; each row can be chosen.
     Table {
         columns: Vec<TableColumn>,
         rows: Vec<TableRow<()>>,
@@ -174,7 +174,7 @@ enum Content {
     Prompts(Vec<String>),
 }
 
-/// A text large enough for the back row of a class.
+/// Text large enough for the back row of a class.
 #[derive(Debug, Clone, PartialEq)]
 struct LargeText {
     text: String,
@@ -192,7 +192,7 @@ pub(crate) struct TableColumn {
     pub head: String,
     /// The number of letters in its widest cell.
     pub width: u16,
-    /// Whether its cells are aligned right, as numbers are.
+    /// Whether its cells are right-aligned, as numbers are.
     pub(crate) flush_right: bool,
     /// The smallest width of the panel at which the column is shown, in columns.
     pub room: u16,
@@ -289,7 +289,7 @@ impl<A> Panel<A> {
         });
     }
 
-    /// Writes blocks that are left out if there is no room for all of this priority.
+    /// Writes blocks that are left out if there is no room for all blocks of this priority.
     pub(crate) fn worth(&mut self, worth: u8, write: impl FnOnce(&mut Self)) {
         let around = self.worth.replace(worth);
         write(self);
@@ -329,8 +329,8 @@ impl<A> Panel<A> {
         self.push(Content::Heading(text.into()));
     }
 
-    /// Adds a text that can be read from a distance, in a panel of at least this many rows: the
-    /// first of these texts that fits in large letters.
+    /// Adds text that can be read from a distance, in a panel of at least this many rows: the first
+    /// of these strings that fits in large letters.
     pub(crate) fn large<'t>(
         &mut self,
         texts: impl IntoIterator<Item = &'t str>,
@@ -341,7 +341,7 @@ impl<A> Panel<A> {
         self.push(Content::Large(texts, role, from));
     }
 
-    /// Adds a text for the back row, in the largest letters that fit.
+    /// Adds text for the back row, in the largest letters that fit.
     pub(crate) fn large_text(&mut self, text: impl Into<String>, role: Role) {
         self.push(Content::LargeText(LargeText {
             text: text.into(),
@@ -368,7 +368,7 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// Begins a new page, in a panel of large texts.
+    /// Begins a new page, in a panel of large text.
     pub(crate) fn page_break(&mut self) {
         self.push(Content::PageBreak);
     }
@@ -388,12 +388,12 @@ impl<A> Panel<A> {
         self.push(Content::Board(rows));
     }
 
-    /// Adds a short text in one row.
+    /// Adds short text in one row.
     pub(crate) fn line(&mut self, text: impl Into<String>, role: Role) {
         self.push(Content::Line(text.into(), role));
     }
 
-    /// Adds a text that is wrapped over several rows.
+    /// Adds text that is wrapped over several rows.
     pub(crate) fn paragraph(&mut self, text: impl Into<String>, role: Role) {
         self.push(Content::Paragraph(text.into(), role));
     }
@@ -506,7 +506,7 @@ impl<A> Panel<A> {
         self.flow("-", vec![Run::new(text, role)]);
     }
 
-    /// Adds a text in more than one style, after an optional mark.
+    /// Adds text in more than one style, after an optional mark.
     pub(crate) fn flow(&mut self, mark: impl Into<String>, runs: Vec<Run>) {
         self.push(Content::Flow(mark.into(), runs));
     }
@@ -556,7 +556,7 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// Adds a text after a mark, indented so that nothing is below the mark.
+    /// Adds text after a mark, indented so that nothing is below the mark.
     pub(crate) fn marked(&mut self, mark: &str, text: impl Into<String>, role: Role) {
         self.push(Content::Marked {
             mark: mark.into(),
@@ -632,14 +632,14 @@ impl<A> Panel<A> {
         self.push_with(content, action);
     }
 
-    /// Adds a table with column heads, in which each row can be chosen, or none.
+    /// Adds a table with column headings, in which either every row can be chosen or none can.
     pub(crate) fn table(&mut self, columns: Vec<TableColumn>, rows: Vec<TableRow<A>>) {
         let (rows, actions): (_, Vec<_>) = rows.into_iter().map(TableRow::apart).unzip();
         let actions = actions.into_iter().flatten();
         self.push_with(Content::Table { columns, rows }, actions);
     }
 
-    /// Adds a possible next action: a short text without the key, and the action.
+    /// Adds a possible next action: a short description without the key, and the action.
     pub(crate) fn prompt(&mut self, words: impl Into<String>, action: A) {
         self.prompts([(words, action)]);
     }
@@ -655,7 +655,7 @@ impl<A> Panel<A> {
 }
 
 impl Content {
-    /// Whether the block is the chosen one.
+    /// Whether the block is chosen.
     fn is_chosen(&self) -> bool {
         match self {
             Self::Field { chosen, .. }

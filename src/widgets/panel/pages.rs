@@ -1,7 +1,7 @@
 //! Panels for the back row of a class: text in the largest letters that fit beside a picture.
 //!
 //! The back row has to read the text, so it has priority: a picture shrinks before letters do, and
-//! a long text continues on further pages rather than in letters that are too small.
+//! long text continues on further pages rather than in letters that are too small.
 
 use std::rc::Rc;
 
@@ -15,7 +15,7 @@ use crate::widgets::big::{BigPages, BigText, LetterSize};
 use crate::widgets::flow::Run;
 use crate::widgets::{Charset, Item, Look, Role, Room, Words, areas, sheet, text};
 
-/// The number of rows between two texts, normally and if that saves a page.
+/// The number of rows between two paragraphs: normally, and if fewer rows save a page.
 const GAPS: [u16; 2] = [1, 0];
 /// The number of columns between a picture and the text beside it, and to the right of the text.
 const APART: u16 = 1;
@@ -52,13 +52,13 @@ pub(crate) struct PlacedPages<'p> {
     parts: Vec<PagedText<'p>>,
 }
 
-/// Consecutive texts, with the indices of their blocks.
+/// Consecutive paragraphs, with the indices of their blocks.
 struct PagedText<'p> {
     texts: Vec<(usize, &'p LargeText, bool)>,
     set: SetPages,
 }
 
-/// Texts set in letters of one size.
+/// Paragraphs set in letters of one size.
 struct SetPages {
     pages: BigPages,
     size: LetterSize,
@@ -128,7 +128,7 @@ impl<'p> PlacedPages<'p> {
         })
     }
 
-    /// The areas on a page of the picture, which may be empty, and of the text.
+    /// The areas of the picture, which may be empty, and of the text on a page.
     pub(crate) fn places(&self, page: u16) -> [Rect; 2] {
         let layout = self.at(page).map(|(part, page)| part.set.layout(page));
         layout.map_or([Rect::default(); 2], |it| [it.picture, it.words])
@@ -164,7 +164,7 @@ impl<'p> PlacedPages<'p> {
             .map(|(block, cells)| (cells, (block, 0)))
     }
 
-    /// Draws a page with the bars of its texts, and its number if there are several.
+    /// Draws a page with the bars of its paragraphs, and its number if there are several pages.
     pub(super) fn draw(&self, page: u16, buf: &mut Buffer, writing: &Writing) {
         let Some((part, own)) = self.at(page) else {
             return;
@@ -225,7 +225,7 @@ impl PagedText<'_> {
         }
     }
 
-    /// Records all texts, for shells that show them without pages.
+    /// Records all paragraphs, for shells that show them without pages.
     fn record(&self, page: usize, place: Rect, charset: Charset) {
         for (block, text, acts) in &self.texts {
             sheet::note(place, || {
@@ -254,9 +254,9 @@ impl LargeText {
 }
 
 impl SetPages {
-    /// Sets texts on as few pages as possible, then in the largest letters, then with the largest
-    /// picture; `more` means that there are other pages, too. Characters without a large form are
-    /// spelt out; `None` if that is not possible.
+    /// Sets paragraphs on as few pages as possible, then in the largest letters, then with the
+    /// largest picture; `more` means that there are also other pages. Characters without a large
+    /// form are spelt out; `None` if that is not possible.
     fn new(
         large: &[(usize, &LargeText, bool)],
         beside: Beside,
@@ -266,7 +266,7 @@ impl SetPages {
         look: &Look,
     ) -> Option<Self> {
         let has_bar = |(_, it, _): &(usize, &LargeText, bool)| it.share.is_some();
-        // A bar below the last text needs a row, too.
+        // A bar below the last paragraph needs a row, too.
         let last = u16::from(large.last().is_some_and(has_bar));
         let alone = PageLayout::new(room, Beside::Nothing, 0);
         let all_layouts: Vec<_> = { beside.tenths().rev() }

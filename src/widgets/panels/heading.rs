@@ -16,13 +16,13 @@ const AIRY_FROM: u16 = 30;
 /// A heading with a line of instructions below it.
 #[derive(Debug, Clone)]
 pub(crate) struct Heading {
-    /// The possible texts, the best first; the first that fits is used.
+    /// The possible wordings, the best first; the first that fits is used.
     texts: Vec<String>,
     line: String,
 }
 
 impl Heading {
-    /// A heading with these possible texts and this line below it.
+    /// A heading with these possible wordings and this line below it.
     pub(crate) fn new(texts: &[&str], line: impl Into<String>) -> Self {
         Self {
             texts: texts.iter().map(ToString::to_string).collect(),

@@ -50,7 +50,7 @@ pub(crate) fn separation<A>(collision: &Collision, panel: &mut Panel<A>) {
     panel.fact("separation", separation);
 }
 
-/// Writes the explanation of the directions: a title, which may be empty, and a text.
+/// Writes the explanation of the directions: a title, which may be empty, and the text below it.
 pub(crate) fn reason<A>((title, text): &(&str, String), panel: &mut Panel<A>) {
     if !title.is_empty() {
         panel.paragraph(*title, Role::Title);

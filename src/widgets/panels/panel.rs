@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn frames_in_both_charsets() {
+    fn frames_are_drawn_in_both_charsets() {
         assert_eq!(
             drawn("the hit", Charset::Ascii),
             ["+- the hit ----+", "|              |", "+--------------+"]
@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn no_size_is_too_small() {
+    fn a_panel_of_any_size_is_drawn_without_a_panic() {
         for width in 0..5 {
             for height in 0..4 {
                 let area = Rect::new(0, 0, width, height);

@@ -7,7 +7,7 @@ use crate::widgets::panel::Panel;
 use crate::widgets::{Role, brief, input::degrees};
 
 /// Writes the predicted angles beside the true ones, with the screen's signs, one row per disc; a
-/// ray that was not required has no name and no row. `errors` adds the error of each.
+/// ray that was not required has no name and no row. `errors` adds the error of each angle.
 pub(crate) fn said_and_true<A>(
     collision: &Collision,
     said: &Rays,

@@ -30,7 +30,7 @@ pub struct SplitLayout {
 }
 
 impl SplitLayout {
-    /// Lays out a picture and a panel in a room.
+    /// Lays out a picture and a panel in the available room.
     pub fn new(room: impl Into<Room>) -> Self {
         let room = room.into();
         let area = room.area;
@@ -118,7 +118,7 @@ impl SplitLayout {
         }
     }
 
-    /// A picture and a text in these areas, without frames.
+    /// A picture and text in these areas, without frames.
     pub fn open(picture: Rect, panel: Rect) -> Self {
         let [no_picture, no_panel] = [picture, panel].map(|it| Rect { width: 0, ..it });
         Self {

@@ -4,17 +4,17 @@ use glam::DVec2;
 
 use crate::widgets::Role;
 
-/// A text beside a point of the world.
+/// Text beside a point in the world.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Label {
     /// The text of the label.
     pub text: String,
-    /// A shorter text, used if there is no room nearby for the whole label.
+    /// A shorter version, used if there is no room nearby for the whole label.
     pub short: Option<String>,
     /// The role, which determines the colour.
     pub role: Role,
-    /// The points beside which it may be, the preferred first, each with its preferred sides; there
-    /// is always at least one.
+    /// The points beside which it may be, in order of preference, each with its preferred sides;
+    /// there is always at least one.
     pub places: Vec<(DVec2, Vec<LabelSide>)>,
     /// Whether this label and others avoid the surroundings of each other's points.
     pub(in crate::widgets) keeps_others_off: bool,
@@ -28,7 +28,7 @@ impl Label {
         self
     }
 
-    /// Sets a shorter text, used if there is no room nearby for the whole label.
+    /// Sets a shorter version, used if there is no room nearby for the whole label.
     pub fn short(&mut self, text: impl Into<String>) -> &mut Self {
         self.short = Some(text.into());
         self
@@ -79,7 +79,7 @@ impl LabelSide {
         S::BelowRight,
     ];
 
-    /// All sides, sorted by how close they are to a direction of the world. For a label at the tip
+    /// All sides, sorted by how close they are to a direction in the world. For a label at the tip
     /// of an arrow, that is the direction of the arrow.
     #[must_use]
     pub fn towards(direction: DVec2) -> [Self; 8] {

@@ -1,7 +1,7 @@
 //! Pictures: lists of marks in world coordinates, independent of how they are drawn.
 //!
-//! A [`Picture`] contains what is drawn, not how it looks. There are two renderers: one for the
-//! cells of a terminal (`ink`) and one for vectors (`svg`).
+//! A [`Picture`] says what is drawn, not how it looks. There are two renderers: one for the cells
+//! of a terminal (`ink`) and one for vectors (`svg`).
 //!
 //! ```
 //! use carrom::widgets::{Charset, Look, Role, Theme};
@@ -35,7 +35,7 @@ pub use label::{Label, LabelSide};
 pub use pen::{Dash, DrawLayer, Pen};
 pub use view::View;
 
-/// A mark of a picture.
+/// A mark in a picture.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Mark {
     Line {
@@ -100,7 +100,7 @@ pub(crate) enum Mark {
 pub struct Body {
     /// Its centre.
     pub at: DVec2,
-    /// Its radius, in the same unit as the world.
+    /// Its radius, in world units.
     pub radius: f64,
     /// Its role, which determines the colour.
     pub role: Role,
@@ -143,7 +143,7 @@ impl Picture {
         }
     }
 
-    /// This picture with a larger total area, which has room for the texts beside the axes.
+    /// This picture with a larger total area, which has room for the text beside the axes.
     #[must_use]
     pub fn within(self, area: Rect) -> Self {
         Self { area, ..self }
@@ -204,7 +204,7 @@ impl Picture {
         }
     }
 
-    /// Adds the square corner of a right angle at `corner`, between two directions.
+    /// Adds the mark of a right angle at `corner`, between two directions.
     pub fn square_corner(
         &mut self,
         corner: DVec2,

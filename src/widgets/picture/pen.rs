@@ -12,7 +12,7 @@ pub enum DrawLayer {
     Trail,
     /// Discs, which hide what is below them.
     Disc,
-    /// Geometry: line of impact, tangent, arcs, square corners.
+    /// Geometry: line of impact, tangent, arcs, right-angle marks.
     Construction,
     /// The player's prediction.
     Prediction,

@@ -11,9 +11,9 @@ use ratatui::layout::Rect;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
     area: Rect,
-    /// The point of the world that is in the middle of the screen's area.
+    /// The point in the world that is in the middle of the screen's area.
     centre: DVec2,
-    /// The point of the screen, in cells, at which `centre` is drawn.
+    /// The point on the screen, in cells, at which `centre` is drawn.
     middle: DVec2,
     /// World units per column and per row.
     per_cell: DVec2,
@@ -92,21 +92,21 @@ impl View {
         self.per_cell.y
     }
 
-    /// Converts a point of the world to cell coordinates.
+    /// Converts a point in world coordinates to cell coordinates.
     #[must_use]
     pub fn to_cell(&self, world: DVec2) -> DVec2 {
         let away = (world - self.centre) / self.per_cell;
         self.middle + dvec2(away.x, -away.y)
     }
 
-    /// Converts a point in cell coordinates to the world.
+    /// Converts a point in cell coordinates to world coordinates.
     #[must_use]
     pub fn to_world(&self, cell: DVec2) -> DVec2 {
         let away = cell - self.middle;
         self.centre + dvec2(away.x, -away.y) * self.per_cell
     }
 
-    /// The cell of a point of the world, as (column, row) of the screen, or `None` outside the
+    /// The cell of a point in the world, as (column, row) on the screen, or `None` outside the
     /// area.
     #[must_use]
     pub fn cell_at(&self, world: DVec2) -> Option<(u16, u16)> {
@@ -118,7 +118,7 @@ impl View {
         inside.then_some((cell.x as u16, cell.y as u16))
     }
 
-    /// The point of the world in the middle of a cell, for a click on it.
+    /// The point in the world in the middle of a cell, for a click on the cell.
     #[must_use]
     pub fn world_at(&self, column: u16, row: u16) -> DVec2 {
         self.to_world(dvec2(f64::from(column) + 0.5, f64::from(row) + 0.5))
@@ -152,7 +152,7 @@ mod tests {
     ];
 
     #[test]
-    fn conversions_are_inverse_to_each_other() {
+    fn conversions_are_inverses_of_each_other() {
         for area in AREAS {
             for view in [
                 View::new(area, dvec2(0.1, -0.2), 0.004),

@@ -9,7 +9,7 @@ use crate::quiz::{Confidence, RIGHT_DEG};
 use crate::widgets::picture::{LabelSide as S, Pen, Picture};
 use crate::widgets::{Look, Role};
 
-/// The number of answers in each mean of the line of errors.
+/// The number of answers over which each point of the error line is averaged.
 pub(crate) const REACH: usize = 5;
 /// The number of answers above which means of groups are drawn instead.
 const MOST_MARKS: usize = 120;
@@ -60,8 +60,8 @@ pub(crate) fn errors_picture(
     Some((plot.picture(), group))
 }
 
-/// For each confidence, the share of right answers among the last `reach` ones, over the recent
-/// answers. `None` if there are too few.
+/// For each confidence level, the share of right answers among the last `reach` answers, over the
+/// recent answers. `None` if there are too few.
 pub(crate) fn sureness_picture(
     attempts: &[Attempt],
     last: usize,

@@ -40,7 +40,7 @@ impl Axis {
         }
     }
 
-    /// This axis with ticks at the multiples of `step`, if there is room; without effect on a
+    /// This axis with ticks at the multiples of `step`, if there is room; it has no effect on a
     /// logarithmic axis.
     #[must_use]
     pub(crate) fn every(mut self, step: f64) -> Self {
@@ -80,7 +80,7 @@ impl Axis {
         }
     }
 
-    /// The ticks for an axis that has room for `most` of them.
+    /// The ticks for an axis that has room for at most `most` ticks.
     pub(crate) fn ticks(&self, most: usize) -> Vec<Tick> {
         let ends = self.ends();
         match self.scale {

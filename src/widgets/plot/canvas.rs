@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn the_height_of_a_bar_under_a_curve_is_right_to_half_a_cell() {
+    fn the_height_of_a_bar_under_a_curve_is_accurate_to_half_a_cell() {
         let mut buf = Buffer::empty(Rect::new(0, 0, 40, 16));
         let coloured = Look {
             charset: Charset::Unicode,

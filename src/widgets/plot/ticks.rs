@@ -1,4 +1,4 @@
-//! The positions and texts of the ticks of an axis.
+//! The positions and labels of the ticks of an axis.
 
 use crate::lessons::formula::superscript;
 use crate::numbers::{fixed, true_minus};
@@ -17,8 +17,8 @@ const MOST: usize = 100;
 /// The smallest step at which numbers are written with a power of ten.
 const LARGE: f64 = 1e5;
 
-/// At most `most` ticks at the multiples of `step`, or of two times `step`, and so on; without a
-/// step, at the multiples of 1, 2 or 5 times a power of ten.
+/// At most `most` ticks at the multiples of `step`, or of twice `step`, and so on; without a step,
+/// at the multiples of 1, 2 or 5 times a power of ten.
 pub(super) fn even((from, to): (f64, f64), step: Option<f64>, most: usize) -> Vec<Tick> {
     let most = most.clamp(1, MOST) as f64;
     let wanted = (to - from) / most;
@@ -90,7 +90,8 @@ fn fine_decades(from: f64, to: f64) -> Vec<Tick> {
         .collect()
 }
 
-/// The text of a power of ten: 1, 10, 100, 1000, then 10⁴ and so on; below 1 always like 10⁻¹.
+/// The text of a power of ten: 1, 10, 100, 1000, then 10⁴ and so on; below 1 always in the form
+/// 10⁻¹.
 fn power_of_ten(exponent: i32) -> String {
     if (0..=3).contains(&exponent) {
         return format!("{}", 10_i32.pow(exponent.unsigned_abs()));
@@ -158,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn powers_of_ten() {
+    fn ticks_of_a_logarithmic_axis_are_powers_of_ten_or_round_numbers() {
         assert_eq!(
             texts(&decades((-1.0, 5.0), 9)),
             ["10⁻¹", "1", "10", "100", "1000", "10⁴", "10⁵"]

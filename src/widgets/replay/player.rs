@@ -35,7 +35,7 @@ pub(crate) struct ShotPlayer {
     left_at: f64,
 }
 
-/// What is shown of the shot.
+/// The current view of the shot.
 #[derive(Debug, Clone)]
 enum Showing {
     Board,
@@ -45,21 +45,21 @@ enum Showing {
     Impact(Box<Watch>),
 }
 
-/// Actions of keys on a shot that is being watched.
+/// The key actions for a shot that is being watched.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShotAction {
-    /// go on; while it plays, skip to the end
+    /// go on; while the discs move, skip to the end
     GoOn,
-    /// examine its impacts
+    /// examine the impacts of the shot
     Impacts,
-    /// step through it
+    /// step through the shot
     Step(i8),
-    /// move through it in bigger steps
+    /// move through the shot in bigger steps
     Scrub(i8),
     /// faster or slower, here and for every shot you watch
     Speed(i8),
-    /// play it again
+    /// replay the shot
     Again,
     /// go to the start or the end
     Seek(f64),
@@ -71,7 +71,7 @@ pub enum ShotAction {
     NextImpact(isize),
     /// control the enlarged impact
     Watch(WatchAction),
-    /// leave the impacts
+    /// leave the list of impacts
     Leave,
 }
 
@@ -228,7 +228,8 @@ impl ShotPlayer {
             }
             ShotAction::Impacts => {
                 self.left_at = self.clock.time();
-                // The last impact shown so far; at the end the first one, the target of the shot.
+                // This chooses the last impact shown so far, or at the end of the shot the first
+                // impact.
                 let now = if self.clock.is_over() {
                     0.0
                 } else {
@@ -298,7 +299,7 @@ impl ShotPlayer {
         }
     }
 
-    /// The delay until the replay next needs time.
+    /// The delay until the replay next has to advance.
     pub(crate) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.showing {
             Showing::Impact(watch) => watch.wake(pace),

@@ -28,7 +28,7 @@ use colour::{CellColours, PAPER};
 const CELL: (usize, usize) = (9, 18);
 /// The columns and rows of a panel.
 const PANEL: (u16, u16) = (84, 32);
-/// The distance of the letters' base line from the top of the cell, in units of the picture.
+/// The distance of the letters' baseline from the top of the cell, in units of the picture.
 const BASE: usize = 14;
 
 /// A screen as an SVG file.
@@ -122,8 +122,8 @@ pub struct Svg {
 }
 
 impl Svg {
-    /// A picture whose area begins in the corner of the screen. `words` are its text alternative.
-    /// At a `scale` of 1, letters are 14 CSS pixels high.
+    /// A picture whose area begins in the corner of the screen. `words` is its text alternative. At
+    /// a `scale` of 1, letters are 14 CSS pixels high.
     #[must_use]
     pub(crate) fn new(words: &str, picture: &Picture, look: &Look, scale: f64) -> Self {
         Self {
@@ -177,8 +177,8 @@ impl Render for Svg {
     }
 }
 
-/// A number in a picture. It has two decimals, which is finer than any printer, and the output is
-/// always finite.
+/// A number in a picture. It has two decimal places, finer than any printer can show, and the
+/// output is always finite.
 struct Number(f64);
 
 impl std::fmt::Display for Number {

@@ -92,7 +92,7 @@ struct CellPen<'a> {
 }
 
 impl CellPen<'_> {
-    /// Adds a rectangle between two corners, given as shares of the cell.
+    /// Adds a rectangle between two corners, given as fractions of the cell's width and height.
     fn block(&mut self, x0: f64, y0: f64, x1: f64, y1: f64) {
         let (w, h) = (CELL.0 as f64, CELL.1 as f64);
         self.rectangle(x0 * w, y0 * h, (x1 - x0) * w, (y1 - y0) * h);

@@ -96,7 +96,7 @@ fn goes_on(mark: &Mark, next: &Mark) -> bool {
     }
 }
 
-/// The part of a text that is at its given position.
+/// The part of a string that is placed at the given position.
 #[derive(Clone, Copy, strum::Display)]
 #[strum(serialize_all = "lowercase")]
 enum Anchor {
@@ -238,7 +238,7 @@ impl Vectors<'_> {
         ));
     }
 
-    /// Draws a line through points of the world, clipped to the view.
+    /// Draws a line through points in the world, clipped to the view.
     fn curve(&mut self, points: &[DVec2], pen: Pen) {
         let mut path = String::new();
         let mut last = None;
@@ -351,19 +351,18 @@ impl Vectors<'_> {
         }
     }
 
-    /// Writes a text on the background, vertically centred at a point.
+    /// Writes text on the background, vertically centred at a point.
     fn text(&mut self, text: &str, at: DVec2, anchor: Anchor, role: Role) {
         let colours = [self.rgb(role), self.rgb(Role::Background)];
         self.write(text, at, anchor, colours);
     }
 
-    /// Writes a text with an outline in the background colour, which keeps the text readable over a
-    /// line.
+    /// Writes text with an outline in the background colour, which keeps it readable over a line.
     fn write(&mut self, text: &str, at: DVec2, anchor: Anchor, colours: [Rgb; 2]) {
         self.write_of(LETTERS, text, at, anchor, colours);
     }
 
-    /// Writes an outlined text in letters of the given size, but at most the usual size.
+    /// Writes outlined text in letters of the given size, but at most the usual size.
     fn write_of(&mut self, size: f64, text: &str, at: DVec2, anchor: Anchor, colours: [Rgb; 2]) {
         let [ink, rim] = colours;
         let size = size.min(LETTERS);
@@ -450,7 +449,7 @@ mod tests {
         draw(&picture, &look)
     }
 
-    /// A trail of many legs is one path, unless its pen changes or it has a gap.
+    /// A trail of many segments is one path, unless its pen changes or it has a gap.
     #[test]
     fn connected_lines_are_one_path() {
         let [a, b, c, d] = [0.0, 1.0, 2.0, 3.0].map(|x| dvec2(x, 0.0));

@@ -37,7 +37,7 @@ pub(crate) fn sized_picture_and_panel(area: Rect, [columns, rows]: [u16; 2]) -> 
     [picture, panel]
 }
 
-/// At most this many upper rows of an area, and the rest below them.
+/// At most this many rows at the top of an area, and the rest below them.
 pub(crate) fn upper(area: Rect, rows: u16) -> [Rect; 2] {
     let height = rows.min(area.height);
     let below = Rect {
@@ -60,7 +60,7 @@ pub(crate) fn left(area: Rect, columns: u16) -> [Rect; 2] {
 }
 
 /// The areas of a picture, and of a panel with this many columns on its right. In an upright area,
-/// such as on a phone, the panel is below, and the picture is just high enough for a square one.
+/// such as on a phone, the panel is below, and the picture is just high enough to be square.
 pub(crate) fn picture_and_panel(room: Room, panel_columns: u16) -> [Rect; 2] {
     let area = room.area;
     if let Some(sizes) = room.pictures {

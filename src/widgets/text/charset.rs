@@ -1,4 +1,4 @@
-//! The glyphs that a screen may use, and the spelling of texts in them.
+//! The glyphs that a screen may use, and the spelling of text in them.
 
 use std::borrow::Cow;
 
@@ -51,7 +51,7 @@ impl Charset {
         for letter in text.chars() {
             let was_raised = std::mem::replace(&mut raised, false);
             if let Some(digit) = superscript(letter) {
-                // There is one sign for the whole exponent: 10^-27.
+                // One `^` introduces the whole exponent: 10^-27.
                 if !was_raised {
                     plain.push('^');
                 }
@@ -60,7 +60,7 @@ impl Charset {
             } else if letter.is_ascii() {
                 plain.push(if is_plain(letter as u8) { letter } else { '?' });
             } else if letter == '°' {
-                // A unit has a blank after its number: 60 deg, but (deg).
+                // A blank separates a unit from its number: 60 deg, but (deg).
                 let after_number = plain.ends_with(|c: char| c.is_ascii_alphanumeric());
                 plain.push_str(if after_number { " deg" } else { "deg" });
             } else {
@@ -118,10 +118,10 @@ const fn is_plain(byte: u8) -> bool {
     matches!(byte, b' '..=b'~' | b'\n')
 }
 
-/// The ASCII spelling of another letter.
+/// The ASCII spelling of any other letter.
 fn spelling(letter: char) -> &'static str {
     match letter {
-        // The prefix micro of a unit.
+        // The unit prefix micro.
         'µ' => "u",
         '₀'..='₉' => {
             let digit = letter as usize - '₀' as usize;

@@ -7,7 +7,7 @@ use super::flow::{Run, flow};
 use super::sheet::{self, Item, Words};
 use crate::widgets::{Charset, Look, Role, areas, text};
 
-/// The rows of large letters, and of larger letters or two lines.
+/// The greatest height of large type, in rows: for one line, and for larger letters or two lines.
 const LARGE: [u16; 2] = [4, 8];
 /// The smallest number of rows of a panel for larger letters.
 const LARGER_FROM: u16 = 34;
@@ -21,7 +21,7 @@ pub(crate) struct Lines<'a> {
     whole: u16,
     buf: &'a mut Buffer,
     look: Look,
-    /// Whether texts are recorded with their meaning.
+    /// Whether text is recorded with its meaning.
     is_recorded: bool,
     /// Whether the text being written reacts to clicks, and whether it is the chosen one of
     /// several.
@@ -36,7 +36,7 @@ struct Standing {
 }
 
 impl<'a> Lines<'a> {
-    /// Begins a text at the top of `area`, with a margin of one column on the left.
+    /// Begins at the top of `area`, with a margin of one column on the left.
     pub(crate) fn new(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
         let [_, area] = areas::left(area, 1);
         Self {
@@ -51,7 +51,8 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Like [`Self::new`], but nothing is shown, for example to measure the rows of a text.
+    /// Like [`Self::new`], but nothing is shown, for example to count the rows that some text
+    /// needs.
     pub(crate) fn unseen(area: Rect, buf: &'a mut Buffer, look: Look) -> Self {
         Self {
             is_recorded: false,
@@ -193,7 +194,7 @@ impl<'a> Lines<'a> {
         });
     }
 
-    /// Records a text, or the prompts in it if it names keys with their actions.
+    /// Records text, or the prompts in it if it names keys with their actions.
     fn record_text(&self, mark: &str, runs: &[Run]) {
         let is_blank = runs.iter().all(|run| run.text.trim().is_empty());
         self.record(|charset| match is_blank && mark.trim().is_empty() {
@@ -218,7 +219,7 @@ impl<'a> Lines<'a> {
         self.written = self.written.max(row);
     }
 
-    /// Writes one row, which is cut at the edge.
+    /// Writes one row, which is cut off at the edge.
     pub(crate) fn line(&mut self, text: &str, role: Role) {
         self.record_text("", &[Run::new(self.unmarked(text), role)]);
         self.put(0, text, role);
@@ -245,8 +246,8 @@ impl<'a> Lines<'a> {
         self.put(column, row, role);
     }
 
-    /// Writes the first of these texts that fits in large letters if the panel has this many rows;
-    /// otherwise the first text in one row.
+    /// Writes the first of these strings that fits in large letters if the panel has this many
+    /// rows; otherwise the first string in one row.
     pub(crate) fn large(&mut self, texts: &[String], role: Role, from: u16) {
         let Some(first) = texts.first() else {
             return;
@@ -263,7 +264,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Writes texts in large type side by side, in as many rows as they have.
+    /// Writes strings in large type side by side, in as many rows as they need.
     pub(crate) fn big(&mut self, all: &[(&Big, Align)], role: Role) {
         let mut rows = 0;
         for (big, align) in all {
@@ -319,7 +320,7 @@ impl<'a> Lines<'a> {
         self.written += 1;
     }
 
-    /// Writes a text over as many rows as necessary.
+    /// Writes text over as many rows as necessary.
     pub(crate) fn paragraph(&mut self, text: &str, role: Role) {
         self.hanging("", text, role);
     }
@@ -340,7 +341,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Writes a text in several styles over as many rows as necessary. The first row begins with
+    /// Writes text in several styles over as many rows as necessary. The first row begins with
     /// `mark`, and the others are indented by `indent`.
     pub(crate) fn flowing(&mut self, mark: &str, indent: u16, runs: &[Run]) {
         self.record_text(self.unmarked(mark), runs);
@@ -356,7 +357,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Writes a text after a mark over as many rows as necessary, indented so that nothing is below
+    /// Writes text after a mark over as many rows as necessary, indented so that nothing is below
     /// the mark.
     pub(crate) fn hanging(&mut self, mark: &str, text: &str, role: Role) {
         self.record_text(self.unmarked(mark), &[Run::new(text, role)]);
@@ -368,14 +369,14 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The width of a mark, and the rows of a text after it.
+    /// The width of a mark, and the rows of the text after it.
     fn hung(&self, mark: &str, text: &str) -> (u16, Vec<String>) {
         let indent = self.width_of(mark) as u16;
         let width = self.area.width.saturating_sub(1 + indent).into();
         (indent, text::wrap(&self.look.charset.text(text), width))
     }
 
-    /// A text without the mark of an item that can be chosen.
+    /// `text` without the mark that shows whether its item is chosen.
     fn unmarked<'t>(&self, text: &'t str) -> &'t str {
         match self.standing.chosen {
             Some(_) => text.get(1..).unwrap_or_default().trim_start(),
@@ -383,7 +384,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The width of a text as written, in columns.
+    /// The width of `text` as written, in columns.
     fn width_of(&self, text: &str) -> usize {
         text::width(&self.look.charset.text(text))
     }

@@ -19,8 +19,8 @@ pub(crate) fn hint_below(area: Rect, buf: &mut Buffer, look: Look, hint: &str) {
     }
 }
 
-/// The keys that scroll a text by pages; `action` is the screen's action for scrolling by a number
-/// of rows.
+/// The keys that scroll text by pages; `action` is the screen's action for scrolling by a number of
+/// rows.
 pub(crate) fn scroll_keys<A>(action: impl Fn(i16) -> A) -> [(Key, A); 2] {
     [
         (Key::PageUp, action(-PAGE_ROWS)),

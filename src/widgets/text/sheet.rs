@@ -19,7 +19,7 @@ thread_local! {
 /// The text of a screen, or of a layer over it, as a list.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Sheet {
-    /// What it is.
+    /// The kind of the sheet.
     pub kind: SheetKind,
     /// The title of the screen or layer.
     pub title: String,
@@ -62,7 +62,7 @@ pub struct Section {
 /// One item of a section.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Item {
-    /// What it is.
+    /// Its kind and its text.
     #[serde(flatten)]
     pub words: Words,
     /// The cell where a click carries out its action: column and row.
@@ -88,7 +88,7 @@ pub enum Words {
         #[serde(skip_serializing_if = "Option::is_none")]
         drag: Option<&'static str>,
     },
-    /// A text, with an optional mark before it.
+    /// Text, with an optional mark before it.
     Text {
         /// The mark, such as "1. " or "- "; empty for none.
         mark: String,
@@ -125,14 +125,14 @@ pub enum Words {
     },
     /// A text field.
     TextField {
-        /// What it is.
+        /// Its name.
         name: String,
         /// The typed text.
         value: String,
     },
     /// A possible next action.
     Prompt {
-        /// What it is.
+        /// What it does.
         words: String,
         /// The name of its key.
         key: Option<String>,
@@ -155,14 +155,14 @@ pub enum Words {
     },
     /// Something to share.
     Code {
-        /// What it is.
+        /// Its description.
         text: String,
         /// The command that opens it.
         command: String,
         /// The part of a link's address after `#`.
         address: String,
     },
-    /// A large text for the back row.
+    /// Large text for the back row.
     Large {
         /// The words.
         runs: Vec<Run>,
@@ -187,7 +187,7 @@ impl Recorder {
     }
 
     fn note(&mut self, area: Rect, item: Item) {
-        // Two pictures may both be drawn after the texts above them.
+        // Two pictures may both be drawn after the text above them.
         let section = self.sheet().section(area);
         let is_right = 2 * area.x.saturating_sub(section.area.x) >= section.area.width.max(1);
         let place = (is_right, area.y);
@@ -231,7 +231,7 @@ impl Sheet {
 }
 
 impl Words {
-    /// A text in one style.
+    /// Text in one style.
     pub(crate) fn text(run: Run) -> Self {
         Self::Text {
             mark: String::new(),
@@ -239,7 +239,7 @@ impl Words {
         }
     }
 
-    /// A large text for the back row.
+    /// Large text for the back row.
     pub(crate) fn large(words: &str, role: Role) -> Self {
         Self::Large {
             runs: vec![Run::new(words, role)],

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::wrap::width;
 
-/// Units, as texts contain them in either charset.
+/// Units, as they are written in either charset.
 const UNITS: [&str; 21] = [
     "g", "kg", "m", "mm", "cm", "fm", "nm", "µm", "um", "mm²", "mm^2", "m/s", "s", "J", "mJ", "eV",
     "keV", "MeV", "deg", "%", "turns",
@@ -13,7 +13,7 @@ const UNITS: [&str; 21] = [
 /// Functions of an angle or of a number.
 const FUNCTIONS: [&str; 5] = ["sin", "cos", "tan", "sqrt", "√"];
 
-/// Words followed by a number, as in "law 21", "chapter 7".
+/// Words followed by a number, as in "law 21" and "chapter 7".
 const NUMBERED: [&str; 8] = [
     "law", "laws", "chapter", "page", "level", "question", "step", "board",
 ];
@@ -53,8 +53,8 @@ impl Hold {
     ];
 }
 
-/// Groups of words that belong together, as ranges of `words`, as far as a row of `columns` has
-/// room for them.
+/// Groups of words that belong together, as ranges of `words`, each short enough for a row of
+/// `columns`.
 pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
     let holds = holds(words);
     let mut held = Vec::new();
@@ -81,7 +81,7 @@ pub fn held<S: AsRef<str>>(words: &[S], columns: usize) -> Vec<Range<usize>> {
     held
 }
 
-/// The text with no-break spaces in groups of words, such as "5 g", "e = 1.00".
+/// The text with no-break spaces in groups of words, such as "5 g" and "e = 1.00".
 pub(crate) fn unbroken(text: &str) -> String {
     let words: Vec<&str> = text.split(' ').collect();
     let parts = held(&words, UNBROKEN).into_iter();
@@ -153,7 +153,7 @@ fn by_rules(before: &str, after: &str, in_brackets: bool) -> Hold {
         .ends_with(char::is_numeric);
     let measured = number && UNITS.contains(&unit) || before.ends_with('g') && unit == "m/s";
     let follows = sign(before) || ["=", "/", "·", "×"].contains(&before);
-    // In ASCII the multiplication sign is the letter x, which is also a coordinate, or a full stop.
+    // In ASCII the multiplication sign is a full stop or the letter x, which is also a coordinate.
     let times = |word| ["·", "×", "/", "."].contains(&word);
     let times_x = after == "x" && before.ends_with(|last: char| last.is_ascii_digit());
     let after_x = before == "x" && after.trim_start_matches(['(', '-']).starts_with(digit);
@@ -321,7 +321,7 @@ mod tests {
 
     /// The other rules agree that two words of prose are never held together.
     #[test]
-    fn any_prose_is_free() {
+    fn no_other_rule_holds_words_of_prose_together() {
         let words = [
             "The", "striker,", "kg", "turns", "alpha", "mm.", "g", "sin", "Theta;", "x",
         ];
@@ -353,7 +353,7 @@ mod tests {
     }
 
     #[test]
-    fn words_are_free() {
+    fn ordinary_words_are_not_held_together() {
         let text = "The striker keeps a part of it - and the coin the rest";
         let free = text.replace(" - ", " ");
         assert_eq!(parts(&free, 80).len(), free.split(' ').count());

@@ -95,8 +95,8 @@ fn equation_break(text: &str, columns: usize) -> Option<usize> {
     best.map(|(_, at)| at)
 }
 
-/// The entries of a text in columns, each with the width of the gap before it; a gap is two blanks
-/// or more.
+/// The entries of text in columns, each with the width of the gap before it; a gap is two blanks or
+/// more.
 fn entries(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut gap = 0;
     text.split("  ").filter_map(move |piece| {
@@ -150,7 +150,7 @@ fn break_word(lines: &mut Vec<String>, line: &mut String, word: &str, columns: u
     }
 }
 
-/// A short text for the time that has passed.
+/// The time since an event, in a short form.
 pub(crate) fn ago(age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     match minutes {
@@ -162,7 +162,7 @@ pub(crate) fn ago(age: Duration) -> String {
     }
 }
 
-/// The beginning of a text, in at most this many columns, with an ellipsis if it is cut. Zero-width
+/// The beginning of `text`, in at most this many columns, with an ellipsis if it is cut. Zero-width
 /// marks are also limited: there are at most two characters per column.
 pub(crate) fn clipped(text: &str, columns: usize) -> String {
     let fits =
@@ -293,7 +293,7 @@ mod tests {
 
     #[test]
     fn no_line_is_ever_too_long() {
-        let text = "The striker keeps only its sideways part, so it leaves square to the coin.";
+        let text = "The striker keeps only its tangential component and leaves along the tangent.";
         for columns in 1..90 {
             assert!(
                 wrap(text, columns)

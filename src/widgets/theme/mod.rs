@@ -45,7 +45,7 @@ impl Palette {
 /// The number of colours of the terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, EnumString, VariantNames)]
 pub enum Depth {
-    /// No colours: the screen is monochrome with every palette.
+    /// No colours: the screen is monochrome in every palette.
     #[strum(serialize = "none")]
     None,
     /// The sixteen named colours.

@@ -22,7 +22,7 @@ pub enum Role {
     Key,
     /// The frame of a panel.
     Border,
-    /// The chosen one of several items.
+    /// The chosen item among several.
     Selected,
     /// Right, won, near the truth.
     Good,
@@ -54,7 +54,7 @@ pub enum Role {
     TangentLine,
     /// The arc of an angle.
     Arc,
-    /// The square corner of a right angle.
+    /// The mark of a right angle.
     SquareCorner,
     /// The point where two discs touch.
     Contact,
@@ -88,7 +88,8 @@ impl Role {
         }
     }
 
-    /// Its colours on dark and on light, in 24 bits and then among the sixteen named ones.
+    /// Its colours on a dark and on a light background: first as 24-bit values, then chosen from
+    /// the sixteen named colours.
     const fn colours(self) -> (u32, u32, Color, Color) {
         match self {
             R::Background => (0x10141a, 0xfbfaf6, C::Black, C::White),

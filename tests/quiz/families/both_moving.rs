@@ -6,7 +6,7 @@ use glam::DVec2;
 use super::owed::{all, assert_close, assert_family, figure, number, right_choice, word};
 
 #[test]
-fn passes_the_checks_of_every_family() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::BothMoving);
 }
 

@@ -7,7 +7,7 @@ use super::hit::Hit;
 use super::owed::{all, assert_close, assert_family, figure, number, word};
 
 #[test]
-fn passes_the_checks_of_every_family() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::CentreOfMass);
 }
 

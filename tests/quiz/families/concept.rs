@@ -13,12 +13,12 @@ use super::owed::{all, assert_family, questions, right_choice, word};
 const WRITTEN: [Family; 2] = [Family::Concept, Family::Ideas];
 
 #[test]
-fn passes_the_checks_of_every_family() {
+fn passes_the_checks_for_all_families() {
     WRITTEN.into_iter().for_each(assert_family);
 }
 
 #[test]
-fn each_question_is_asked_as_it_is_in_its_file() {
+fn each_question_is_asked_as_it_is_written_in_its_file() {
     for question in WRITTEN.into_iter().flat_map(all) {
         let written = concepts::with_id(word(&question, "id")).unwrap();
         assert_eq!(question.difficulty, written.difficulty);
@@ -74,8 +74,8 @@ fn every_question_is_asked_and_its_right_choice_has_every_letter_equally_often()
     }
 }
 
-/// Questions that were written later are in no round of an earlier code, only in those of their own
-/// codes.
+/// Questions that were written later appear in no round of an earlier code, only in rounds of their
+/// own codes.
 #[test]
 fn later_questions_are_asked_by_codes_of_their_own() {
     let later: BTreeSet<String> = all(Family::Ideas)

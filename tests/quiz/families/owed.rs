@@ -9,14 +9,14 @@ use carrom::quiz::{
 use carrom::widgets::Charset;
 use carrom::widgets::text::wrap;
 
-/// Seeds asked at each difficulty.
+/// How many seeds are tried at each difficulty.
 pub(crate) const SEEDS: u64 = 2_000;
 
 /// The most draws a question may take; `Family::ask` gives up after twenty times as many.
 const DRAWS: usize = 1_000;
 
-/// If a family shuffles its choices, the right one must be at each of at least two places with this
-/// frequency. Each misconception must occur in at least this share of a family's questions at one
+/// If a family shuffles its choices, the right one must be in each of at least two places at least
+/// this often. Each misconception must occur in at least this share of a family's questions at one
 /// difficulty.
 const NOW_AND_THEN: f64 = 0.02;
 
@@ -24,7 +24,7 @@ const NOW_AND_THEN: f64 = 0.02;
 const PANEL: usize = 28;
 const CHOICE: usize = 24;
 
-/// The question of a seed.
+/// The question for a seed.
 pub(crate) fn question(family: Family, difficulty: Difficulty, seed: u64) -> Question {
     let asked = family.ask(difficulty, &mut Dice::new(seed));
     let (question, draws) = asked.unwrap_or_else(|| panic!("{family:?} gives no question"));
@@ -50,7 +50,7 @@ pub(crate) fn figure(question: &Question, name: &str) -> f64 {
     figure.unwrap_or_else(|| panic!("no number {name} among {:?}", question.figures))
 }
 
-/// A figure of a question that is a text.
+/// A textual figure of a question.
 pub(crate) fn word<'a>(question: &'a Question, name: &str) -> &'a str {
     let word = question.figures.get(name).and_then(|it| it.as_str());
     word.unwrap_or_else(|| panic!("no word {name} among {:?}", question.figures))
@@ -90,8 +90,8 @@ pub(crate) fn assert_close(found: f64, expected: f64, question: &Question) {
     );
 }
 
-/// Checks everything that every family must satisfy. Whether its answers are right is checked by
-/// the family's own test.
+/// Checks everything that every family must satisfy. The family's own test checks whether its
+/// answers are right.
 pub(crate) fn assert_family(family: Family) {
     assert_eq!(Family::with_id(family.id()), Some(family));
     let mut asked: Vec<BTreeSet<String>> = Vec::new();
@@ -141,7 +141,7 @@ fn identity(question: &Question) -> String {
 }
 
 /// Fails unless the difficulties ask different questions: at least half of the questions of each
-/// are asked at no easier one.
+/// difficulty are not asked at any easier one.
 fn assert_different(family: Family, asked: &[BTreeSet<String>]) {
     for (i, one) in asked.iter().enumerate() {
         assert!(one.len() >= 3, "{family:?} asks {} at {i}", one.len());
@@ -204,7 +204,7 @@ fn assert_can_be_said(question: &Question, said: &Response) {
         (Form::Number { quantity, .. }, Response::Number(x)) => {
             let range = quantity.smallest()..=quantity.largest();
             assert!(range.contains(x), "{x}: {question:#?}");
-            // The printed number means the same.
+            // The printed number has the same value.
             let printed = quantity.print(*x);
             let bare = printed.strip_suffix(quantity.unit()).unwrap();
             let typed: f64 = bare.trim_end().parse().unwrap();
@@ -241,7 +241,7 @@ fn assert_figures(question: &Question) {
     }
 }
 
-/// Fails unless every text fits its place and none gives the answer away.
+/// Fails unless every text fits in its place and none gives the answer away.
 fn assert_words(question: &Question) {
     assert_readable(&question.topic.name(), PANEL, 1);
     assert_readable(&question.text, PANEL, 10);

@@ -5,7 +5,7 @@ use carrom::quiz::{Family, Illustration};
 use super::owed::{all, assert_close, assert_family, figure, number, right_choice, word};
 
 #[test]
-fn passes_the_checks_of_every_family() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::Rutherford);
 }
 

@@ -6,7 +6,7 @@ use carrom::quiz::{Family, Illustration, Measure, Question};
 use super::owed::{all, assert_family, figure, number, right_choice, word};
 
 #[test]
-fn passes_the_checks_of_every_family() {
+fn passes_the_checks_for_all_families() {
     assert_family(Family::Weigh);
 }
 

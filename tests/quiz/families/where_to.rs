@@ -16,7 +16,7 @@ const FAMILIES: [Family; 5] = [
 ];
 
 #[test]
-fn pass_the_checks_of_every_family() {
+fn pass_the_checks_for_all_families() {
     thread::scope(|scope| {
         for family in FAMILIES {
             scope.spawn(move || assert_family(family));

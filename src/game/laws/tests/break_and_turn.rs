@@ -50,7 +50,7 @@ fn law_18a_a_break_that_touches_nothing_may_be_tried_twice_more() {
 }
 
 #[test]
-fn law_18b_after_three_the_break_passes_and_the_colours_stay() {
+fn law_18b_after_three_misses_the_break_passes_and_the_colours_stay() {
     let mut table = unbroken();
     for _ in 0..2 {
         table.strike(false, &[]);
@@ -64,7 +64,7 @@ fn law_18b_after_three_the_break_passes_and_the_colours_stay() {
 }
 
 #[test]
-fn law_18c_the_striker_pocketed_at_an_untouched_pack_costs_the_turn_and_no_due() {
+fn law_18c_pocketing_the_striker_at_an_untouched_pack_costs_the_turn_but_no_due() {
     let mut table = unbroken();
     let rulings = table.strike(false, &[Piece::Striker]);
     expect(&table, &rulings, "18c", &[], false);
@@ -81,7 +81,7 @@ fn law_18c_does_not_cover_a_striker_that_touched_the_pack() {
 }
 
 #[test]
-fn law_21_an_own_coin_keeps_the_turn() {
+fn law_21_pocketing_ones_own_coin_keeps_the_turn() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[Piece::White]);
     expect(&table, &rulings, "21", &[], true);
@@ -92,7 +92,7 @@ fn law_21_an_own_coin_keeps_the_turn() {
 }
 
 #[test]
-fn law_21_nothing_pocketed_passes_the_turn() {
+fn law_21_pocketing_nothing_passes_the_turn() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[]);
     expect(&table, &rulings, "21", &[], false);
@@ -108,7 +108,7 @@ fn law_21_an_opponents_coin_stays_down_and_the_turn_passes() {
 }
 
 #[test]
-fn law_21_an_opponents_coin_with_an_own_one_keeps_the_turn() {
+fn law_21_an_opponents_coin_together_with_ones_own_keeps_the_turn() {
     let mut table = table(5, 5, Queen::OnBoard);
     let rulings = table.pocket(&[Piece::Black, Piece::White]);
     expect(&table, &rulings, "21", &[], true);
@@ -119,7 +119,7 @@ fn law_21_an_opponents_coin_with_an_own_one_keeps_the_turn() {
 }
 
 #[test]
-fn law_22a_the_break_alternates_in_a_game_and_each_game_begins_with_the_other() {
+fn law_22a_the_break_alternates_in_a_game_and_the_first_break_alternates_between_games() {
     let mut table = unbroken();
     let mut breakers = Vec::new();
     loop {

@@ -19,11 +19,11 @@ pub(super) enum Queen {
     Black,
 }
 
-/// A table at which South plays white and has the turn.
+/// A table at which South plays white and it is South's turn.
 pub(super) struct Table(pub(super) Game);
 
 /// Sets up a board of singles after the break: these numbers of coins are left, the others are in
-/// the pockets, and South plays white and has the turn.
+/// the pockets, South plays white, and it is South's turn.
 pub(super) fn table(white: u8, black: u8, queen: Queen) -> Table {
     lay(Rules::Tournament, white, black, queen)
 }
@@ -60,7 +60,7 @@ pub(super) fn lay(rules: Rules, white: u8, black: u8, queen: Queen) -> Table {
     Table(game)
 }
 
-/// Moves coins out of the outer circle, two rows of them.
+/// Moves coins out of the outer circle into rows of ten.
 pub(super) fn spread(coins: &mut [Coin]) {
     for (i, coin) in (0_i32..).zip(coins) {
         let (column, row) = (f64::from(i % 10), f64::from(i / 10));

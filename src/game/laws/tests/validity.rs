@@ -32,7 +32,7 @@ pub(super) fn flaw(game: &Game) -> Option<&'static str> {
     }
     let mut boards = game.finished.iter().chain(game.play.won.as_ref());
     if boards.any(|won| won.points > MOST_POINTS) {
-        return Some("a board brings at most 12 points");
+        return Some("a board is worth at most 12 points");
     }
     let ended = |played: usize| {
         let score = Score::after(setup.rules, game.finished.iter().take(played));

@@ -121,7 +121,7 @@ proptest! {
 
 /// Tests the rules and the engine together with boards of hard random strokes from legal positions.
 #[test]
-fn boards_played_on_the_engine_stay_valid_and_end() {
+fn boards_played_with_the_engine_stay_valid_and_end() {
     let board = Board::default();
     let mut engine = Engine::default();
     let mut shot = Shot::default();

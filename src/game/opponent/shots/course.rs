@@ -1,4 +1,4 @@
-//! The paths on which a coin reaches a pocket.
+//! The paths along which a coin reaches a pocket.
 
 use glam::DVec2;
 
@@ -15,7 +15,7 @@ pub(in super::super) struct PocketPath {
     pub(in super::super) toward: DVec2,
     /// The least sufficient speed in m/s.
     pub(in super::super) speed: f64,
-    /// The largest tolerable error of its direction, in radians.
+    /// The largest tolerable error in the coin's direction, in radians.
     pub(in super::super) allowance: f64,
 }
 
@@ -72,7 +72,7 @@ fn into_pocket(sight: &Sight, coin: usize, way: Way) -> Unchecked<PocketPath> {
     }
 }
 
-/// The courses of other coins that give a coin its course.
+/// The courses of other coins that drive a coin along its course.
 pub(in super::super) fn combinations<'a>(
     sight: &'a Sight,
     course: &'a PocketPath,

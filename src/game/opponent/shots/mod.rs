@@ -3,8 +3,8 @@
 //! A shot is built backwards from its end. A [`PocketPath`] describes how a coin must move to reach
 //! a pocket: straight, off a cushion, or by driving another coin that has a course. A
 //! [`ProposedStroke`] describes how the striker must move to give a coin its course: straight or
-//! off a cushion. Each link requires a speed of the link before it and uses up a share of the
-//! remaining tolerance.
+//! off a cushion. Each link requires a certain speed from the link before it and uses up part of
+//! the remaining tolerance.
 //!
 //! Checking a path against every coin takes longer than everything else. So a link is [`Unchecked`]
 //! at first, and only good candidates are checked.

@@ -16,7 +16,7 @@ pub(in super::super) struct ProposedStroke {
     pub(in super::super) toward: DVec2,
     /// The least sufficient speed in m/s.
     pub(in super::super) speed: f64,
-    /// The largest tolerable error of its direction, in radians.
+    /// The largest tolerable error in the stroke's direction, in radians.
     pub(in super::super) allowance: f64,
 }
 
@@ -59,8 +59,8 @@ pub(in super::super) fn strike(
     stroke(sight, course, Way::straight(from, ghost)?)
 }
 
-/// The tolerance of that stroke, except for rounding, without a square root: for most strokes
-/// nothing else is computed.
+/// The tolerance of that stroke, except for rounding, computed without a square root: for most
+/// strokes nothing else is computed.
 pub(in super::super) fn allowance(
     sight: &Sight,
     course: &PocketPath,
@@ -94,9 +94,9 @@ pub(in super::super) fn kicks<'a>(
 
 /// The stroke along this path that gives a coin its course at the end, if there is one.
 ///
-/// The striker transfers a fixed share of its velocity component along the line of impact. An error
-/// of its direction becomes a shift at the end of its path; divided by r₁ + r₂ and the cosine, this
-/// is an error of the line of impact.
+/// The coin's speed is a fixed multiple of the striker's velocity component along the line of
+/// impact. An error in the striker's direction becomes a shift at the end of its path; divided by
+/// r₁ + r₂ and the cosine, this is an error of the line of impact.
 fn stroke(sight: &Sight, course: &PocketPath, way: Way) -> Option<Unchecked<ProposedStroke>> {
     let cosine = way.arriving.dot(course.toward);
     if cosine <= THINNEST || cosine.is_nan() {

@@ -119,7 +119,7 @@ fn two_discs_with_friction_meet_as_the_closed_form_predicts() {
             DVec2::new(way - 0.2, 0.0),
             1e-14,
         );
-        // They leave as the closed forms for a target at rest predict.
+        // The discs leave as the closed forms for a target at rest predict.
         let speed = speed_after(way, 2.0, a).expect("it gets there");
         let EventKind::Impact {
             discs,

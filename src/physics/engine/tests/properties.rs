@@ -88,7 +88,7 @@ fn assert_on_the_board(shot: &Shot) {
 }
 
 fn assert_balanced(shot: &Shot) {
-    // Contacts at the same instant exchange energy: only the sum must not rise.
+    // Contacts at the same instant exchange energy: only the total must not increase.
     let mut gained = 0.0;
     let mut since = f64::NAN;
     for event in shot.events() {

@@ -29,7 +29,7 @@ impl Table {
     }
 }
 
-/// The board of the break: no pockets.
+/// The board for the break, without pockets.
 pub(super) fn closed_board() -> Board {
     Board {
         pocket_diameter: 0.0,

@@ -12,8 +12,8 @@ use crate::widgets::big::Big;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Look, Role, Room, SplitLayout, areas, text};
 
-/// The hint if nobody has joined for a while.
-const HINT: &str = "Nobody in yet? Devices must be on the same network as this computer. Many \
+/// The hint shown when nobody has joined for a while.
+const HINT: &str = "Has nobody joined? Devices must be on the same network as this computer. Many \
                     school networks isolate devices: then open a hotspot on this computer or a \
                     phone and let everyone join it, or vote with hands or cards instead.";
 /// The height of an address in large letters, in rows.
@@ -56,7 +56,7 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     let qr = Qr::of(&link, &look).filter(|_| joining.page.is_ok());
     let beside = qr.and_then(|qr| BesideQr::new(qr, &address, body, &look));
     let is_below = beside.as_ref().is_some_and(|it| it.address_is_below);
-    // The hint if nobody joins is shown only beside a QR code, where it has room.
+    // The hint that nobody has joined is shown only beside a QR code, where there is room for it.
     let waits = session.waits_long();
     write(session, joining, (&address, is_below), &mut panel);
     if waits && beside.is_some() {
@@ -93,7 +93,8 @@ pub(super) fn view<'s>(session: &Session, cx: &Context) -> View<'s, ClassAction>
     }
 }
 
-/// Writes the code, the number of participants and, unless it is below, the address.
+/// Writes the code, the number of participants and, unless it is shown below the QR code, the
+/// address.
 fn write(
     session: &Session,
     joining: &JoinDetails,
@@ -115,7 +116,7 @@ fn write(
     panel.large([joining.code.to_string().as_str()], Role::Title, LARGE_FROM);
     panel.gap();
     let in_words = match (session.present(), session.round().participants().len()) {
-        (0, 0) => "Nobody is in yet.".to_owned(),
+        (0, 0) => "Nobody has joined yet.".to_owned(),
         (1, 1) => "One is in.".to_owned(),
         (present, all) if present == all => format!("{all} are in."),
         (present, all) => format!("{present} of {all} are in."),
@@ -145,8 +146,8 @@ struct BesideQr {
     qr: Qr,
     place: Rect,
     words: Rect,
-    /// Whether the address is below the QR code, because it is too long for large letters beside
-    /// it.
+    /// Whether the address is shown below the QR code, because it is too long for large letters
+    /// beside the code.
     address_is_below: bool,
 }
 

@@ -15,7 +15,7 @@ use crate::widgets::SplitLayout;
 use crate::widgets::input::{KeyTable, ListAction};
 use people::People;
 
-/// What keys do about pupils on their own devices.
+/// The key actions for pupils on their own devices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum HostingAction {
@@ -79,7 +79,7 @@ impl HostPage {
         }
     }
 
-    /// Handles a key if it edits text; returns whether it does.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         match self {
             Self::People(people) => people.typed(key),

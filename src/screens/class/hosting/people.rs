@@ -14,8 +14,8 @@ pub(in crate::screens::class) struct People {
     /// The marked row.
     marked: Option<PersonRow>,
     doing: PersonEdit,
-    /// The participant whom a confirmation concerns. Others may join or leave before it is
-    /// answered.
+    /// The participant whom the open confirmation is about. Others may join or leave before the
+    /// teacher answers it.
     asked: Option<String>,
 }
 
@@ -71,7 +71,7 @@ impl People {
         people
     }
 
-    /// Keeps the mark at the same participant, or moves it to the next one if that participant has
+    /// Keeps the mark on the same participant, or moves it to the next one if that participant has
     /// left.
     pub(super) fn renew(&mut self, session: &Session) {
         let rows = rows(session);
@@ -135,7 +135,7 @@ impl People {
         }
     }
 
-    /// Handles a key if it edits text; returns whether it does.
+    /// Handles a key that edits text; returns whether the key was used.
     pub(super) fn typed(&mut self, key: Key) -> bool {
         match &mut self.doing {
             PersonEdit::Rename(_, field) => field.update(key),
@@ -247,7 +247,7 @@ impl People {
         }
         let rows = rows(session);
         if rows.is_empty() {
-            panel.paragraph("Nobody is in yet.", Role::Text);
+            panel.paragraph("Nobody has joined yet.", Role::Text);
         }
         for (at, row) in rows.iter().enumerate() {
             let chosen = self.marked.as_ref() == Some(row);
@@ -273,7 +273,7 @@ impl People {
     }
 }
 
-/// Whether somebody has voted, has handed in and is away.
+/// The state of a participant: has voted, has handed in, is away.
 fn state_of(one: &Participant, round: &ClassRound) -> String {
     let ballot = one.ballot(round.place().question);
     let voted = match Vote::BOTH.map(|vote| ballot.vote(vote)) {

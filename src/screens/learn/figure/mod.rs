@@ -31,16 +31,16 @@ use crate::widgets::{Look, RayInput, curves, svg};
 
 use worked::WorkedFigure;
 
-/// The number of steps of a setting, or of degrees, by which `<` and `>` change it.
+/// The number of steps, or of degrees, by which `<` and `>` change a setting.
 const LEAP: i8 = 10;
 
-/// What keys do to the figure of a page.
+/// The key actions for the figure of a page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum FigureAction {
     /// change α
     Alpha(i8),
-    /// set α to a head-on or a grazing collision
+    /// set α for a head-on or a grazing collision
     AlphaEnd(i8),
     /// step through the working
     Step(isize),
@@ -241,7 +241,7 @@ impl LiveFigure {
                 match &self.state {
                     FigureState::Worked(worked) => worked.title(&self.collision),
                     FigureState::Foil(plot) => plot.title().into(),
-                    _ => "α-particles at an atom".into(),
+                    _ => "α-particles near an atom".into(),
                 }
             }
             FigureKind::Shots { space, .. } => shots::title(space).into(),
@@ -273,7 +273,7 @@ impl LiveFigure {
             FigureState::Hits(hits) => match hits.as_slice() {
                 [] => keys,
                 [hit] => keys.with(watched(hit), FigureAction::Watch),
-                // The frame of each hit is fixed.
+                // Each of two collisions is shown in a fixed frame.
                 [hit, ..] => {
                     let watched = watched(hit).without_keys(&[Key::Char('f')]);
                     alpha.with(watched, FigureAction::Watch)
@@ -445,10 +445,10 @@ fn split_layers(lines: bool) -> Overlays {
 #[error("{0}")]
 pub struct FigureError(String);
 
-/// The figure that a text such as `curves alpha_deg=30` describes, as an SVG picture.
+/// The figure that a description such as `curves alpha_deg=30` stands for, as an SVG picture.
 ///
 /// # Errors
-/// What was expected in the text.
+/// What was expected in the description.
 pub fn draw_figure(words: &str, look: &Look) -> Result<String, FigureError> {
     let figure = Figure::from_words(words).map_err(FigureError)?;
     Ok(svg_of(&LiveFigure::new(figure, None, false), look))

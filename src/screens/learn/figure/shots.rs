@@ -20,14 +20,14 @@ const IN_SPACE_EXTENT: DVec2 = dvec2(1.3, 1.1);
 /// The title of the figure.
 pub(super) fn title(space: bool) -> &'static str {
     if space {
-        "the target, along the flight"
+        "the target, face on"
     } else {
         "shots without aiming"
     }
 }
 
-/// The shots, evenly spread. With an angle `beyond`, in radians, those deflected by more are
-/// highlighted, with their number below.
+/// The shots, evenly spread. With an angle `beyond`, in radians, those deflected by more than that
+/// are highlighted, with their number below.
 pub(super) fn lay_out(
     space: bool,
     beyond: Option<f64>,
@@ -116,7 +116,7 @@ fn in_space() -> Vec<DVec2> {
 }
 
 /// The path of a striker's centre: straight on until the rims touch, then at θ₁ = 90° − α from its
-/// original direction, away from the coin, sin α = b.
+/// original direction, away from the coin, where sin α = b.
 fn way(offset: f64) -> [DVec2; 3] {
     let far = 3.0 * ON_BOARD_EXTENT.length();
     let contact = dvec2(-(1.0 - offset * offset).sqrt(), offset);

@@ -68,8 +68,8 @@ fn is_asked(later: &[ChapterPage], shot: &CollisionSpec) -> bool {
     })
 }
 
-/// The outcome of a collision, as a figure of this kind shows it; if it `is_asked` later, only the
-/// drawn geometry.
+/// The outcome of a collision, as a figure of this kind shows it; only the drawn geometry if a
+/// later page asks for the outcome (`is_asked`).
 fn outcome(kind: FigureKind, collision: &Collision, is_asked: bool) -> Vec<String> {
     match kind {
         FigureKind::Split { lines } => split(collision, lines),
@@ -86,9 +86,7 @@ fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
     match kind {
         FigureKind::Curves => every_ten(collision, |alpha_deg, outcome| {
             let [v1, v2] = [outcome.v1, outcome.v2].map(speed);
-            format!(
-                "At α = {alpha_deg}° the striker leaves with {v1} and the other disc with {v2}."
-            )
+            format!("At α = {alpha_deg}° the striker leaves at {v1} and the other disc at {v2}.")
         }),
         FigureKind::Angles => every_ten(collision, |_, outcome| {
             let angle = |theta: Option<f64>| theta.map(|theta| degrees(theta.abs()));
@@ -96,7 +94,7 @@ fn plotted(kind: FigureKind, collision: &Collision) -> Vec<String> {
                 (Some(theta1), Some(theta2)) => {
                     format!("θ₁ = {theta1} corresponds to θ₂ = {theta2}.")
                 }
-                _ => "Head-on the striker stops and has no direction.".into(),
+                _ => "Head-on, the striker stops and has no direction.".into(),
             }
         }),
         FigureKind::Energy => every_ten(collision, |alpha_deg, outcome| {

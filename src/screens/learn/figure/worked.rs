@@ -21,7 +21,7 @@ pub(super) struct WorkedFigure {
     form: Option<SettingsForm>,
 }
 
-/// The student's numbers in a solution of their own.
+/// The numbers that the student can set in a solution of their own.
 const FIELDS: [CollisionField; 5] = [
     CollisionField::StrikerMass,
     CollisionField::CoinMass,
@@ -59,7 +59,8 @@ fn last(collision: &Collision) -> usize {
 }
 
 impl WorkedFigure {
-    /// A solution to read, open at the step that is blank while it is `hidden`, if there is one.
+    /// A solution to read, open at the step `blank`, if there is one, whose results are left out
+    /// while `hidden`.
     pub(super) fn given(blank: Option<usize>, hidden: bool) -> Self {
         Self {
             step: blank.map_or(0, |step| step - 1),
@@ -106,7 +107,7 @@ impl WorkedFigure {
         let set = set.renamed("", |action| matches!(action, FormAction::Number(_)));
         let set = set.map(FigureAction::Set);
         let steps_by = [',', '.'].map(Key::Char);
-        // While a number is being typed, a point continues it.
+        // While a number is being typed, a point is part of it.
         let set = match form.is_typing() {
             true => set,
             false => set.without_keys(&steps_by),
@@ -172,7 +173,7 @@ impl WorkedFigure {
 /// The placeholder of a result.
 const GAP: &str = "____";
 
-/// A line of working without its results: the formula and the inserted numbers remain, but the
+/// A line of working without its results: the formula and the substituted numbers remain, but the
 /// first value and all that follows it are replaced by a gap.
 fn without_result(line: &str) -> String {
     let equality = || line.match_indices('=').map(|(at, _)| at);
@@ -188,7 +189,7 @@ fn without_result(line: &str) -> String {
     }
 }
 
-/// Whether a text begins with a number or with the components of a vector.
+/// Whether a string begins with a number or with the components of a vector.
 fn is_value(text: &str) -> bool {
     let text = text.trim_start().trim_start_matches(['(', '−']);
     text.starts_with(|first: char| first.is_ascii_digit())
@@ -200,7 +201,7 @@ mod tests {
     use crate::physics::{Bond, CollisionSpec};
 
     #[test]
-    fn a_blank_keeps_the_formula_and_the_inserted_numbers() {
+    fn a_blank_keeps_the_formula_and_the_substituted_numbers() {
         let blank = [
             (
                 "n = (cos α, −sin α) = (0.7071, −0.7071)",

@@ -23,7 +23,7 @@ use crate::widgets::{
 
 use page::{CheckpointStage, OpenPage};
 
-/// What keys do in a chapter.
+/// The key actions in a chapter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum ReadingAction {
@@ -69,7 +69,7 @@ pub(crate) struct Reading {
 }
 
 /// Why a figure is not shown completely yet.
-const SAY_FIRST: &str = "First give your answer.";
+const SAY_FIRST: &str = "Give your answer first.";
 
 impl Reading {
     /// A chapter, at the page where it was left; `None` if there is no such chapter.

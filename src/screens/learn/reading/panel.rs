@@ -11,8 +11,8 @@ use crate::widgets::panel::Panel;
 use crate::widgets::panels::{reason, said_and_true};
 use crate::widgets::{AnswerAction, AnswerInput, Charset, Role};
 
-/// The prompts have the lowest priority, because the line of keys shows them too; then the text
-/// that has been read.
+/// The prompts have the lowest priority, because the line of keys shows them too; next comes the
+/// text that has already been read.
 const NEXT: u8 = 1;
 const READ: u8 = 2;
 
@@ -174,7 +174,7 @@ fn revealed(
     }
 }
 
-/// Both rays beside the true ones, and the explanation that starts from them.
+/// The predicted rays beside the true ones, and the explanation that starts from the prediction.
 fn write_rays<A>(rays: &Rays, watch: &Watch, figure: &LiveFigure, panel: &mut Panel<A>) {
     let names = ["striker", "coin"].map(Some);
     said_and_true(watch.collision(), rays, names, false, panel);
@@ -186,7 +186,7 @@ fn write_rays<A>(rays: &Rays, watch: &Watch, figure: &LiveFigure, panel: &mut Pa
     reason(&why, panel);
 }
 
-/// A number beside the right one.
+/// The student's number beside the right one.
 fn write_number<A>((form, answer): (&Form, &Response), right: bool, panel: &mut Panel<A>) {
     let role = if right { Role::Good } else { Role::Warn };
     panel.pair(("you said", Role::Dim), (form.words(answer), role));

@@ -15,7 +15,7 @@ pub(crate) struct Levels {
     moved: bool,
 }
 
-/// What keys do in the list of levels.
+/// The key actions in the list of levels.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum LevelsAction {
@@ -29,7 +29,7 @@ pub(crate) enum LevelsAction {
 
 impl Levels {
     /// The list, at the first level that was never won. The levels won earlier are requested, and
-    /// the list moves to the next one when they arrive.
+    /// the list moves to the next level to win when they arrive.
     pub(crate) fn new(cx: &mut Context) -> Self {
         cx.shelf.at = cx.shelf.next().unwrap_or(0);
         let player = cx.settings.player.clone();

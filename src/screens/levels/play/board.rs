@@ -20,11 +20,11 @@ const RAY: f64 = 0.14;
 /// Length of a predicted ray in an enlarged picture of the discs, in metres.
 const NEAR_RAY: f64 = 0.055;
 
-/// Space around the discs if only the first collision matters, in metres, so that they are seen
+/// Space around the discs if only the first collision matters, in metres, so that they can be seen
 /// leaving.
 const MARGIN: f64 = 0.02;
 
-/// The area of the board on the screen: the whole board, or an enlarged part with the discs if only
+/// The part of the board that is shown: the whole board, or an enlarged part with the discs if only
 /// their first collision matters.
 pub(super) fn view(level: &Level, area: Rect) -> View {
     let scene = &level.scene;
@@ -84,7 +84,7 @@ fn labels(level: &Level, picture: &mut Picture, discs: &[(usize, DVec2)]) {
         .filter_map(|goal| goal.circle())
         .collect();
     for (circle, disc) in &circles {
-        // A single circle is labelled "goal"; several have the names of their discs.
+        // A single circle is labelled "goal"; several are labelled with the names of their discs.
         let name = level.scene.name(*disc);
         let text = match circles.as_slice() {
             [_] => "goal",
@@ -160,7 +160,7 @@ pub(super) struct FirstMet {
     pub(super) impact: Option<ShotImpact>,
 }
 
-/// Where the disc that a scene's shot plays first meets something, or stops.
+/// Where the disc played in a scene's shot first meets something or stops.
 pub(super) fn first_met(scene: &Scene) -> Option<FirstMet> {
     let (shot, aimed) = (scene.play_for_a_moment(), scene.stroke.disc);
     let (time, touches) = shot.events().iter().find_map(|event| {
@@ -260,7 +260,7 @@ mod tests {
 
     /// Every piece is a circle, and no number is NaN.
     #[test]
-    fn the_board_of_every_level_has_a_vector_form() {
+    fn the_board_of_every_level_can_be_drawn_as_svg() {
         let look = Look {
             charset: Charset::Unicode,
             theme: Theme::default(),
@@ -293,7 +293,7 @@ mod tests {
                 let view = view(level, area);
                 for piece in &level.scene.pieces {
                     for way in [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y] {
-                        // Rounding to the middle of a cell may remove half a cell.
+                        // Rounding to the middle of a cell may cut off half a cell.
                         let edge = piece.at + piece.disc.radius * way;
                         let cell = view.to_cell(edge);
                         let inside = |low: u16, at: f64, high: u16| {

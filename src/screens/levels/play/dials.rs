@@ -21,8 +21,8 @@ pub(super) struct Dials {
 impl FormFields for Dials {
     fn fields(&self) -> Vec<Field> {
         let field = |(dial, range): (Dial, Range)| {
-            // Turning to the right decreases the direction, and a direction has several values that
-            // differ by whole turns.
+            // Turning to the right decreases the angle, and angles that differ by whole turns are
+            // the same direction.
             let (range_held, step) = match dial {
                 Dial::Direction => ((f64::NEG_INFINITY, f64::INFINITY), -dial.step()),
                 _ => ((range.from, range.to), dial.step()),
@@ -71,8 +71,8 @@ impl Dials {
         self.level.adjust.dials().position(|(own, _)| own == dial)
     }
 
-    /// Sets a dial as close to a number as the level allows; a direction may be counted from either
-    /// side of a whole turn.
+    /// Sets a dial as close to a number as the level allows; a direction may differ from the number
+    /// by a whole turn.
     fn set_dial(&mut self, dial: Dial, number: f64) {
         let Some(range) = self.level.adjust.range(dial) else {
             return;
@@ -101,9 +101,9 @@ impl Dials {
         form.step_at(self.place(Dial::Speed).unwrap_or(chosen), up, self);
     }
 
-    /// Handles the button, which went down (`pressed`) or was moved over a point of the board.
-    /// Drags the disc along its line if the button was pressed on the disc, otherwise aims the shot
-    /// at that point.
+    /// Handles the mouse button at a point on the board, where it was `pressed` or moved while
+    /// down. Drags the disc along its line if the button was pressed on the disc, otherwise aims
+    /// the shot at that point.
     pub(super) fn drag(&mut self, form: &mut SettingsForm, at: DVec2, near: f64, pressed: bool) {
         let scene = self.level.aimed(&self.aim);
         let Some(piece) = scene.pieces.get(scene.stroke.disc) else {

@@ -8,8 +8,8 @@ use crate::screens::levels::words::face_of;
 use crate::widgets::RayInput;
 use crate::widgets::replay::{ShotAction, ShotClock, ShotPlayer, WatchRate};
 
-/// The time at which the replay of a shot ends. If only the first collision matters, it ends at the
-/// next cushion contact after that.
+/// The time at which the replay of a shot ends. If only the first collision matters, the replay
+/// ends at the next cushion contact after that collision.
 fn end(level: &Level, shot: &Shot) -> f64 {
     if !level.is_of_the_first_hit() {
         return shot.duration();
@@ -17,7 +17,7 @@ fn end(level: &Level, shot: &Shot) -> f64 {
     let hit = |event: &Event| matches!(event.kind, EventKind::Impact { .. });
     let cushion = |event: &&Event| matches!(event.kind, EventKind::Cushion { .. });
     let events = shot.events();
-    // The collision may itself come after a cushion.
+    // The collision may itself come after a cushion contact.
     let since = events.iter().position(hit).unwrap_or(0);
     let next = events.iter().skip(since).find(cushion);
     next.map_or(shot.duration(), |event| event.time)
@@ -63,8 +63,8 @@ pub(super) struct MadeShot {
 }
 
 impl MadeShot {
-    /// The shot numbered `number`, from 1, made after this many hints, replayed at `rate` if that
-    /// was chosen. `to_say` is whether a prediction was possible.
+    /// The shot with this number, counted from 1, made after this many hints; replayed at `rate`,
+    /// if the player has chosen one. `to_say` says whether a prediction was possible.
     pub(super) fn new(
         level: &Level,
         shot: Shot,
@@ -112,7 +112,7 @@ impl MadeShot {
         self.keep_if_watched(level, cx);
     }
 
-    /// Records whether the shot has been watched to its end, and then saves a win in the level of
+    /// Records whether the shot has been watched to its end, and then saves a win in the level with
     /// this number.
     pub(super) fn keep_if_watched(&mut self, level: usize, cx: &mut Context) {
         self.watched |= self.player.zoom().is_none() && self.player.clock().is_over();
@@ -121,7 +121,7 @@ impl MadeShot {
         }
     }
 
-    /// Saves a win, even if it was not watched to its end.
+    /// Saves a win, even if the shot was not watched to its end.
     pub(super) fn keep(&self, level: usize, cx: &mut Context) {
         if let Some(win) = self.win {
             cx.won(level, win);

@@ -70,7 +70,7 @@ struct PendingShot {
     impact: ShotImpact,
 }
 
-/// What keys do in a level.
+/// The key actions in a level.
 #[derive(Debug, Clone, Copy, PartialEq, strum::IntoStaticStr, strum::EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub(crate) enum LevelAction {
@@ -80,7 +80,7 @@ pub(crate) enum LevelAction {
     Set(FormAction),
     /// restore the level's initial aim
     Reset,
-    /// show a hint; again for the next one
+    /// show a hint; press again for the next one
     Hint,
     /// predict first, or just shoot
     Predict,

@@ -1,5 +1,5 @@
-//! The view of a level: the board or an impact, and beside it goals and dials, the predicted rays,
-//! the result and the explanation.
+//! The view of a level: the board or an impact, and beside it the goals and dials, the predicted
+//! rays, the result and the explanation.
 
 use super::made_shot::{MadeShot, asked};
 use super::{LevelAction, LevelPhase, LevelPlay, PendingShot, board};
@@ -179,7 +179,7 @@ fn watching(play: &LevelPlay, made: &MadeShot) -> LevelPanel {
     panel.fact("watched at", clock.rate().words());
     panel.gap();
     let go_on = LevelAction::Watch(ShotAction::GoOn);
-    panel.prompt("go on, or to the end", go_on);
+    panel.prompt("go on, or skip to the end", go_on);
     panel
 }
 
@@ -266,7 +266,7 @@ fn answers(play: &LevelPlay, made: &MadeShot, impact: &ShotImpact, panel: &mut L
     said_and_true(&impact.collision, &said.so_far(), names, false, panel);
 }
 
-/// One impact, enlarged: the explanation of the lab.
+/// One impact, enlarged, explained as in the lab.
 fn enlarged(play: &LevelPlay, made: &MadeShot, watch: &Watch) -> LevelPanel {
     let Some((number, impact)) = made.player.chosen() else {
         return Panel::new("");

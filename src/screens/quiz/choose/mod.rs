@@ -50,9 +50,9 @@ enum ChoosingPage {
     Topics,
     /// A code.
     Code {
-        /// The typed part.
+        /// The typed text.
         typed: TextField,
-        /// Whether the text was entered and is not a valid code.
+        /// Whether the player entered the text and it is not a valid code.
         refused: bool,
     },
 }
@@ -240,7 +240,7 @@ impl Screen for Choosing {
     fn about(&self, _cx: &Context) -> Vec<&'static str> {
         vec![
             "A round is a few questions: you answer, choose how sure you are, watch what happens and read why.",
-            "carrom saves every answer on this computer. What you knew rests for 1, 2, 4 … 32 days; what you missed is due at once. A review asks one question about each topic that is due, of any kind that covers it.",
+            "carrom saves every answer on this computer. What you knew is due again after 1, 2, 4 … 32 days; what you missed is due at once. A review asks one question of any suitable kind about each topic that is due.",
             "An exam gives no feedback until the end; then you can open every question.",
             "Every round except a review has a code. With the same code a friend, or a whole class, gets the same questions: choose \"a round by its code\", or start with carrom quiz --code CODE.",
         ]

@@ -26,7 +26,7 @@ const SPEED_STEP: f64 = 1.0 / STEPS_PER_SPEED;
 /// The step of the direction, in degrees.
 const DIRECTION_STEP: f64 = 1.0 / STEPS_PER_DEGREE;
 
-/// Actions of keys while aiming.
+/// The key actions while aiming.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum AimAction {
@@ -36,13 +36,13 @@ pub enum AimAction {
     Turn(i16),
     /// turn the aim by 10°
     TurnFar(i16),
-    /// change the strength; the wheel too
+    /// change the strength; the wheel works, too
     Strength(i8),
     /// move the striker by 2 mm or by 20 mm
     Place(i8),
     /// practice: move the striker up or down
     PlaceUp(i8),
-    /// type a number: the angle, or with the key after it the strength or the position in millimetres
+    /// type a number: the angle or, with a key after it, the strength or the position in millimetres
     Number(EntryAction),
     /// turn the aim line, the ghost or the predicted paths on or off
     Aid(AimAid),
@@ -182,7 +182,8 @@ impl ActiveGame {
         self.aim.move_by(step, self.history.game());
     }
 
-    /// Puts the striker this many metres to the right of the middle on the screen (or above it).
+    /// Puts the striker this many metres to the right of the middle (or above it), as seen on the
+    /// screen.
     fn stand(&mut self, metres: f64) {
         let game = self.history.game();
         let along = along_the_screen(game.seat(), game.setup().rules);

@@ -30,7 +30,7 @@ pub(in crate::screens::table) struct Arrange {
     held: Option<usize>,
 }
 
-/// Actions of keys while coins are arranged.
+/// The key actions while coins are arranged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ArrangeAction {
@@ -40,7 +40,7 @@ pub enum ArrangeAction {
     TakeOrLay,
     /// move the hand to the next coin
     NextCoin,
-    /// add a white, a black, or the queen
+    /// add a white coin, a black coin or the queen
     Add(Piece),
     /// remove the coin under the hand
     RemoveCoin,
@@ -167,7 +167,7 @@ impl Arrange {
         game.make(Move::LayOut(coins));
     }
 
-    /// Uses this arrangement of coins if it is possible; then the hand is empty.
+    /// Uses this arrangement of coins if it is allowed; then the hand is empty.
     fn lay_out(&mut self, coins: Vec<Coin>, game: &mut ActiveGame) {
         game.make(Move::LayOut(coins));
         if game.notice.is_none() {

@@ -11,7 +11,7 @@ use crate::screens::table::words;
 /// The state of saving a game.
 #[derive(Debug, Clone, Default)]
 pub(super) struct GameKeeping {
-    /// The ticket with which the game is saved, once it has been.
+    /// The ticket with which the game is saved, once it has been saved.
     ticket: Option<u64>,
     /// Whether the current game can be resumed later; `None` until the result of the first
     /// save is known.

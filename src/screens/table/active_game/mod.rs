@@ -73,7 +73,7 @@ enum GamePhase {
     /// Predicting the directions after the first impact.
     Call(Box<Calling>),
     Watch(Box<StrokeReplay>),
-    /// Arranging coins, in practice.
+    /// Arranging the coins of a practice game.
     Arrange(Arrange),
     /// The board has ended.
     Over,
@@ -200,7 +200,7 @@ impl ActiveGame {
         }
     }
 
-    /// Plays a stroke and starts its replay; `None` if it cannot be played.
+    /// Plays a stroke and starts its replay; `None` if the stroke cannot be played.
     fn play(&mut self, stroke: Move, cx: &Context) -> Option<GamePhase> {
         let number = self.history.len();
         let shot = self.make(stroke)?;
@@ -234,8 +234,8 @@ impl ActiveGame {
         self.look_at(first, cx.settings.reduced_motion, cx)
     }
 
-    /// Sets the aim for the next turn. In practice it stays the same if possible, so that the
-    /// player can try again with a small change.
+    /// Sets the aim for the next turn. In a practice game it stays the same if possible, so that
+    /// the player can try again with a small change.
     fn begin_turn(&mut self) {
         if !self.is_practice() || self.game().check_place(self.aim.place).is_err() {
             let speed = self.aim.speed;

@@ -13,7 +13,7 @@ use crate::widgets::Role;
 use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 
-/// Actions of keys at the end of a board.
+/// The key actions at the end of a board.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum OverAction {
@@ -60,8 +60,8 @@ impl ActiveGame {
         }
     }
 
-    /// A click on the board continues. The end of a match is left only with a key: after a click
-    /// by mistake, nobody could read it.
+    /// A click on the board continues. The end of a match is left only with a key: after an
+    /// accidental click, nobody could read the result.
     pub(super) fn click_on_end(&mut self, cx: &Context) -> After {
         match self.game().stage() {
             GameStage::MatchOver(_) => After::Same,
@@ -140,7 +140,7 @@ impl ActiveGame {
         }
     }
 
-    /// Writes the figures of both teams on the board, side by side.
+    /// Writes the figures of both teams for the board, side by side.
     fn write_teams<A>(&self, report: &BoardReport, panel: &mut Panel<A>) {
         panel.gap();
         let both =
@@ -177,7 +177,7 @@ impl ActiveGame {
     }
 }
 
-/// The seat that breaks the next board; `None` in practice or after the match.
+/// The seat that breaks the next board; `None` in a practice game or after the match.
 fn next_breaker(game: &Game) -> Option<Seat> {
     if game.setup().rules == Rules::Practice {
         return None;

@@ -213,7 +213,7 @@ pub(super) fn of_replay(active: &ActiveGame, replay: &StrokeReplay, area: Rect) 
 }
 
 /// Draws a ring that spreads from a pocket after a disc has fallen into it. `share` is the elapsed
-/// share of the ring's duration.
+/// fraction of the ring's duration.
 fn answer(picture: &mut Picture, share: f64, corner: usize) {
     let board = Board::default();
     if let Some(pocket) = board::pocket(&board, corner).filter(|_| (0.0..1.0).contains(&share)) {
@@ -243,14 +243,14 @@ fn trail(picture: &mut Picture, replay: &StrokeReplay, disc: usize) {
             picture.line(leg.from, leg.to, pen.dotted());
             continue;
         }
-        // The leg is straight; the shot computes where on it the disc is.
+        // The leg is straight; the shot computes the disc's position on it.
         let place = |time: f64| match time {
             _ if time <= leg.start => leg.from,
             _ if time >= leg.end => leg.to,
             _ => shot.at(disc, time).position,
         };
-        // Each shade covers a fixed interval of time behind the disc. From picture to picture, only
-        // the cells where one shade borders on the next change.
+        // Each shade covers a fixed interval of time behind the disc. From frame to frame, only the
+        // cells at the borders between shades change.
         let stretch = FADE / SHADES as f64;
         for shade in (0..SHADES).rev() {
             let since = now - stretch * (shade + 1) as f64;

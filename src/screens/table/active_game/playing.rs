@@ -166,7 +166,7 @@ impl Playing {
         self.follow(after.into(), cx);
     }
 
-    /// The delay until the game next needs time.
+    /// The time until the game must next be advanced.
     pub(in crate::screens::table) fn wake(&self, pace: HitPace) -> Option<Duration> {
         match &self.phase {
             GamePhase::Watch(replay) => replay.wake(&self.game, pace),

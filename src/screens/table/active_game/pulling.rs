@@ -12,7 +12,7 @@ use crate::screens::table::aim::{Aim, SPEEDS};
 const HOLD: f64 = 1.6;
 /// The shortest pull that makes a stroke, in radii of the striker.
 const LEAST_PULL: f64 = 1.5;
-/// The additional pull for the hardest stroke, in metres; it ends beside the board.
+/// The additional pull for the hardest stroke, in metres; a full pull ends beside the board.
 const FULL_PULL: f64 = 0.15;
 /// The largest angle between a pull and the aim that does not change the aim, in radians (20°):
 /// a cell is too coarse for aiming.
@@ -51,7 +51,7 @@ impl ActiveGame {
         matches!(self.grip, Grip::Pull { to, .. } if self.pull(to) > 0.0)
     }
 
-    /// Handles the press of the button at a point of the board.
+    /// Handles a press of the mouse button at a point on the board.
     pub(super) fn take_hold(&mut self, at: DVec2) {
         let reach = HOLD * self.set().striker_radius();
         self.grip = match self.aim.place.distance(at) < reach {
@@ -78,7 +78,7 @@ impl ActiveGame {
         }
     }
 
-    /// Handles the release of the button at a point of the board.
+    /// Handles the release of the mouse button at a point on the board.
     pub(super) fn let_go(&mut self, at: DVec2, cx: &Context) -> After {
         let Grip::Pull { before, .. } = self.grip else {
             self.grip = Grip::Free;
@@ -101,7 +101,7 @@ impl ActiveGame {
     }
 
     /// Whether a drag of the striker to this point pulls it back rather than moving it: in a game
-    /// if the point is behind the base lines, in practice if it is opposite to the aim.
+    /// if the point is behind the base lines, in a practice game if it is opposite to the aim.
     fn pulls(&self, at: DVec2) -> bool {
         let seat = self.seat();
         let way = at - self.aim.place;
@@ -113,7 +113,7 @@ impl ActiveGame {
         seat.turn_back(way).y < -radius
     }
 
-    /// The share of the full strength for a pull to this point; 0 if it is too short.
+    /// The fraction of the full strength for a pull to this point; 0 if it is too short.
     fn pull(&self, to: DVec2) -> f64 {
         let least = LEAST_PULL * self.set().striker_radius();
         ((self.aim.place.distance(to) - least) / FULL_PULL).clamp(0.0, 1.0)

@@ -21,7 +21,7 @@ impl ActiveGame {
     }
 }
 
-/// Writes the coins of each colour and the queen, in few rows.
+/// Writes the coins of each colour and the queen, in as few rows as possible.
 pub(super) fn write_pieces<A>(active: &ActiveGame, charset: Charset, panel: &mut Panel<A>) {
     let game = active.game();
     for colour in [Colour::White, Colour::Black] {

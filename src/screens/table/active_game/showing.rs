@@ -24,7 +24,8 @@ use crate::widgets::input::KeyTable;
 use crate::widgets::panel::Panel;
 use crate::widgets::{Charset, Role};
 
-/// How long each part of the aim is visible before the next appears, and then the whole aim.
+/// How long each part of the aim is visible before the next one appears, and how long the whole aim
+/// is visible after that.
 const PARTS: [Duration; 3] = [
     Duration::from_millis(250),
     Duration::from_millis(250),
@@ -41,7 +42,7 @@ pub(super) struct ShownStroke {
     left: Option<Duration>,
 }
 
-/// Actions of keys while the computer's aim is shown.
+/// The key actions while the computer's aim is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ShowAction {

@@ -104,7 +104,7 @@ fn computers_play_on_by_themselves_unless_steps_wait_for_a_key() {
         passed += 1;
     }
     assert!(matches!(playing.phase, GamePhase::Show(_)));
-    // If steps wait for a key, the computers do, too.
+    // If steps wait for a key, the computers wait, too.
     cx.settings.wait_at_beats = true;
     waits.advance(Duration::from_secs(60), &mut cx);
     waits.advance(Duration::from_secs(60), &mut cx);
@@ -113,7 +113,7 @@ fn computers_play_on_by_themselves_unless_steps_wait_for_a_key() {
 }
 
 #[test]
-fn only_a_stroke_that_is_being_watched_moves() {
+fn nothing_moves_except_a_stroke_that_is_being_watched() {
     let mut cx = Context::new(Settings::default(), 1);
     let mut playing = playing(Options::two_people());
     assert_eq!(playing.wake(HitPace::Still), None);

@@ -27,8 +27,8 @@ use crate::widgets::{Charset, Role};
 /// The time that a pocketed piece takes to reach its tray, in seconds.
 pub(super) const FALL: f64 = 0.6;
 
-/// The time for which the end of a stroke is shown, at real speed, before computers play on, in
-/// seconds.
+/// The time, in seconds at real speed, for which the end of a stroke is shown before computers play
+/// on.
 const END_SEEN: f64 = 4.0;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,7 +58,7 @@ pub(super) struct StrokeReplay {
     pub(super) player: ShotPlayer,
 }
 
-/// Actions of keys while a stroke is watched.
+/// The key actions while a stroke is watched.
 #[derive(Debug, Clone, Copy, PartialEq, IntoStaticStr, EnumMessage)]
 #[strum(serialize_all = "kebab-case")]
 pub enum StrokeAction {
@@ -173,7 +173,7 @@ impl StrokeReplay {
         watching.unwrap_or_else(|| game.turn(cx))
     }
 
-    /// Handles a click on the picture, which continues.
+    /// Handles a click on the picture: the replay continues.
     pub(super) fn click(&mut self, game: &mut ActiveGame, cx: &mut Context) -> After {
         match self.player.clicked() {
             Some(action) => self.work(action, cx).into(),
@@ -187,7 +187,7 @@ impl StrokeReplay {
         self.player.clock().is_over() && self.player.chosen().is_none()
     }
 
-    /// The time left until a game of computers alone continues after a stroke; `None` if it waits
+    /// The time left until a game between computers continues after a stroke; `None` if it waits
     /// for a key.
     fn left_at_end(&self, game: &ActiveGame, pace: HitPace) -> Option<Duration> {
         let alone = game.options.count(Player::Person) == 0 && pace == HitPace::Flowing;
@@ -255,7 +255,7 @@ impl StrokeReplay {
         }
     }
 
-    /// Writes the facts about a stroke that is still moving.
+    /// Writes the facts about a stroke whose pieces are still moving.
     fn write_so_far<A>(&self, name: &str, charset: Charset, panel: &mut Panel<A>) {
         let player = &self.player;
         let speed = player.shot().start(0).velocity.length();

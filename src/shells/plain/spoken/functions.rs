@@ -2,7 +2,7 @@
 
 use super::signs::power;
 
-/// The functions as written in texts, with their spoken names.
+/// The functions as they are written in text, with their spoken names.
 const FUNCTIONS: [(&str, &str); 5] = [
     ("arcsin", "arc sine"),
     ("sin", "sine"),
@@ -11,8 +11,8 @@ const FUNCTIONS: [(&str, &str); 5] = [
     ("cot", "cotangent"),
 ];
 
-/// The function at a position in a text, in words ("times the sine squared of"), and the number of
-/// characters that it replaces; `None` if there is no function at this position.
+/// The function at a position in the text, in words ("times the sine squared of"), and the number
+/// of characters that it replaces; `None` if there is no function at this position.
 pub(super) fn at(letters: &[char], place: usize) -> Option<(String, usize)> {
     let (before, here) = letters.split_at_checked(place)?;
     if before.last().is_some_and(char::is_ascii_alphabetic) {
@@ -55,7 +55,7 @@ fn starts_argument(letters: &[char]) -> bool {
     }
 }
 
-/// Whether a text ends in a factor before a function: a number, a bracket, or the symbol of a
+/// Whether the text ends in a factor before a function: a number, a bracket, or the symbol of a
 /// quantity.
 fn is_factor(letters: &[char]) -> bool {
     let end = letters.iter().rposition(|c| *c != ' ');

@@ -1,4 +1,4 @@
-//! Texts as they are read aloud.
+//! Text as it is read aloud.
 
 mod functions;
 mod signs;
@@ -11,7 +11,7 @@ pub(super) use units::{means_unit, unit_name};
 const BEGIN: char = '\u{2068}';
 const END: char = '\u{2069}';
 
-/// A text in one line, trimmed, with its symbols and units as they are read aloud. The words for
+/// The text on one line, trimmed, with its symbols and units as they are read aloud. The words for
 /// them are ASCII; letters in names stay unchanged.
 ///
 /// ```
@@ -51,7 +51,7 @@ pub(super) fn sentence(name: &str) -> String {
     }
 }
 
-/// Removes characters that could move a cursor, or that would end the unchanged text too early.
+/// Removes characters that could move a cursor, or that would end an unchanged part too early.
 fn without_controls(text: &str) -> String {
     let marks = |c: &char| !matches!(*c, BEGIN | END);
     let blanked = |c: char| if c.is_control() { ' ' } else { c };

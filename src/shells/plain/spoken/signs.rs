@@ -3,7 +3,7 @@
 use super::functions;
 use crate::widgets::signs::{greek, superscript};
 
-/// Replaces symbols by words, with spaces around them.
+/// Replaces symbols with words, with spaces around them.
 pub(super) fn spell(text: &str) -> String {
     let letters: Vec<char> = text.chars().collect();
     let mut plain = String::with_capacity(2 * text.len());
@@ -41,7 +41,7 @@ fn separate(plain: &mut String, next: Option<&char>) {
     }
 }
 
-/// The power at the start of a text, in words, and the number of characters that it replaces.
+/// The power at the start of the text, in words, and the number of characters that it replaces.
 pub(super) fn power(letters: &[char]) -> Option<(String, usize)> {
     let power: String = letters.iter().map_while(|c| superscript(*c)).collect();
     let words = match power.as_str() {
@@ -53,7 +53,7 @@ pub(super) fn power(letters: &[char]) -> Option<(String, usize)> {
     Some((words, power.chars().count()))
 }
 
-/// A single symbol in words, which depend on the characters before and after it.
+/// A single symbol in words; these depend on the characters before and after it.
 fn one(letter: char, before: &[char], after: &[char]) -> String {
     let (last, next) = (before.last().copied(), after.first().copied());
     let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
@@ -98,14 +98,14 @@ fn is_greek(letter: char) -> bool {
     spelling(letter).is_none() && greek(letter).is_some()
 }
 
-/// Whether a text starts with the name of a function, after any spaces.
+/// Whether the text starts with the name of a function, after any spaces.
 fn begins_function(letters: &[char]) -> bool {
     let word = letters.iter().skip_while(|c| **c == ' ');
     let word: String = word.take_while(|c| c.is_ascii_alphabetic()).collect();
     functions::is_function(&word)
 }
 
-/// Whether a text starts with the letter of a direction or of one of its components.
+/// Whether the text starts with the letter of a direction or of one of its components.
 fn is_direction(letters: &[char]) -> bool {
     match letters {
         [' ', 'n' | 't', 'ₓ' | 'ᵧ', ..] => true,
@@ -114,18 +114,18 @@ fn is_direction(letters: &[char]) -> bool {
     }
 }
 
-/// Whether a text starts with two letters, so with a word rather than a quantity.
+/// Whether the text starts with two letters, and therefore with a word rather than a quantity.
 fn is_word<'a>(letters: impl Iterator<Item = &'a char>) -> bool {
     letters.take(2).filter(|c| c.is_ascii_alphabetic()).count() == 2
 }
 
-/// Whether a text starts with a letter, after any spaces or subscript digits.
+/// Whether the text starts with a letter, after any spaces or subscript digits.
 fn is_quantity<'a>(letters: impl Iterator<Item = &'a char>) -> bool {
     let mut letters = letters.skip_while(|c| matches!(**c, ' ' | '₀'..='₉' | 'ₙ' | 'ₜ'));
     letters.next().is_some_and(|c| c.is_alphabetic())
 }
 
-/// Whether a text ends in the number 1.
+/// Whether the text ends in the number 1.
 fn is_one(letters: &[char]) -> bool {
     let part = |c: &&char| c.is_ascii_digit() || matches!(**c, '.' | ',');
     let number: String = letters.iter().rev().take_while(part).collect();

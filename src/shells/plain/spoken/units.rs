@@ -1,6 +1,6 @@
 //! Units as they are read aloud and as they are typed.
 
-/// The units as written in texts, with their singular and plural names.
+/// The units as they are written in text, with their singular and plural names.
 const UNITS: [(&str, &str, &str); 18] = [
     ("m/s", "metre per second", "metres per second"),
     ("rad/s", "radian per second", "radians per second"),
@@ -32,7 +32,7 @@ enum Count {
     Many,
 }
 
-/// Replaces the units after numbers in a text by words.
+/// Replaces the units after numbers in a text with words.
 pub(super) fn spell(text: &str) -> String {
     let mut words: Vec<String> = Vec::new();
     let mut tokens = text.split_whitespace().peekable();
@@ -96,7 +96,7 @@ pub(in crate::shells::plain) fn means_unit(typed: &str, unit: &str) -> bool {
 
 /// Singular or plural, if a token is a number, after which a unit may follow.
 fn counted(token: &str) -> Option<Count> {
-    // The last number of a pair also counts: "(60, 0) g m/s".
+    // The last number in a pair also counts: "(60, 0) g m/s".
     let number = token
         .trim_start_matches(['(', '"', '“'])
         .trim_end_matches(')');
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn units_are_typed_in_many_ways() {
+    fn units_can_be_typed_in_many_ways() {
         for (typed, unit) in [
             ("m/s", "m/s"),
             ("M/S", "m/s"),

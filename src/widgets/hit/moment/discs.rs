@@ -8,12 +8,12 @@ use crate::widgets::picture::{Pen, Picture};
 
 /// The shortest path that is drawn, in radii of the disc.
 const STANDS: f64 = 1e-6;
-/// How far from the centre a displaced letter is, in radii of the disc.
+/// The distance of a displaced letter from the centre, in radii of the disc.
 const LETTER_ASIDE: f64 = 0.55;
 
 impl Moment<'_> {
-    /// Draws a disc at its current position. During the explanation, and at the end of the shot, it
-    /// hides nothing and its letter is displaced.
+    /// Draws a disc at its current position. During the explanation, and at the end of the shot,
+    /// the disc hides nothing and its letter is displaced.
     pub(super) fn disc(&self, picture: &mut Picture, body: usize, now: DVec2) {
         let face = self.watch.faces[body];
         let radius = self.stage.radius(body);
@@ -39,7 +39,7 @@ impl Moment<'_> {
         }
     }
 
-    /// The side of a disc's centre without any component of its velocity.
+    /// The side of a disc's centre on which no component of its velocity is drawn.
     fn aside(&self, body: usize) -> Option<DVec2> {
         let tangent = self.watch.outcome.tangent?;
         if self.split_step().is_some() && !self.target_rests() {

@@ -68,8 +68,8 @@ impl Moment<'_> {
     }
 
     /// The velocities after the contact, for arrows at a given time. For a pair that moves on
-    /// together it is the velocity of the centre of mass, or in the centre-of-mass frame those of
-    /// the discs.
+    /// together, both are the velocity of the centre of mass; in the centre-of-mass frame, they are
+    /// those of the discs.
     fn after(&self, time: f64) -> [DVec2; 2] {
         let shared = [self.watch.outcome.v1, self.watch.outcome.v2];
         if self.sticks() && self.watch.frame == Frame::CentreOfMass {
@@ -81,8 +81,8 @@ impl Moment<'_> {
         shared.map(|v| v - self.drift())
     }
 
-    /// A pen for the geometry of the contact: it draws over the discs while they are there, and
-    /// behind them once they have left.
+    /// A pen for the geometry of the contact: it draws over the discs at the contact, and behind
+    /// them at other times.
     fn pen(&self, role: Role) -> Pen {
         if self.watch.clock.at_contact() {
             Pen::new(role)

@@ -115,7 +115,7 @@ impl Moment<'_> {
         }
     }
 
-    /// The components of a velocity along n and t, with the names of the initial ones.
+    /// The components of a velocity along n and t, with the names of the initial components.
     fn parts_before(&self, body: usize, v: DVec2, axes: [DVec2; 2]) -> [NamedVelocity; 2] {
         let name = self.names().before[body];
         let part = |axis: DVec2, sign, role| NamedVelocity {

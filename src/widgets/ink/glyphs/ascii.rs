@@ -30,14 +30,14 @@ static INK: LazyLock<[(u8, [f32; SAMPLES]); GLYPHS]> = LazyLock::new(|| {
     HUNDREDTHS.map(|(glyph, ink)| (glyph, ink.map(|sample| f32::from(sample) / 100.0)))
 });
 
-/// The share of a sample's ink that its neighbours receive: strokes are a little wider than the
+/// The fraction of a sample's ink that its neighbours receive: strokes are a little wider than the
 /// samples that they hit, and so are the glyphs.
 const BLUR: f32 = 0.5;
 
 /// The amount of ink in a sample that a stroke passes through.
 const FULL: f32 = 0.4;
 
-/// The nearest glyph to every mask.
+/// The glyph nearest to each mask.
 ///
 /// The squared distance of a drawing d to a glyph g is d² − 2 d·g + g². The first term is the same
 /// for all glyphs, and d·g is a sum over the samples of the mask, so it is the sum of a part for
@@ -83,7 +83,7 @@ pub(in super::super) fn nearest(mask: u16) -> char {
         .map_or(' ', |&glyph| char::from(glyph))
 }
 
-/// The similarity of each sample of a drawing to a glyph.
+/// What each sample of a drawing contributes to its similarity to a glyph.
 fn weights(ink: &[f32; SAMPLES]) -> [f32; SAMPLES] {
     let ink = blurred(ink);
     std::array::from_fn(|sample| {

@@ -1,5 +1,5 @@
-//! The words of a text for large type. Many areas and sizes are tried, so the letters of each word
-//! are put together only once.
+//! The words of a string for large type. Many areas and sizes are tried, so the letters of each
+//! word are put together only once.
 
 use std::cell::OnceCell;
 use std::ops::Range;
@@ -28,7 +28,7 @@ struct BigWord {
 }
 
 impl BigText {
-    /// The words of a text, spelt in a charset.
+    /// The words of a string, spelt in a charset.
     pub(crate) fn new(text: &str, charset: Charset) -> Self {
         let text = charset.text(text);
         let words: Vec<&str> = text.split_whitespace().collect();

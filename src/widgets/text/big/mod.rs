@@ -31,10 +31,10 @@ const HEIGHT: usize = 8;
 /// The height of a small letter such as x, in pixels.
 const SMALL_LETTER: usize = 5;
 
-/// The rows of a line of letters of the usual sizes.
+/// The number of rows in a line of letters of the usual sizes.
 const LINE: u16 = 4;
 
-/// The horizontal alignment of a text in its area.
+/// The horizontal alignment of text in its area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Align {
     Left,
@@ -43,7 +43,7 @@ pub(crate) enum Align {
     Right,
 }
 
-/// A text in large type.
+/// Text in large type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Big {
     text: Rc<BigText>,
@@ -85,7 +85,7 @@ impl Big {
         Self::of_one_size(texts, LetterSize::of_name(charset), columns, charset, fits)
     }
 
-    /// The texts in the largest letters for which they are narrow enough and `fit` returns true.
+    /// The strings in the largest letters for which they are narrow enough and `fit` returns true.
     fn of_one_size(
         texts: &[&str],
         sizes: &[LetterSize],
@@ -102,16 +102,16 @@ impl Big {
         sizes.iter().filter_map(set).find(|all| fit(all))
     }
 
-    /// A text in lines of this many columns, broken between words but not between a number and its
+    /// Text in lines of this many columns, broken between words but not between a number and its
     /// unit; `None` if a word is too long for a line, or a letter has no large form.
     fn set(text: &Rc<BigText>, size: LetterSize, columns: u16) -> Option<Self> {
         Self::begin(text, 0, size, (columns, u16::MAX), false)
             .filter(|big| big.words() == text.len())
     }
 
-    /// A text from a given word on, up to the first word that is too long for a line or the first
-    /// line that does not fit into this many columns and rows. `at_top` of a page means that there
-    /// is no empty row above the text.
+    /// The text from a given word on, up to the first word that is too long for a line or the first
+    /// line that does not fit into this many columns and rows. `at_top` means that the text is at
+    /// the top of a page, without an empty row above it.
     fn begin(
         text: &Rc<BigText>,
         from: usize,
@@ -312,7 +312,7 @@ mod tests {
     }
 
     #[test]
-    fn letters_in_both_charsets() {
+    fn letters_are_drawn_in_both_charsets() {
         assert_eq!(
             drawn("Question 3", 79, 4, Charset::Ascii).unwrap(),
             r###".#""#.                        .#    ""                   .#""#.
@@ -377,7 +377,7 @@ mod tests {
     }
 
     #[test]
-    fn only_large_enough_letters_count_as_legible_from_the_back_row() {
+    fn only_sufficiently_large_letters_count_as_legible_from_the_back_row() {
         let smallest = |charset, rows| LetterSize::legible(charset, rows).last();
         assert_eq!(smallest(Charset::Unicode, 24), Some(LetterSize::Dots));
         assert_eq!(smallest(Charset::Unicode, 40), Some(LetterSize::Small));

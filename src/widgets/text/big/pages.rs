@@ -1,4 +1,4 @@
-//! Long texts in large type, on as many pages as they need.
+//! Long text in large type, on as many pages as necessary.
 
 use std::ops::Range;
 use std::rc::Rc;

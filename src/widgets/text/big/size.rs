@@ -10,12 +10,13 @@ const READ_FROM_THE_BACK: usize = 30;
 /// The size of letters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum LetterSize {
-    /// Letters of strokes in ASCII, for long texts only: names and headings are larger or in plain
-    /// type.
+    /// Letters made of strokes in ASCII, for long text only: names and headings are larger or in
+    /// plain type.
     Strokes,
-    /// A braille dot for each pixel, in Unicode, for long texts.
+    /// A braille dot for each pixel, in Unicode, for long text.
     Dots,
-    /// A cell for a square of four pixels, only in Unicode, which has quarters of cells.
+    /// A cell for a square of four pixels, only in Unicode, which has characters for quarters of a
+    /// cell.
     Small,
     /// A cell for two pixels, one above the other.
     Middle,
@@ -24,7 +25,7 @@ pub(crate) enum LetterSize {
 }
 
 impl LetterSize {
-    /// The sizes of a charset for a long text, the largest first.
+    /// The sizes of a charset for long text, the largest first.
     pub(super) const fn of_text(charset: Charset) -> &'static [Self] {
         match charset {
             Charset::Ascii => &[Self::Large, Self::Middle, Self::Strokes],
@@ -70,8 +71,8 @@ impl LetterSize {
         }
     }
 
-    /// The rows of this many lines of letters. There are two empty dots between lines of dots, so
-    /// that every second line begins in the middle of a row.
+    /// The number of rows that this many lines of letters occupy. There are two empty dots between
+    /// lines of dots, so that every second line begins in the middle of a row.
     pub(super) const fn rows(self, lines: usize) -> usize {
         match self {
             Self::Dots => 5 * lines / 2,
@@ -90,7 +91,7 @@ impl LetterSize {
         }
     }
 
-    /// The number of columns of this many pixels.
+    /// The number of columns that this many pixels occupy.
     pub(super) const fn columns(self, pixels: usize) -> usize {
         match self {
             Self::Small | Self::Dots => pixels.div_ceil(2),

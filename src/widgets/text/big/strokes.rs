@@ -1,15 +1,15 @@
-//! Letters of strokes: the smallest large type in ASCII, with three rows and a descender.
+//! Letters made of strokes: the smallest large type in ASCII, with three rows and a descender.
 //!
 //! The font is "Mini" by Glenn Chappell, in the format of FIGlet. The first line contains the
 //! height of the letters and the number of comment lines. After these, each letter from the blank
-//! on has as many lines as its height; each line has an end mark, the last one has two. A dollar
-//! sign is a blank that other letters must not fill.
+//! on has as many lines as its height; each line has an end mark, and the last line has two. A
+//! dollar sign is a blank that other letters must not fill.
 
 use std::sync::LazyLock;
 
 static FONT: &str = include_str!("../../../../assets/fonts/mini.flf");
 
-/// Rows of a line of letters.
+/// The number of rows in a line of letters.
 pub(super) const ROWS: usize = 4;
 pub(super) const BLANK: usize = 3;
 /// A blank that other letters must not fill.

@@ -1,8 +1,8 @@
-//! Blocks of text rows that are combined along a base line.
+//! Blocks of text rows that are combined along a baseline.
 
 use crate::widgets::text;
 
-/// Rows of the same width, one of which is the base line.
+/// Rows of the same width, one of which is the baseline.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(super) struct FormulaBlock {
     rows: Vec<String>,
@@ -15,7 +15,7 @@ impl FormulaBlock {
         Self::of([text.to_owned()], 0)
     }
 
-    /// A block of rows with this base line.
+    /// A block of rows with this baseline.
     pub(super) fn of(rows: impl IntoIterator<Item = String>, base: usize) -> Self {
         let mut rows: Vec<_> = rows.into_iter().collect();
         let width = rows.iter().map(|row| text::width(row)).max().unwrap_or(0);
@@ -42,24 +42,24 @@ impl FormulaBlock {
         self.rows
     }
 
-    /// Whether the base line ends in a letter.
+    /// Whether the baseline ends in a letter.
     pub(super) fn ends_with_letter(&self) -> bool {
         let last = self.rows.get(self.base).and_then(|row| row.chars().last());
         last.is_some_and(char::is_alphabetic)
     }
 
-    /// This block with another base line.
+    /// This block with another baseline.
     pub(super) fn with_base(self, base: usize) -> Self {
         Self { base, ..self }
     }
 
-    /// This block with the last row as its base line.
+    /// This block with the last row as its baseline.
     pub(super) fn with_base_at_end(self) -> Self {
         let base = self.rows.len().saturating_sub(1);
         self.with_base(base)
     }
 
-    /// This block followed by `right`, on the same base line.
+    /// This block followed by `right`, on the same baseline.
     pub(super) fn beside(&self, right: &Self) -> Self {
         if self.rows.is_empty() {
             return right.clone();
@@ -75,7 +75,7 @@ impl FormulaBlock {
         Self::of((0..height).map(|i| row(self, i) + &row(right, i)), base)
     }
 
-    /// This block above `under`, both centred; the base line does not change.
+    /// This block above `under`, both centred; the baseline does not change.
     pub(super) fn over(&self, under: &Self) -> Self {
         let width = self.width().max(under.width());
         let centred = |row: &String| {

@@ -104,8 +104,8 @@ impl Setter {
         left.beside(&roofed.with_base(inside.base() + 1))
     }
 
-    /// Scripts in the row itself if Unicode has letters for them, otherwise above and below it. In
-    /// ASCII a subscript after a letter also stays in the row, spelt out.
+    /// Superscripts and subscripts: in the row itself if Unicode has letters for them, otherwise
+    /// above and below it. In ASCII a subscript after a letter also stays in the row, spelt out.
     fn scripted(
         &self,
         base: &FormulaBlock,
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn fractions() {
+    fn fractions_are_set_over_several_rows() {
         let formula = "v_1n = (m_1 - m_2)/(m_1 + m_2) u_1n";
         assert_eq!(
             ascii(formula),
@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn roots_and_scripts() {
+    fn roots_and_scripts_are_set_in_both_charsets() {
         assert_eq!(ascii("2 sqrt 3"), ["    _", "2 \\/3"]);
         assert_eq!(unicode("sqrt(a + b)"), [" _____", "√a + b"]);
         assert_eq!(ascii("sin^2 alpha"), ["   2", "sin  alpha"]);
