@@ -138,8 +138,8 @@ fn limit(dice: &mut Dice) -> Option<Question> {
                    rebound.",
             )
             .why(
-                "Head-on, a lighter striker bounces straight back: 180°. By choosing the offset \
-                 you can get any deflection from 180° down to 0° at a graze.",
+                "Head-on, a lighter striker bounces straight back: 180°. Other offsets give every \
+                 deflection from 180° down to 0° at a graze.",
             ),
     }
 }
