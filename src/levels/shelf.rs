@@ -91,7 +91,7 @@ impl Shelf {
     }
 
     /// Notes stars that were won before; returns whether they are more than known.
-    pub(crate) fn recall(&mut self, starred: &Starred) -> bool {
+    pub fn recall(&mut self, starred: &Starred) -> bool {
         let key = (starred.pack.clone(), starred.level.clone());
         let best = self.best.entry(key).or_default();
         let stars = starred.stars.min(MOST_STARS);

@@ -169,6 +169,20 @@ impl Attempt {
         noted.map_or_else(|| self.seed.to_string(), str::to_owned)
     }
 
+    /// Whether it was given in a review.
+    pub(crate) fn is_of_review(&self) -> bool {
+        self.family != LESSON && self.round().starts_with("review")
+    }
+
+    /// The topic of the quiz that it is about; for a checkpoint of a chapter, the one by which it
+    /// is reviewed.
+    pub(crate) fn quiz_topic(&self) -> Option<&str> {
+        match self.family.as_str() {
+            LESSON => self.question.get(REVIEWED_BY)?.as_str(),
+            _ => Some(&self.topic),
+        }
+    }
+
     /// Points by how close it was, 0 to [`Grade::MOST`], without the confidence.
     pub fn points(&self) -> f64 {
         Grade::MOST * self.credit
@@ -218,6 +232,9 @@ pub(super) fn topic_name(family: &str, topic: &str) -> String {
 
 /// Where [`Attempt::question`] has the code of the round.
 pub(crate) const ROUND: &str = "round";
+
+/// Where the question of a chapter has the topic by which it is reviewed.
+pub(crate) const REVIEWED_BY: &str = "topic";
 
 /// Where it says what an answer could have shown.
 const MISCONCEPTIONS: &str = "misconceptions";

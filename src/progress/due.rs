@@ -1,7 +1,7 @@
 //! The topics of the quiz that are due.
 
 use super::{Attempt, Calendar, LESSON, Review, reviews};
-use crate::quiz::{Course, CourseKind, Family, Topic};
+use crate::quiz::{Course, CourseKind, Topic};
 
 /// The topics of the quiz that are due, and the next one. Chapters are not included: they show
 /// themselves what to repeat.
@@ -54,15 +54,14 @@ impl Review {
 
     /// Whether the quiz can ask about it.
     fn is_of_quiz(&self) -> bool {
-        Family::with_id(&self.family).is_some()
-            && !Topic::with_id(self.topic.clone()).families().is_empty()
+        self.family != LESSON && !Topic::with_id(self.topic.clone()).families().is_empty()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quiz::{Answer, Code, Confidence, Round};
+    use crate::quiz::{Answer, Code, Confidence, Family, Round};
 
     const NOW_S: i64 = 1_800_000_000;
 

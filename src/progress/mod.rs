@@ -20,9 +20,9 @@ pub(crate) mod words;
 
 pub use advice::advice;
 pub use attempt::{Attempt, LESSON};
-pub(crate) use attempt::{ROUND, figures_text};
+pub(crate) use attempt::{REVIEWED_BY, ROUND, figures_text};
 pub use beliefs::beliefs;
-pub(crate) use beliefs::{HeldBelief, Trend};
+pub(crate) use beliefs::{HeldBelief, Trend, UnsettledBelief, unsettled};
 pub use calendar::Calendar;
 pub(crate) use calendar::long_day;
 pub(crate) use calibration::{Calibrated, calibration_over_time};

@@ -16,6 +16,10 @@
 //! - Right before it is due: nothing changes, because ten right answers on one day show no more
 //!   than one.
 //!
+//! A question of a chapter that is missed brings back its topic in the same way, but on the next
+//! day, and asked differently. A topic that only chapters have brought up is off the list once it
+//! has been answered twice when due.
+//!
 //! This is the box of cards of S. Leitner (1972): the better something is known, the longer it may
 //! rest, and an answer that takes some effort has the greatest effect.
 
@@ -24,7 +28,7 @@ use jiff::ToSpan;
 use jiff::civil::Date;
 
 use super::attempt::topic_name;
-use super::{Attempt, Calendar};
+use super::{Attempt, Calendar, LESSON};
 use crate::numbers::counted;
 use crate::quiz::Confidence;
 
@@ -44,7 +48,12 @@ pub struct Review {
     pub due: Date,
     /// When it reached its step, in seconds since 1970 began.
     since_s: i64,
+    /// Whether only questions of chapters have brought it up.
+    of_chapter: bool,
 }
+
+/// The step at which a topic that only chapters have brought up is off the list.
+const DONE: u32 = 1;
 
 impl Review {
     /// The topic, as shown.
@@ -84,8 +93,24 @@ pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> 
         let Some((since_s, day)) = day else {
             continue;
         };
+        if attempt.family == LESSON
+            && !attempt.right
+            && let Some(topic) = attempt.quiz_topic()
+        {
+            let found = reviews.get(topic);
+            let review = Review {
+                family: found.map_or_else(String::new, |it| it.family.clone()),
+                topic: topic.to_owned(),
+                step: None,
+                due: day.saturating_add(1.days()),
+                since_s,
+                of_chapter: found.is_none_or(|it| it.of_chapter),
+            };
+            reviews.insert(topic, review);
+        }
         let known = attempt.right && attempt.confidence != Some(Confidence::Guess);
         let found = reviews.get(attempt.topic.as_str());
+        let of_chapter = known && found.is_some_and(|it| it.of_chapter);
         let step = match found.and_then(|it| Some((it.step?, it))) {
             _ if !known => None,
             Some((step, review)) if review.is_due(day) => {
@@ -94,8 +119,13 @@ pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> 
             }
             // It is not due yet, so nothing changes.
             Some(_) => continue,
+            None if of_chapter && found.is_some_and(|it| !it.is_due(day)) => continue,
             None => Some(0),
         };
+        if of_chapter && step >= Some(DONE) {
+            reviews.shift_remove(attempt.topic.as_str());
+            continue;
+        }
         let rest = step.map_or(0, |step| 1_i64 << step);
         let review = Review {
             family: attempt.family.clone(),
@@ -103,6 +133,7 @@ pub(crate) fn reviews(attempts: &[Attempt], calendar: &Calendar) -> Vec<Review> 
             step,
             due: day.saturating_add(rest.days()),
             since_s,
+            of_chapter,
         };
         reviews.insert(&attempt.topic, review);
     }

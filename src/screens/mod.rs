@@ -1,5 +1,6 @@
 //! The screens: one folder each, with its state and update, and its view beside it.
 
+mod ahead;
 mod context;
 mod hosted;
 mod kept_files;

@@ -45,11 +45,6 @@ impl Recall {
         }
     }
 
-    /// Whether the answer has come.
-    pub(super) fn is_known(&self) -> bool {
-        !matches!(self, Self::Asked(_))
-    }
-
     /// What was done, where there is something.
     pub(super) fn history(&self) -> Option<&History> {
         match self {

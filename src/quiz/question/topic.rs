@@ -35,7 +35,29 @@ static ROWS: LazyLock<Vec<TopicRow>> = LazyLock::new(|| {
     rows.filter_map(Result::ok).collect()
 });
 
+/// Which topic a chapter's question is about: a row of `assets/checkpoints.csv`.
+#[derive(Deserialize)]
+struct CheckpointRow {
+    chapter: String,
+    page: String,
+    topic: String,
+}
+
+static CHECKPOINTS: LazyLock<Vec<CheckpointRow>> = LazyLock::new(|| {
+    let text = include_str!("../../../assets/checkpoints.csv");
+    let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
+    rows.filter_map(Result::ok).collect()
+});
+
 impl Topic {
+    /// The topic by which the question on a page of a chapter is reviewed; `None` in a teacher's
+    /// own chapters.
+    pub(crate) fn of_checkpoint(chapter: &str, page: &str) -> Option<Self> {
+        let mut rows = CHECKPOINTS.iter();
+        let row = rows.find(|row| row.chapter == chapter && row.page == page)?;
+        Some(Self::with_id(row.topic.as_str()))
+    }
+
     /// The topic of an id. An unknown id belongs to a question in words and is its own name.
     pub fn with_id(id: impl Into<Cow<'static, str>>) -> Self {
         Self(id.into())
@@ -78,7 +100,7 @@ impl Topic {
     }
 
     /// The topics that the chapter of an id teaches.
-    pub(in crate::quiz) fn taught_in(chapter: &str) -> impl Iterator<Item = Self> {
+    pub(crate) fn taught_in(chapter: &str) -> impl Iterator<Item = Self> {
         let taught = ROWS.iter().filter(move |row| row.chapter == chapter);
         taught.map(|row| Self::with_id(row.id.as_str()))
     }

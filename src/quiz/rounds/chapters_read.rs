@@ -61,15 +61,8 @@ impl ChaptersRead {
     /// easy ones first.
     pub(super) fn questions(&self, count: usize, dice: &mut Dice) -> Vec<Question> {
         let topics: Vec<Topic> = self.topics().collect();
-        let mut order: Vec<Topic> = Vec::new();
-        while order.len() < count && !topics.is_empty() {
-            let mut all = topics.clone();
-            dice.shuffle(&mut all);
-            order.extend(all);
-        }
-        order.truncate(count);
+        let mut questions = review::in_turn(&topics, count, Topic::families_in_codes, dice);
         let mut asked = BTreeSet::new();
-        let mut questions = review::questions(&order, Topic::families_in_codes, dice);
         questions.retain(|question| asked.insert(question.text.clone()));
         questions
     }

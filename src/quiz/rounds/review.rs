@@ -1,10 +1,28 @@
-//! The questions of a review: one about each topic that is due.
+//! Questions about given topics, as in a review.
 
 use crate::quiz::question::{Dice, Difficulty, Family, Question, Topic};
 
 /// How many draws are tried before a topic is sought at another difficulty or in another family:
 /// enough for the rarest topic.
 const DRAWS: usize = 200;
+
+/// This many questions about these topics, every topic once before any is repeated, easy ones
+/// first.
+pub(super) fn in_turn(
+    topics: &[Topic],
+    count: usize,
+    families: fn(&Topic) -> Vec<Family>,
+    dice: &mut Dice,
+) -> Vec<Question> {
+    let mut order: Vec<Topic> = Vec::new();
+    while order.len() < count && !topics.is_empty() {
+        let mut all = topics.to_vec();
+        dice.shuffle(&mut all);
+        order.extend(all);
+    }
+    order.truncate(count);
+    questions(&order, families, dice)
+}
 
 /// A question about each of these topics, from these families of theirs, shuffled, easy ones first
 /// as far as possible. If it can be avoided no family comes twice in a row, because returning to an

@@ -57,7 +57,7 @@ pub(super) fn table(history: &History, columns: u16, panel: &mut Panel<ProgressA
 }
 
 /// The strongest belief that is not gone.
-pub(super) fn held(history: &History) -> Option<HeldBelief> {
+fn held(history: &History) -> Option<HeldBelief> {
     { beliefs(&history.attempts).into_iter() }.find(|belief| belief.trend() != Trend::Gone)
 }
 

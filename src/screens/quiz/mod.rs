@@ -15,8 +15,9 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 use strum::{EnumMessage, IntoStaticStr};
 
+use super::ahead::Ahead;
 use super::{Confirmation, Context, Next, Route, Screen, SharedAction, View, leads};
-use crate::messages::{Key, Mouse, MouseKind};
+use crate::messages::{Input, Key, Mouse, MouseKind};
 use crate::numbers;
 use crate::physics::Collision;
 use crate::progress::{Attempt, Summary};
@@ -47,6 +48,8 @@ pub(crate) enum QuizAction {
     Another,
     /// open the page of the chapters that settles it
     ReadUp,
+    /// take the next step
+    Next,
     /// check with two questions whether you still believe it
     Check,
     /// scroll a text that is longer than its panel
@@ -75,6 +78,8 @@ pub(crate) struct Quiz {
     phase: QuizPhase,
     /// The overlays that the player has switched on.
     layers: Overlays,
+    /// The next step, requested with the summary.
+    ahead: Option<Ahead>,
 }
 
 /// The phase of a round.
@@ -122,6 +127,7 @@ impl Quiz {
             attempts: Vec::new(),
             phase: QuizPhase::Summary(ListView::default()),
             layers: Overlays::default(),
+            ahead: None,
         };
         quiz.ask();
         quiz
@@ -134,7 +140,7 @@ impl Quiz {
         code: Code,
         answers: &[Answer],
         is_explained: bool,
-        cx: &Context,
+        cx: &mut Context,
     ) -> Self {
         let mut quiz = Self::new(code);
         for answer in answers {
@@ -146,6 +152,7 @@ impl Quiz {
             quiz.note(&question, *answer, cx);
         }
         quiz.ask();
+        quiz.look_ahead(cx);
         if let Some(last) = quiz.answers.len().checked_sub(1)
             && is_explained
             && !quiz.feedback_at_end()
@@ -252,6 +259,13 @@ impl Quiz {
         }
     }
 
+    /// Requests the next step, when the summary is shown.
+    fn look_ahead(&mut self, cx: &mut Context) {
+        if let (QuizPhase::Summary(_), None) = (&self.phase, &self.ahead) {
+            self.ahead = Some(Ahead::ask(cx));
+        }
+    }
+
     /// Number of the present question, from 1.
     fn number(&self) -> usize {
         match &self.phase {
@@ -317,7 +331,7 @@ impl Quiz {
                 };
                 let (what, yes) = match self.round.course().kind {
                     CourseKind::Exam => ("End the exam and see your answers?", "end the exam"),
-                    CourseKind::FindOut => {
+                    CourseKind::FindOut | CourseKind::FindOutFromAny => {
                         ("Stop here and see what your answers show?", "stop here")
                     }
                     _ => ("Leave the round?", "leave the round"),
@@ -401,6 +415,7 @@ impl Screen for Quiz {
         match &course.kind {
             CourseKind::Review(_) if self.is_over() => status + "  review",
             CourseKind::Review(due) => format!("{status}  review: {count} of {} due", due.len()),
+            CourseKind::Met(_) => status,
             _ => format!("{status}  code {}", self.round.code()),
         }
     }
@@ -449,6 +464,8 @@ impl Screen for Quiz {
             }
             QuizPhase::Summary(_) => keys
                 .with(ListView::keys("look at it"), LookBack)
+                .on(Key::Char('x'), QuizAction::Next, "next step")
+                .when(self.ahead.as_ref().is_some_and(|it| it.step().is_some()))
                 .on(Key::Char('k'), Check, "check it")
                 .when(self.found().is_some())
                 .on(Key::Char('n'), Another, "another round")
@@ -503,17 +520,40 @@ impl Screen for Quiz {
             }
             (QuizAction::Another, _) => return self.again(cx),
             (QuizAction::ReadUp, _) => return leads::open(self.passage(), cx),
+            (QuizAction::Next, _) => {
+                let ahead = self.ahead.as_ref();
+                return match ahead.map_or(Next::Stay, |ahead| ahead.follow(cx)) {
+                    // Another round takes the place of this one.
+                    Next::Open(round @ Route::Quiz { .. }) => Next::Replace(round),
+                    other => other,
+                };
+            }
             (QuizAction::Check, _) => self.check(),
             (QuizAction::Scroll(rows), _) => return scroll(rows),
             (QuizAction::Leave, _) => return self.leave(),
             _ => return Next::Ignored,
         }
+        self.look_ahead(cx);
         Next::Stay
     }
 
-    fn confirmed(&mut self, _left: QuizAction, _cx: &mut Context) -> Next {
+    fn input(&mut self, input: &Input, cx: &mut Context) -> Next {
+        match (input, &mut self.ahead) {
+            (Input::Kept(answer), Some(ahead)) => ahead.take(answer, cx),
+            _ => return Next::Ignored,
+        }
+        Next::Stay
+    }
+
+    fn resumed(&mut self, cx: &mut Context) {
+        self.ahead = None;
+        self.look_ahead(cx);
+    }
+
+    fn confirmed(&mut self, _left: QuizAction, cx: &mut Context) -> Next {
         if self.feedback_at_end() {
             self.phase = QuizPhase::Summary(ListView::default());
+            self.look_ahead(cx);
             return Next::Stay;
         }
         CHOOSE

@@ -17,7 +17,7 @@ pub(super) const WIDEST: u16 = 108;
 /// confidence matched the answers, and what to try next.
 pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
     let summary = quiz.summary();
-    let finds_out = quiz.round.course().kind == CourseKind::FindOut;
+    let finds_out = quiz.round.course().follows_answers();
     let (title, opening, closing) = match finds_out {
         true => ("what you seem to believe", summary.finding(), Vec::new()),
         false => ("your round", vec![score(&summary)], closing(quiz, &summary)),
@@ -44,6 +44,10 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
         };
         panel.prompt(check, QuizAction::Check);
     }
+    if let Some(ahead) = &quiz.ahead {
+        panel.worth(4, Panel::gap);
+        ahead.write(QuizAction::Next, &mut panel);
+    }
     if let Some((text, command)) = for_a_friend(quiz.round.code()) {
         panel.worth(3, Panel::gap);
         let address = format!("quiz={}", quiz.round.code());
@@ -55,7 +59,7 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
 /// How a friend gets the same round; a review is personal.
 fn for_a_friend(code: &Code) -> Option<(&'static str, String)> {
     match code.course.kind {
-        CourseKind::Review(_) | CourseKind::Own(_) => None,
+        CourseKind::Met(_) | CourseKind::Review(_) | CourseKind::Own(_) => None,
         CourseKind::Hits => Some((
             "The same ten for a friend",
             format!("carrom quiz --seed {code}"),
@@ -84,10 +88,7 @@ fn closing(quiz: &Quiz, summary: &Summary) -> Vec<String> {
     let mut closing = vec![summary.calibration_words()];
     match quiz.round.course().kind {
         CourseKind::Check(misconception) => closing.push(summary.checked(misconception)),
-        _ => {
-            closing.extend(summary.held_words());
-            closing.push(summary.advice());
-        }
+        _ => closing.extend(summary.held_words()),
     }
     closing
 }
