@@ -222,6 +222,7 @@ fn database(chance: &mut Pcg64Mcg, folder: &Path) -> Result<(), Fault> {
             StoreRequest::Recall(None),
             StoreRequest::Stars("Ada".into()),
             StoreRequest::Marks("Ada".into()),
+            StoreRequest::Players,
             star,
         ] {
             if let StoreReply::Recalled(Ok(history)) = ask(&mut store, request).done {

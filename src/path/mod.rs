@@ -186,9 +186,8 @@ impl<'a> PathSoFar<'a> {
             1 => format!("Because one of your answers showed this: {name}."),
             times => format!("Because {times} of your answers showed this: {name}."),
         };
-        let asked = belief.last.question.get("asked").and_then(|it| it.as_str());
         let topic = Topic::with_id(belief.last.topic.clone());
-        let passage = misconception.settled_in(&topic, asked);
+        let passage = misconception.settled_in(&topic, &belief.last.question);
         let (chapter, page) = self.book.find(passage)?;
         let number = self.chapters()[chapter].number;
         Some(match self.has_seen(passage) {

@@ -147,11 +147,6 @@ impl Question {
             .map(|(belief, fit, _)| (belief, fit))
     }
 
-    /// Which of its topic's questions it is, where there are several.
-    pub(crate) fn asked(&self) -> Option<&str> {
-        self.figures.get("asked")?.as_str()
-    }
-
     /// The misconceptions that an answer could show.
     pub fn could_show(&self) -> impl Iterator<Item = Misconception> {
         self.beliefs.iter().map(|belief| belief.misconception)

@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-use super::{Family, Passage};
+use super::{Family, Figures, Passage};
 
 /// What a question is about. Store it by its [`id`](Self::id), which never changes; show its
 /// [`name`](Self::name). Two with the same id are one topic.
@@ -48,6 +48,34 @@ static CHECKPOINTS: LazyLock<Vec<CheckpointRow>> = LazyLock::new(|| {
     let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
     rows.filter_map(Result::ok).collect()
 });
+
+/// The page that treats a topic in a case that its own page does not: a row of
+/// `assets/topic_pages.csv`.
+#[derive(Deserialize)]
+struct CaseRow {
+    topic: String,
+    case: String,
+    chapter: String,
+    page: String,
+}
+
+static CASES: LazyLock<Vec<CaseRow>> = LazyLock::new(|| {
+    let text = include_str!("../../../assets/topic_pages.csv");
+    let rows = csv::Reader::from_reader(text.as_bytes()).into_deserialize();
+    rows.filter_map(Result::ok).collect()
+});
+
+/// Which case a question is about, by its figures: "lossy", "unequal" for the masses, or "equal".
+pub(in crate::quiz) fn case(figures: &Figures) -> &'static str {
+    let figure = |name: &str| figures.get(name).and_then(|it| it.as_f64());
+    if figure("restitution").is_some_and(|e| e < 1.0) {
+        "lossy"
+    } else if figure("m1_g") != figure("m2_g") {
+        "unequal"
+    } else {
+        "equal"
+    }
+}
 
 impl Topic {
     /// The topic by which the question on a page of a chapter is reviewed; `None` in a teacher's
@@ -109,6 +137,17 @@ impl Topic {
     pub fn taught_on(&self) -> Option<Passage> {
         let TopicRow { chapter, page, .. } = self.known()?;
         Some(Passage { chapter, page })
+    }
+}
+
+impl Topic {
+    /// The page that teaches what a question with these figures asks about it.
+    pub(crate) fn taught_for(&self, figures: &Figures) -> Option<Passage> {
+        let case = case(figures);
+        let mut rows = CASES.iter();
+        let found = rows.find(|row| row.topic == self.0 && row.case == case);
+        let of_case = found.map(|CaseRow { chapter, page, .. }| Passage { chapter, page });
+        of_case.or_else(|| self.taught_on())
     }
 }
 

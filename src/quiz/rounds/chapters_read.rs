@@ -38,6 +38,12 @@ impl ChaptersRead {
         Self::of_letters(ids.into_iter().filter_map(letter))
     }
 
+    /// The place of a chapter among those of the program, for sorting; others come last.
+    pub(crate) fn order_of(id: &str) -> usize {
+        let found = LETTERS.iter().position(|(_, known)| *known == id);
+        found.unwrap_or(LETTERS.len())
+    }
+
     /// The chapters of the letters in a code; `None` if they are none, or not in order.
     pub(super) fn parse(letters: &str) -> Option<Self> {
         let chapters = Self::of_letters(letters.chars())?;

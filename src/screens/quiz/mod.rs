@@ -18,7 +18,6 @@ use strum::{EnumMessage, IntoStaticStr};
 use super::ahead::Ahead;
 use super::{Confirmation, Context, Next, Route, Screen, SharedAction, View, leads};
 use crate::messages::{Input, Key, Mouse, MouseKind};
-use crate::numbers;
 use crate::physics::Collision;
 use crate::progress::{Attempt, Summary};
 use crate::quiz::{
@@ -410,7 +409,7 @@ impl Screen for Quiz {
         };
         let scores = !course.follows_answers();
         if scores && (!self.feedback_at_end() || self.has_ended()) {
-            status += &format!("  {} points", numbers::points(self.summary().points()));
+            status += &format!("  {} right", self.summary().right());
         }
         match &course.kind {
             CourseKind::Review(_) if self.is_over() => status + "  review",

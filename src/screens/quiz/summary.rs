@@ -20,7 +20,11 @@ pub(super) fn panel(quiz: &Quiz, at: usize, book: &Book) -> Panel<QuizAction> {
     let finds_out = quiz.round.course().follows_answers();
     let (title, opening, closing) = match finds_out {
         true => ("what you seem to believe", summary.finding(), Vec::new()),
-        false => ("your round", vec![score(&summary)], closing(quiz, &summary)),
+        false => (
+            "your round",
+            vec![score(&summary), summary.points_words()],
+            closing(quiz, &summary),
+        ),
     };
     let mut panel = Panel::new(title);
     for (i, text) in opening.into_iter().enumerate() {
@@ -88,7 +92,11 @@ fn closing(quiz: &Quiz, summary: &Summary) -> Vec<String> {
     let mut closing = vec![summary.calibration_words()];
     match quiz.round.course().kind {
         CourseKind::Check(misconception) => closing.push(summary.checked(misconception)),
-        _ => closing.extend(summary.held_words()),
+        _ => {
+            closing.extend(summary.held_words());
+            let held = summary.most_held();
+            closing.extend(held.map(|(misconception, _)| misconception.advice().into()));
+        }
     }
     closing
 }
