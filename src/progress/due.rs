@@ -46,13 +46,7 @@ impl Due {
 }
 
 impl Review {
-    /// Whether anything asks about it again: the quiz, or the chapter that did before. A teacher's
-    /// own questions may have topics of their own.
-    pub(crate) fn comes_back(&self) -> bool {
-        self.family == LESSON || self.is_of_quiz()
-    }
-
-    /// Whether the quiz can ask about it.
+    /// Whether the quiz can ask about it: a teacher's own questions may have topics of their own.
     fn is_of_quiz(&self) -> bool {
         self.family != LESSON && !Topic::with_id(self.topic.clone()).families().is_empty()
     }

@@ -3,9 +3,8 @@
 //! An [`Attempt`] is one answer with everything known about it. Everything else here is derived
 //! from the attempts of a player, in their order, and never stored: a [`Tally`] of any of them, the
 //! state of each topic, how well [`Confidence`](crate::quiz::Confidence) matches the answers,
-//! misconceptions and whether they fade, what is [`Due`] for review, and what to do next.
+//! misconceptions and whether they fade, and what is [`Due`] for review.
 
-mod advice;
 mod attempt;
 mod beliefs;
 mod calendar;
@@ -18,7 +17,6 @@ mod tally;
 mod topics;
 pub(crate) mod words;
 
-pub use advice::advice;
 pub use attempt::{Attempt, LESSON};
 pub(crate) use attempt::{REVIEWED_BY, ROUND, figures_text};
 pub use beliefs::beliefs;

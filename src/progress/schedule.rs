@@ -27,7 +27,6 @@ use indexmap::IndexMap;
 use jiff::ToSpan;
 use jiff::civil::Date;
 
-use super::attempt::topic_name;
 use super::{Attempt, Calendar, LESSON};
 use crate::numbers::counted;
 use crate::quiz::Confidence;
@@ -56,11 +55,6 @@ pub struct Review {
 const DONE: u32 = 1;
 
 impl Review {
-    /// The topic, as shown.
-    pub(crate) fn topic_name(&self) -> String {
-        topic_name(&self.family, &self.topic)
-    }
-
     /// When it is due relative to `today`, in few letters: "now", "in 2 days".
     pub fn when(&self, today: Date) -> String {
         // Between two dates a difference in days always fits.
@@ -220,6 +214,43 @@ mod tests {
         let reviews = reviews(&[on_day(0, true), other, timeless], &Calendar::default());
         let topics: Vec<_> = reviews.iter().map(|it| it.topic.as_str()).collect();
         assert_eq!(topics, ["b", "a"]);
+    }
+
+    /// A missed question of a chapter about the topic "a", so many days after the first.
+    fn missed_in_a_chapter(day: i64) -> Attempt {
+        let mut attempt = Attempt {
+            family: LESSON.into(),
+            topic: "A chapter".into(),
+            ..on_day(day, false)
+        };
+        attempt.question.insert("topic".into(), "a".into());
+        attempt
+    }
+
+    #[test]
+    fn what_a_chapter_missed_comes_back_later_and_leaves_once_answered_twice() {
+        let calendar = Calendar::utc(Some(START_S));
+        let mut attempts = vec![missed_in_a_chapter(0)];
+        let due = |attempts: &[Attempt]| {
+            let all = reviews(attempts, &calendar);
+            let found = all.iter().find(|it| it.topic == "a");
+            found.map(|it| (it.due - calendar.today().unwrap()).get_days())
+        };
+        assert_eq!(due(&attempts), Some(1));
+        // Too early.
+        attempts.push(on_day(0, true));
+        assert_eq!(due(&attempts), Some(1));
+        attempts.push(on_day(1, true));
+        assert_eq!(due(&attempts), Some(2));
+        let mut missed = attempts.clone();
+        attempts.push(on_day(2, true));
+        assert_eq!(due(&attempts), None);
+        // What the quiz has asked and found missing stays on the ladder.
+        missed.extend([on_day(2, false), on_day(2, true), on_day(3, true)]);
+        assert_eq!(due(&missed), Some(5));
+        missed.push(missed_in_a_chapter(4));
+        missed.extend([on_day(5, true), on_day(6, true)]);
+        assert_eq!(due(&missed), Some(8));
     }
 
     #[test]

@@ -320,6 +320,13 @@ mod tests {
     #[test]
     fn the_points_are_the_sum_even_below_zero() {
         let missed = summary(&[(Confidence::Sure, false); 3]);
+        // The headline is never negative; the points below it are explained.
+        assert_eq!(missed.score(), "0 of 3 right");
+        assert!(
+            missed
+                .points_words()
+                .contains("a wrong \"sure\" loses points")
+        );
         assert!((missed.points() + 18.0).abs() < 1e-12);
         assert!((missed.most() - 30.0).abs() < 1e-12);
         assert_eq!(missed.right(), 0);

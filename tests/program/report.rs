@@ -130,6 +130,7 @@ fn with_marks<'a>(
         history,
         marks,
         stars,
+        next: "Find out what you believe.",
         levels: levels::LevelLibrary::embedded_once(),
         lessons: lessons::ChapterLibrary::embedded_once(),
     })
@@ -351,7 +352,7 @@ fn a_player_without_answers_gets_a_page_that_says_so() {
     assert!(report.pictures().is_empty());
     for text in [report.html(), report.markdown("pictures")] {
         assert!(text.contains("every game starts with a clean board"));
-        assert!(text.contains("Play a round of the quiz"));
+        assert!(text.contains("Find out what you believe"));
         assert!(!text.contains("NaN") && !text.contains("inf "));
     }
 }

@@ -10,6 +10,9 @@ mod families;
 mod find_out;
 mod forms;
 mod frozen;
+mod path;
 mod readability;
 mod rounds;
+#[path = "../../benches/students/mod.rs"]
+mod students;
 mod working;

@@ -90,7 +90,7 @@ pub enum HomeAction {
     /// go back to your class
     Class,
     /// take the next step: read on, review what is due, find out what you believe
-    Next,
+    Suggested,
     /// open a menu entry by its letter
     Open(usize),
     /// quit carrom
@@ -146,10 +146,10 @@ impl Screen for Home {
         KeyTable::new("home")
             .with(ListView::keys("open"), HomeAction::List)
             .on(Key::Char('q'), HomeAction::Quit, "quit")
-            .on('n', HomeAction::Next, "next step")
+            .on('n', HomeAction::Suggested, "next step")
             .or([
-                (Key::Char('b'), HomeAction::Next),
-                (Key::Char('r'), HomeAction::Next),
+                (Key::Char('b'), HomeAction::Suggested),
+                (Key::Char('r'), HomeAction::Suggested),
             ])
             .when(self.ahead.step().is_some())
             .on('j', HomeAction::Class, "")
@@ -172,7 +172,7 @@ impl Screen for Home {
                 Next::of(outcome, |line| self.open(lines[line], cx))
             }
             HomeAction::Class => self.open(Line::Class, cx),
-            HomeAction::Next => self.open(Line::Next, cx),
+            HomeAction::Suggested => self.open(Line::Next, cx),
             HomeAction::Open(entry) => self.open(Line::Entry(entry), cx),
             HomeAction::Leave => Next::Confirm(Confirmation::new("Leave carrom?", "leave", "stay")),
             HomeAction::Quit => Next::Quit,
