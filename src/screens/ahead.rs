@@ -11,7 +11,11 @@ use crate::widgets::panel::Panel;
 /// The player's record, and the next step once all of it is known.
 #[derive(Debug, Clone)]
 pub(super) struct Ahead {
+    /// Whose it is.
+    player: String,
     pub(super) history: Recall,
+    /// The same, requested again: until it arrives the earlier one is shown.
+    again: Option<Recall>,
     found: Option<(NextStep, PathDone)>,
 }
 
@@ -19,7 +23,9 @@ impl Default for Ahead {
     /// Nothing is requested yet.
     fn default() -> Self {
         Self {
+            player: String::new(),
             history: Recall::Asked(0),
+            again: None,
             found: None,
         }
     }
@@ -29,16 +35,35 @@ impl Ahead {
     /// Requests all that the next step depends on.
     pub(super) fn ask(cx: &mut Context) -> Self {
         cx.ask_for_marks();
-        cx.ask(StoreRequest::Stars(cx.settings.player.clone()));
+        let player = cx.settings.player.clone();
+        cx.ask(StoreRequest::Stars(player.clone()));
         Self {
+            player,
             history: Recall::ask(cx),
+            again: None,
             found: None,
+        }
+    }
+
+    /// Requests it again, after something else was done.
+    pub(super) fn ask_again(&mut self, cx: &mut Context) {
+        let fresh = Self::ask(cx);
+        match fresh.player == self.player {
+            true => self.again = Some(fresh.history),
+            false => *self = fresh,
         }
     }
 
     /// Takes what came of it, if `answer` is part of that.
     pub(super) fn take(&mut self, answer: &StoreAnswer, cx: &Context) {
         self.history.take(answer);
+        if let Some(again) = &mut self.again {
+            again.take(answer);
+            if !matches!(again, Recall::Asked(_)) {
+                self.history = again.clone();
+                self.again = None;
+            }
+        }
         let Recall::Known(history) = &self.history else {
             return;
         };

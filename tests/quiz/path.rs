@@ -270,3 +270,21 @@ fn every_learner_arrives_without_a_loop_and_whoever_knows_reads_nothing() {
         assert!(learner.days() < 30, "{}", belief.name());
     }
 }
+
+#[test]
+fn a_week_away_leads_back_and_whoever_plays_levels_alone_is_still_asked_to_find_out() {
+    let mut away = Learner::new(Belief::HalfAndHalf, Habit::Pauses, 1_000);
+    while !away.has_arrived() {
+        away.take_step();
+        assert!(away.steps.len() < 60, "{:?}", away.next());
+    }
+    assert!((7..30).contains(&away.days()));
+    assert!(away.steps.iter().any(|it| matches!(it, Step::Review(_))));
+    let mut plays = Learner::new(Belief::IgnoresMass, Habit::OnlyPlays, 1_000);
+    while plays.steps.last() != Some(&Step::Table) {
+        plays.take_step();
+    }
+    assert_eq!(plays.next().step, Step::FindOut);
+    let packs = plays.done().packs;
+    assert_eq!(packs.0, packs.1);
+}

@@ -198,7 +198,7 @@ impl Screen for Home {
     }
 
     fn resumed(&mut self, cx: &mut Context) {
-        self.ahead = Ahead::ask(cx);
+        self.ahead.ask_again(cx);
         self.list = ListView::default();
     }
 

@@ -275,7 +275,7 @@ impl Screen for Progress {
     }
 
     fn resumed(&mut self, cx: &mut Context) {
-        self.ahead = Ahead::ask(cx);
+        self.ahead.ask_again(cx);
     }
 
     fn about(&self, _cx: &Context) -> Vec<&'static str> {

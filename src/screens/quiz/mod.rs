@@ -545,8 +545,10 @@ impl Screen for Quiz {
     }
 
     fn resumed(&mut self, cx: &mut Context) {
-        self.ahead = None;
-        self.look_ahead(cx);
+        match &mut self.ahead {
+            Some(ahead) => ahead.ask_again(cx),
+            None => self.look_ahead(cx),
+        }
     }
 
     fn confirmed(&mut self, _left: QuizAction, cx: &mut Context) -> Next {

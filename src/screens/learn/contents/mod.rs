@@ -195,7 +195,7 @@ impl Screen for Contents {
     }
 
     fn resumed(&mut self, cx: &mut Context) {
-        self.ahead = Ahead::ask(cx);
+        self.ahead.ask_again(cx);
         self.moved = true;
     }
 
