@@ -274,12 +274,11 @@ fn every_learner_arrives_without_a_loop_and_whoever_knows_reads_nothing() {
 #[test]
 fn a_week_away_leads_back_and_whoever_plays_levels_alone_is_still_asked_to_find_out() {
     let mut away = Learner::new(Belief::HalfAndHalf, Habit::Pauses, 1_000);
-    while !away.has_arrived() {
+    while !(away.has_arrived() && matches!(away.steps.last(), Some(Step::Review(_)))) {
         away.take_step();
         assert!(away.steps.len() < 60, "{:?}", away.next());
     }
     assert!((7..30).contains(&away.days()));
-    assert!(away.steps.iter().any(|it| matches!(it, Step::Review(_))));
     let mut plays = Learner::new(Belief::IgnoresMass, Habit::OnlyPlays, 1_000);
     while plays.steps.last() != Some(&Step::Table) {
         plays.take_step();

@@ -51,28 +51,28 @@ impl Home {
     }
 
     /// The lines: what comes next, then the menu.
-    fn lines(&self, cx: &Context) -> Vec<Line> {
-        let class = cx.class.iter().map(|_| Line::Class);
-        let step = self.ahead.step().map(|_| Line::Next);
-        let entries = (0..ENTRIES.len()).map(Line::Entry);
+    fn lines(&self, cx: &Context) -> Vec<HomeLine> {
+        let class = cx.class.iter().map(|_| HomeLine::Class);
+        let step = self.ahead.step().map(|_| HomeLine::Next);
+        let entries = (0..ENTRIES.len()).map(HomeLine::Entry);
         class.chain(step).chain(entries).collect()
     }
 
     /// Opens a line.
-    fn open(&mut self, line: Line, cx: &mut Context) -> Next {
+    fn open(&mut self, line: HomeLine, cx: &mut Context) -> Next {
         let at = self.lines(cx).iter().position(|it| *it == line);
         self.list.choose(at.unwrap_or(0));
         match line {
-            Line::Class => cx.class.clone().map_or(Next::Stay, Next::Open),
-            Line::Next => self.ahead.follow(cx),
-            Line::Entry(entry) => Next::Open(ENTRIES[entry].3.clone()),
+            HomeLine::Class => cx.class.clone().map_or(Next::Stay, Next::Open),
+            HomeLine::Next => self.ahead.follow(cx),
+            HomeLine::Entry(entry) => Next::Open(ENTRIES[entry].3.clone()),
         }
     }
 }
 
 /// A line of the home screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Line {
+pub enum HomeLine {
     /// Return to the class that the pupil left.
     Class,
     /// Follow the path.
@@ -87,10 +87,8 @@ enum Line {
 pub enum HomeAction {
     /// choose and open
     List(ListAction),
-    /// go back to your class
-    Class,
     /// take the next step: read on, review what is due, find out what you believe
-    Suggested,
+    Suggested(HomeLine),
     /// open a menu entry by its letter
     Open(usize),
     /// quit carrom
@@ -141,18 +139,16 @@ impl Screen for Home {
     }
 
     fn keys(&self, cx: &Context) -> KeyTable<HomeAction> {
+        let next = HomeAction::Suggested(HomeLine::Next);
         let letters = ENTRIES.iter().map(|(letter, ..)| *letter);
         let letters = letters.zip((0..).map(HomeAction::Open));
         KeyTable::new("home")
             .with(ListView::keys("open"), HomeAction::List)
             .on(Key::Char('q'), HomeAction::Quit, "quit")
-            .on('n', HomeAction::Suggested, "next step")
-            .or([
-                (Key::Char('b'), HomeAction::Suggested),
-                (Key::Char('r'), HomeAction::Suggested),
-            ])
+            .on('n', next, "next step")
+            .or([(Key::Char('b'), next), (Key::Char('r'), next)])
             .when(self.ahead.step().is_some())
-            .on('j', HomeAction::Class, "")
+            .on('j', HomeAction::Suggested(HomeLine::Class), "")
             .when(cx.class.is_some())
             .each(letters, "")
             // The class had this letter before it got its own.
@@ -171,9 +167,8 @@ impl Screen for Home {
                 let outcome = self.list.act(action, lines.len());
                 Next::of(outcome, |line| self.open(lines[line], cx))
             }
-            HomeAction::Class => self.open(Line::Class, cx),
-            HomeAction::Suggested => self.open(Line::Next, cx),
-            HomeAction::Open(entry) => self.open(Line::Entry(entry), cx),
+            HomeAction::Suggested(line) => self.open(line, cx),
+            HomeAction::Open(entry) => self.open(HomeLine::Entry(entry), cx),
             HomeAction::Leave => Next::Confirm(Confirmation::new("Leave carrom?", "leave", "stay")),
             HomeAction::Quit => Next::Quit,
         }

@@ -1,6 +1,6 @@
 //! The view of the home screen.
 
-use super::{ENTRIES, Home, HomeAction, Line};
+use super::{ENTRIES, Home, HomeAction, HomeLine};
 use crate::screens::{Context, View};
 use crate::widgets::input::ListAction;
 use crate::widgets::panel::Panel;
@@ -37,18 +37,18 @@ fn menu(home: &Home, cx: &Context) -> Panel<HomeAction> {
         let point = HomeAction::List(ListAction::Point(at));
         let style = |role| (role, at == chosen);
         match line {
-            Line::Class => {
+            HomeLine::Class => {
                 panel.entry('j', ("Back to your class", ""), style(Role::Key), point);
                 panel.gap();
             }
-            Line::Next => {
+            HomeLine::Next => {
                 if let Some(next) = home.ahead.step() {
                     panel.entry('n', (&*next.words, ""), style(Role::Key), point);
                     panel.paragraph(&next.why, Role::Dim);
                     panel.gap();
                 }
             }
-            Line::Entry(entry) => {
+            HomeLine::Entry(entry) => {
                 let (letter, name, about, _) = &ENTRIES[entry];
                 panel.entry(*letter, (*name, *about), style(Role::Text), point);
             }
