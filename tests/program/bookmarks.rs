@@ -58,7 +58,7 @@ fn a_chapter_opens_the_next_time_where_it_was_left() {
     shows(&mut game, "page 3 of 5");
     let mut game = open(folder.path(), "Ada", None);
     shows(&mut game, "read 3 of 5");
-    game.press("<Down>");
+    game.press("<Home><Down>");
     shows(&mut game, "go on at page 3");
     shows(&mut game, "3 of 5");
     game.press("<Enter>");
@@ -82,7 +82,7 @@ fn a_chapter_read_to_its_end_begins_at_its_first_page() {
     shows(&mut game, "carrom : learn");
     let mut game = open(folder.path(), "Ada", None);
     shows(&mut game, "right 0 of 3");
-    game.press("<Down>");
+    game.press("<Home><Down>");
     shows(&mut game, "Enter: read it.");
     game.press("<Enter>");
     shows(&mut game, "page 1 of 5");
@@ -222,7 +222,9 @@ fn a_chapter_that_was_changed_opens_all_the_same() {
         // All of it can be read, and be done.
         game.press(&"b".repeat(5));
         for _ in 0..5 {
-            game.press("1<Enter>n");
+            if !game.screen().contains("carrom : learn") {
+                game.press("1<Enter>n");
+            }
         }
         // Perhaps as far as the first screen, which asks before it is left.
         game.press("<Escape><Escape>ne");
@@ -249,7 +251,8 @@ fn nothing_is_shown_or_saved_before_the_bookmark_is_known() {
     for place in [Route::Learn, Route::Chapter { number: 1 }] {
         let mut app = App::new(place, settings("Ada"), 1);
         let asked = app.update(&Input::Resize(80, 24));
-        let [Effect::Keep(request)] = &asked[..] else {
+        // The contents also request what the next step depends on.
+        let Some(Effect::Keep(request)) = asked.first() else {
             panic!("{asked:?}");
         };
         assert_eq!(request.request, StoreRequest::Marks("Ada".into()));

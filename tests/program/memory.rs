@@ -62,7 +62,7 @@ fn answer(game: &mut Headless) {
     game.press("60<Enter>30<Enter>2<End>");
     let screen = game.screen();
     assert!(
-        screen.contains("points  ") && screen.contains("of 10 points"),
+        screen.contains(" right  code") && screen.contains("of 10 points"),
         "{screen}"
     );
 }
