@@ -285,7 +285,8 @@ impl<'a> PathSoFar<'a> {
             true => teacher,
             false => (0..=teacher).find(|at| self.is_open(*at, topics))?,
         };
-        let mut why = format!("Because you missed this: {topic}.");
+        let name = topic.name();
+        let mut why = format!("Because you missed this: {}.", name.trim_end_matches('?'));
         if chapter != teacher {
             let [first, last] = [chapter, teacher].map(|at| self.chapters()[at].number);
             why += &format!(" Chapter {last} teaches it, and builds on chapter {first}.");

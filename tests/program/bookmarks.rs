@@ -227,7 +227,11 @@ fn a_chapter_that_was_changed_opens_all_the_same() {
             }
         }
         // Perhaps as far as the first screen, which asks before it is left.
-        game.press("<Escape><Escape>ne");
+        game.press("<Escape><Escape>");
+        if game.screen().contains("Leave carrom?") {
+            game.press("n");
+        }
+        game.press("e");
         shows(&mut game, "1 of 1 chapters done");
         // Back to what it was: what fits it is there again.
         let mut game = own(folder.path(), &before);
