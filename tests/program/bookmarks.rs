@@ -221,9 +221,10 @@ fn a_chapter_that_was_changed_opens_all_the_same() {
         assert_eq!(game.screen().contains("Said to that."), answered, "{pages}");
         // All of it can be read, and be done.
         game.press(&"b".repeat(5));
-        for _ in 0..5 {
-            if !game.screen().contains("carrom : learn") {
-                game.press("1<Enter>n");
+        for key in ["1", "<Enter>", "n"].repeat(5) {
+            // In the contents that key takes the next step, out of the chapters.
+            if key != "n" || !game.screen().contains("carrom : learn") {
+                game.press(key);
             }
         }
         // Perhaps as far as the first screen, which asks before it is left.
