@@ -137,7 +137,7 @@ impl Learner {
             }
         }
         self.time_s += STEP_S;
-        if self.steps.len() % STEPS_A_DAY == 0 {
+        if self.steps.len().is_multiple_of(STEPS_A_DAY) {
             self.time_s += DAY_S - STEPS_A_DAY as i64 * STEP_S;
         }
         if self.habit == Habit::Pauses && self.steps.len() == 10 {
