@@ -85,7 +85,7 @@ fn print(name: &str, journeys: &[Journey]) {
         words(chapters),
         match journeys
             .iter()
-            .find(|it| it.finished.is_none() || it.looped)
+            .find(|it| it.arrived.is_none() || it.finished.is_none() || it.looped)
         {
             None => "no plateau, no loop".to_owned(),
             Some(it) if it.looped => format!("LOOP, at: {}", it.next),
